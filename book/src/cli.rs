@@ -76,7 +76,7 @@ other programs, and leaves the pages' drawings as they are: `cargo run -- figure
         #[arg(long)]
         list: bool,
     },
-    /// Write what the proofs claim as theorems for Coq, into crates/proofs/coq/certificates/
+    /// Write what the proofs claim as theorems for Coq
     Certificates(certificates::Arguments),
     /// List which exercises are done, begun and open, by chapter; runs those that you have changed
     #[command(after_help = "`cargo exercise NAME` runs one exercise.")]
@@ -281,7 +281,7 @@ mod tests {
             &["print", "problems", "--out", "folder"],
             &["check"],
             &["check", "folder", "--list"],
-            &["certificates", "--check"],
+            &["certificates", "--out", "folder"],
             &["exercises"],
             &["exercises", "next"],
             &["exercises", "untouched"],

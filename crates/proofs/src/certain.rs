@@ -1,8 +1,8 @@
 //! How certain a number is, seen by the type that it is computed with.
 //!
 //! What is asserted of [`proven`] is a statement about exact fractions or whole numbers, computed without
-//! rounding; what is asserted of [`enclosed`], about real numbers. That the computation is the one that a text
-//! speaks of, neither shows. Both give back what they are given: they are there so that the compiler
+//! rounding; what is asserted of [`enclosed`], about real numbers. That the computation is the one that a
+//! text speaks of, neither shows. Both give back what they are given: they are there so that the compiler
 //! refuses a float, and so that a reader, the book's guard too, sees on what an assertion rests.
 //!
 //! ```

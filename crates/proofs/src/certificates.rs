@@ -4,20 +4,20 @@
 //! are real numbers, relations and divisors other than zero are hypotheses. Where a claim must fail, the
 //! theorem gives numbers for which it does.
 
-mod numbers;
 mod print;
+mod shape;
 mod statement;
 mod theorem;
 mod witness;
 
 use crate::proof::{Outcome, Proof, Residue};
 use crate::proofs::proofs;
-use crate::record::{Claim, Entry, recorded};
+use crate::record::{Assertion, Claim, Entry, recorded};
 use std::fmt::Write as _;
 use theorem::Theorem;
 
 /// One file of theorems: those of the proofs of one part of the library.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub struct Certificate {
     /// The part of the library.
     pub part: &'static str,
@@ -25,13 +25,14 @@ pub struct Certificate {
     pub text: String,
     /// The names of its proofs that have theorems.
     pub proofs: Vec<&'static str>,
-    /// The names of its proofs that make claims of numbers alone, and have no theorem.
+    /// The names of its proofs whose claims are all of numbers, or of the same on both sides: they have no
+    /// theorem.
     pub without: Vec<&'static str>,
     /// The number of theorems that hold for all numbers.
     pub theorems: usize,
     /// The number of theorems that give a counterexample to a claim that must fail, mutants apart.
     pub counterexamples: usize,
-    /// The number of mutants whose claim a theorem refutes.
+    /// The number of mutants whose claim a theorem about letters refutes.
     pub mutants: usize,
     /// Claims for which no theorem could be written, each with its proof.
     pub missing: Vec<String>,
@@ -43,13 +44,12 @@ pub fn certificates() -> Vec<Certificate> {
     let mut all: Vec<Certificate> = Vec::new();
     for proof in proofs() {
         let place = all.iter().position(|c| c.part == proof.part).unwrap_or_else(|| {
-            all.push(Certificate::new(proof.part));
+            all.push(Certificate { part: proof.part, text: HEADER.to_owned(), ..Certificate::default() });
             all.len() - 1
         });
         all[place].add(proof);
     }
     all.retain(|c| !c.proofs.is_empty() || !c.without.is_empty());
-    all.push(numbers::certificate());
     all
 }
 
@@ -60,19 +60,6 @@ Require Import Tumbling.tactics Tumbling.decide.
 ";
 
 impl Certificate {
-    fn new(part: &'static str) -> Self {
-        Self {
-            part,
-            text: HEADER.to_owned(),
-            proofs: Vec::new(),
-            without: Vec::new(),
-            theorems: 0,
-            counterexamples: 0,
-            mutants: 0,
-            missing: Vec::new(),
-        }
-    }
-
     /// Adds the theorems of a proof and of its mutants.
     fn add(&mut self, proof: &Proof) {
         let name = proof.name.replace('-', "_");
@@ -105,7 +92,7 @@ impl Certificate {
             let _ = write!(self.text, "\n(* With {}. *)\n", plain(mutant.change));
             match refutation(&name, &outcome, &entries) {
                 Some(theorems) => {
-                    self.mutants += 1;
+                    self.mutants += usize::from(!theorems.is_empty());
                     theorems.iter().for_each(|theorem| self.write(theorem));
                 }
                 None => self.missing.push(format!("{} with {}", proof.name, mutant.change)),
@@ -119,15 +106,16 @@ impl Certificate {
 }
 
 /// What refutes a mutant: numbers for which its last claim fails; or, if it claims that something fails, that
-/// it holds.
+/// it holds. Nothing for claims without content.
 fn refutation(name: &str, outcome: &Outcome, entries: &[Entry]) -> Option<Vec<Theorem>> {
     if let (Err(Residue::Missing { .. }), [before @ .., Entry::Broken(false)]) = (outcome, entries) {
         let from = before.iter().rposition(|entry| matches!(entry, Entry::Broken(_))).map_or(0, |at| at + 1);
-        let held = claimed(&before[from..]);
+        let held = claims(&before[from..]);
         let theorem = |(k, claim)| Theorem::holds(&format!("{name}_{}", k + 1), claim);
         return held.iter().enumerate().map(theorem).collect();
     }
     match entries.last() {
+        Some(Entry::Claimed(claim)) if !claim.holds && !has_content(claim) => Some(Vec::new()),
         Some(Entry::Claimed(claim)) if !claim.holds => {
             Theorem::fails(name, claim).map(|theorem| vec![theorem])
         }
@@ -135,20 +123,22 @@ fn refutation(name: &str, outcome: &Outcome, entries: &[Entry]) -> Option<Vec<Th
     }
 }
 
-fn claimed(entries: &[Entry]) -> Vec<Claim> {
+/// The claims that have content.
+fn claims(entries: &[Entry]) -> Vec<Claim> {
     let claim = |entry: &Entry| match entry {
-        Entry::Claimed(claim) => Some(claim.clone()),
-        Entry::Broken(_) => None,
+        Entry::Claimed(claim) if has_content(claim) => Some(claim.clone()),
+        Entry::Claimed(_) | Entry::Broken(_) => None,
     };
     entries.iter().filter_map(claim).collect()
 }
 
-/// The claims that are about more than numbers.
-fn claims(entries: &[Entry]) -> Vec<Claim> {
-    let only_numbers = |claim: &Claim| {
-        [&claim.left, &claim.right].iter().all(|side| side.expression().as_number().is_some())
-    };
-    claimed(entries).into_iter().filter(|claim| !only_numbers(claim)).collect()
+/// Whether a claim is about more than numbers, and no equation of the same on both sides but for the order of
+/// its terms and factors.
+fn has_content(claim: &Claim) -> bool {
+    let [left, right] = [&claim.left, &claim.right].map(|side| side.expression());
+    let numbers = left.as_number().is_some() && right.as_number().is_some();
+    let above = matches!(claim.kind, Assertion::Above);
+    !numbers && (above || shape::of(&left) != shape::of(&right))
 }
 
 /// Text as a comment of Coq may hold it.

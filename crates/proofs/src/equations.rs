@@ -1,11 +1,12 @@
-//! Equations in TeX, each proven of what its names mean: what functions of the library give, or, of the closed
-//! form, formulas and sums that are written here a second time.
+//! Equations in TeX, each proven of what its names mean: what functions of the library give, or, of the
+//! closed form, formulas and sums that are written here a second time.
 //!
 //! [`read`] takes the pieces of maths of a text, and the [laws](Law) that it is [`Expected`] to state.
-//! Whatever states something must be one of these laws, and is then proven as it stands there, in TeX;
-//! or one of the exemptions, each with its reason, which are compared as text alone; or give nothing but
-//! values, which are numbers and not laws. A law or exemption that is not found is a fault too. A bare expression is a name
-//! alone, or a law whose worth the sentence around it states, or notation. What cannot be read is a fault.
+//! Whatever states something must be one of these laws, and is then proven as it stands there, in TeX; or one
+//! of the exemptions, each with its reason, which are compared as text alone; or give nothing but values,
+//! which are numbers and not laws. A law or exemption that is not found is a fault too. A bare expression is
+//! a name alone, or a law whose worth the sentence around it states, or notation. What cannot be read is a
+//! fault.
 //!
 //! ```
 //! use tumbling_proofs::equations::laws;
@@ -14,7 +15,6 @@
 //! assert!(wrong.unwrap_err().contains("leaves"));
 //! ```
 
-mod alter;
 mod bodies;
 mod closed;
 pub mod laws;
@@ -22,7 +22,6 @@ mod motion;
 mod steps;
 mod tops;
 
-pub use alter::{Alterations, StillTrue, alterations};
 pub use laws::{Exemption, Law};
 
 use crate::tex::{Node, Statement, parse};

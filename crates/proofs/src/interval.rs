@@ -101,10 +101,11 @@ impl Interval {
         Self { low: self.low.min(other.low), high: self.high.min(other.high) }
     }
 
-    /// The part between these bounds, of a number that is known to lie there; the bounds where none is left.
+    /// The part between these bounds, of a number that is known to lie there. All numbers where none is left:
+    /// what contradicts itself says nothing, and prints no digits.
     fn clamped(self, low: f64, high: f64) -> Self {
         if self.high < low || self.low > high {
-            return Self { low, high };
+            return Self::ALL;
         }
         Self { low: self.low.max(low), high: self.high.min(high) }
     }
@@ -169,6 +170,10 @@ impl PartialOrd for Interval {
             (self == other).then_some(Ordering::Equal)
         }
     }
+}
+
+fn whole(n: impl Into<f64>) -> Interval {
+    Interval::whole(n)
 }
 
 /// The digits that all numbers in it round to, or the two ends.

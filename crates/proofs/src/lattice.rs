@@ -6,11 +6,10 @@
 //! depends on `2r` and `2s` modulo eight alone, so that two such sums are equal in all their infinitely many
 //! terms if they agree in sixty-four.
 
-use crate::number::{Fraction, Polynomial};
+use crate::number::Fraction;
 use crate::proof::{Outcome, Residue, same};
 use crate::symbols::variables;
 use num_traits::Zero;
-use std::ops::{Add, Neg, Sub};
 
 /// The signs repeat when twice an index moves by this.
 const PERIOD: i64 = 8;
@@ -94,21 +93,15 @@ impl Pairs {
         self.0[r.rem_euclid(PERIOD) as usize][s.rem_euclid(PERIOD) as usize]
     }
 
-    fn combined(&self, other: &Self, f: impl Fn(i64, i64) -> i64) -> Self {
-        Self(std::array::from_fn(|r| std::array::from_fn(|s| f(self.0[r][s], other.0[r][s]))))
+    /// This and so many times the other.
+    pub(crate) fn plus(&self, times: i64, other: &Self) -> Self {
+        Self(std::array::from_fn(|r| std::array::from_fn(|s| self.0[r][s] + times * other.0[r][s])))
     }
 
-    /// That two sums are the same in every term.
+    /// That two sums are the same in every term; or how many of the 64 are not.
     pub(crate) fn same(claim: &str, a: &Self, b: &Self) -> Outcome {
-        let difference = *a - *b;
-        let [r, s] = ["r", "s"].map(Polynomial::variable);
-        let mut left = Fraction::zero();
-        for (i, row) in difference.0.iter().enumerate() {
-            for (j, entry) in row.iter().enumerate().filter(|(_, entry)| **entry != 0) {
-                left += Fraction::from(r.pow(i as u32) * s.pow(j as u32)) * Fraction::from(*entry);
-            }
-        }
-        same(claim, &left, &Fraction::zero())
+        let unequal = a.0.iter().flatten().zip(b.0.iter().flatten()).filter(|(a, b)| a != b).count();
+        same(&format!("{claim}: unequal terms of 64"), &Fraction::from(unequal as i64), &Fraction::zero())
     }
 
     /// The sum over `s` at `w = 0` for each `2r`, term by term of equal size: of the terms themselves, or of
@@ -139,34 +132,13 @@ impl Pairs {
     }
 }
 
-impl Add for Pairs {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
-        self.combined(&other, |a, b| a + b)
-    }
-}
-
-impl Sub for Pairs {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        self.combined(&other, |a, b| a - b)
-    }
-}
-
-impl Neg for Pairs {
-    type Output = Self;
-    fn neg(self) -> Self {
-        self.combined(&self, |a, _| -a)
-    }
-}
-
-/// That the exponents of the sums above are what their description says.
-pub(crate) fn exponents() -> Outcome {
+/// That the exponents of the sums above are what their description says; `over` is two.
+pub(crate) fn exponents(over: i64) -> Outcome {
     let [r, s, n] = variables(["r", "s", "n"]);
-    let two = || Fraction::from(2);
-    let (m, k) = ((&r + &s) / two(), (&r - &s) / two());
-    same("m² + n²", &(m.pow(2) + k.pow(2)), &((r.pow(2) + s.pow(2)) / two()))?;
+    let (two, over) = (Fraction::from(2), Fraction::from(over));
+    let (m, k) = ((&r + &s) / &over, (&r - &s) / &over);
+    same("m² + n²", &(m.pow(2) + k.pow(2)), &((r.pow(2) + s.pow(2)) / &two))?;
     let half = Fraction::ratio(1, 2);
     same("(n + 1/2)²", &(&n + &half).pow(2), &(n.pow(2) + &n + half.pow(2)))?;
-    same("(n + 1)²", &(&n + Fraction::from(1)).pow(2), &(n.pow(2) + two() * &n + Fraction::from(1)))
+    same("(n + 1)²", &(&n + Fraction::from(1)).pow(2), &(n.pow(2) + two * &n + Fraction::from(1)))
 }

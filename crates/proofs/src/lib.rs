@@ -30,6 +30,7 @@ mod number;
 mod proofs;
 mod record;
 mod region;
+mod residue;
 
 pub mod counted;
 pub mod equations;
@@ -43,10 +44,6 @@ pub use certificates::{Certificate, certificates};
 pub use interval::Interval;
 pub use num_bigint::BigInt;
 pub use num_rational::BigRational;
-pub use number::{
-    Circular, Derivation, Fraction, Monomial, ParseError, Polynomial, Rational, Relations, Series, Symbol,
-    Tex,
-};
+pub use number::{Circular, Derivation, Fraction, Monomial, Polynomial, Rational, Relations, Series, Symbol};
 pub use proof::{Mutant, Outcome, Proof, Residue};
-pub use proofs::engines::{Law, keeps};
 pub use proofs::proofs;

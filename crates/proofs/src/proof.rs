@@ -1,10 +1,10 @@
 //! What a proof is: a claim that is computed, and altered claims that must fail.
 
-use crate::number::{Fraction, Relations, Tex};
+use crate::number::{Fraction, Relations};
 use crate::record::{self, Entry};
-use nalgebra::{Matrix3, Vector3};
+pub use crate::residue::{Outcome, Residue};
+use nalgebra::SMatrix;
 use num_traits::Zero;
-use std::fmt;
 
 /// A claim about the library's laws, proven by running them on symbols.
 #[derive(Debug, Clone, Copy)]
@@ -17,7 +17,7 @@ pub struct Proof {
     pub statement: &'static str,
     /// What is left over, if the claim is false.
     pub check: fn() -> Outcome,
-    /// The same claim about an altered law, or an altered claim about the law: each must fail.
+    /// The claim about an altered law, or an altered claim about the law: each must fail.
     pub mutants: &'static [Mutant],
 }
 
@@ -28,76 +28,6 @@ pub struct Mutant {
     pub change: &'static str,
     /// The check, which must leave something over.
     pub check: fn() -> Outcome,
-}
-
-/// Nothing left over, or what is.
-pub type Outcome = Result<(), Residue>;
-
-/// What is left over of a claim that does not hold.
-#[derive(Debug, Clone)]
-pub enum Residue {
-    /// An identity that is none: the difference of its sides is not zero.
-    NotZero {
-        /// The claim, in a few words.
-        claim: String,
-        /// Left side minus right side.
-        left: Fraction,
-    },
-    /// A quantity claimed to have one sign for all positive values, whose coefficients do not show it.
-    NotOneSign {
-        /// The claim, in a few words.
-        claim: String,
-        /// The quantity.
-        quantity: Fraction,
-    },
-    /// A division by zero on the way: nothing is proven.
-    Undefined {
-        /// The claim, in a few words.
-        claim: String,
-    },
-    /// Something claimed to fail, or to be found, that did not or was not.
-    Missing {
-        /// The claim, in a few words.
-        claim: String,
-    },
-}
-
-/// More terms than these are counted, not shown.
-const SHOWN: usize = 8;
-
-fn shortened(x: &Fraction) -> String {
-    let count = x.numerator().len();
-    if count <= SHOWN {
-        return x.to_string();
-    }
-    let few: Vec<_> = x.to_string().split_inclusive([' ']).take(6 * SHOWN).map(str::to_owned).collect();
-    format!("{}... ({count} terms)", few.concat())
-}
-
-impl fmt::Display for Residue {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NotZero { claim, left } => write!(f, "{claim}: leaves {}", shortened(left)),
-            Self::NotOneSign { claim, quantity } => {
-                write!(f, "{claim}: mixed signs in {}", shortened(quantity))
-            }
-            Self::Undefined { claim } => write!(f, "{claim}: divides by zero"),
-            Self::Missing { claim } => write!(f, "{claim}: not so"),
-        }
-    }
-}
-
-impl std::error::Error for Residue {}
-
-impl Residue {
-    /// What is left over, in TeX, if that is an expression.
-    #[must_use]
-    pub fn tex(&self) -> Option<String> {
-        match self {
-            Self::NotZero { left: x, .. } | Self::NotOneSign { quantity: x, .. } => Some(x.tex()),
-            Self::Undefined { .. } | Self::Missing { .. } => None,
-        }
-    }
 }
 
 /// That `x` is zero under the relations.
@@ -131,54 +61,36 @@ pub fn same_under(relations: &Relations, claim: &str, a: &Fraction, b: &Fraction
     }
 }
 
-/// That two vectors are the same for all values of their variables.
+/// That two vectors or matrices are the same for all values of their variables.
 ///
 /// # Errors
 /// The first difference.
-pub fn same_vectors(claim: &str, a: &Vector3<Fraction>, b: &Vector3<Fraction>) -> Outcome {
-    same_vectors_under(&Relations::none(), claim, a, b)
+pub fn same_entries<const R: usize, const C: usize>(
+    claim: &str,
+    a: &SMatrix<Fraction, R, C>,
+    b: &SMatrix<Fraction, R, C>,
+) -> Outcome {
+    same_entries_under(&Relations::none(), claim, a, b)
 }
 
-/// That two vectors are the same wherever the relations hold.
+/// That two vectors or matrices are the same wherever the relations hold.
 ///
 /// # Errors
 /// The first difference, reduced.
-pub fn same_vectors_under(
+pub fn same_entries_under<const R: usize, const C: usize>(
     relations: &Relations,
     claim: &str,
-    a: &Vector3<Fraction>,
-    b: &Vector3<Fraction>,
+    a: &SMatrix<Fraction, R, C>,
+    b: &SMatrix<Fraction, R, C>,
 ) -> Outcome {
-    for (i, axis) in ["x", "y", "z"].into_iter().enumerate() {
-        same_under(relations, &format!("{claim}, {axis}"), &a[i], &b[i])?;
-    }
-    Ok(())
-}
-
-/// That two matrices are the same wherever the relations hold.
-///
-/// # Errors
-/// The first difference, reduced.
-pub fn same_matrices_under(
-    relations: &Relations,
-    claim: &str,
-    a: &Matrix3<Fraction>,
-    b: &Matrix3<Fraction>,
-) -> Outcome {
-    for (i, row) in ["x", "y", "z"].into_iter().enumerate() {
-        for (j, column) in ["x", "y", "z"].into_iter().enumerate() {
+    let axes = ["x", "y", "z", "w"];
+    for (i, row) in axes.into_iter().enumerate().take(R) {
+        for (j, column) in axes.into_iter().enumerate().take(C) {
+            let column = if C == 1 { "" } else { column };
             same_under(relations, &format!("{claim}, {row}{column}"), &a[(i, j)], &b[(i, j)])?;
         }
     }
     Ok(())
-}
-
-/// That two matrices are the same for all values of their variables.
-///
-/// # Errors
-/// The first difference.
-pub fn same_matrices(claim: &str, a: &Matrix3<Fraction>, b: &Matrix3<Fraction>) -> Outcome {
-    same_matrices_under(&Relations::none(), claim, a, b)
 }
 
 /// That `x` is above zero wherever all its variables are, since all its coefficients are.

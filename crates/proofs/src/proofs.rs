@@ -1,8 +1,24 @@
 //! The list of proofs, in the order of the library.
 
+/// The proofs of each part of the library: the name of each, its check, what that says, and with what altered
+/// it must fail.
+macro_rules! proofs {
+    ($($part:literal {$(
+        $name:literal: $check:expr, $statement:expr; $(but $change:literal: $mutant:expr,)*
+    )*})*) => {
+        pub(super) const PROOFS: &[$crate::proof::Proof] = &[$($($crate::proof::Proof {
+            name: $name,
+            part: $part,
+            statement: $statement,
+            check: || $check,
+            mutants: &[$($crate::proof::Mutant { change: $change, check: || $mutant },)*],
+        },)*)*];
+    };
+}
+
 pub(crate) mod closed_forms;
 mod conserved;
-pub mod engines;
+mod engines;
 mod errata;
 mod euler;
 mod gap;

@@ -2,13 +2,13 @@
 
 use crate::number::expression::{is_recording, recording};
 use crate::number::{Fraction, Relations};
-use crate::proof::Outcome;
+use crate::residue::Outcome;
 use num_traits::Zero;
 use std::cell::RefCell;
 
-/// What is claimed.
+/// What is asserted.
 #[derive(Debug, Clone)]
-pub(crate) enum Kind {
+pub(crate) enum Assertion {
     /// Both sides are equal wherever the relations hold.
     Equal(Relations),
     /// The left side is above the right wherever all variables are above zero.
@@ -19,7 +19,7 @@ pub(crate) enum Kind {
 #[derive(Debug, Clone)]
 pub(crate) struct Claim {
     pub(crate) words: String,
-    pub(crate) kind: Kind,
+    pub(crate) kind: Assertion,
     pub(crate) left: Fraction,
     pub(crate) right: Fraction,
     pub(crate) holds: bool,
@@ -48,7 +48,7 @@ pub(crate) fn record(entry: impl FnOnce() -> Entry) {
 pub(crate) fn equal(words: &str, left: &Fraction, right: &Fraction, relations: &Relations, holds: bool) {
     record(|| {
         let (left, right, words) = (left.clone(), right.clone(), words.to_owned());
-        Entry::Claimed(Claim { words, kind: Kind::Equal(relations.clone()), left, right, holds })
+        Entry::Claimed(Claim { words, kind: Assertion::Equal(relations.clone()), left, right, holds })
     });
 }
 
@@ -56,7 +56,7 @@ pub(crate) fn equal(words: &str, left: &Fraction, right: &Fraction, relations: &
 pub(crate) fn above_zero(words: &str, x: &Fraction, holds: bool) {
     record(|| {
         let (left, right, words) = (x.clone(), Fraction::zero(), words.to_owned());
-        Entry::Claimed(Claim { words, kind: Kind::Above, left, right, holds })
+        Entry::Claimed(Claim { words, kind: Assertion::Above, left, right, holds })
     });
 }
 

@@ -39,7 +39,7 @@ impl Region {
         self.between_with(name, from, to, Derivation::default())
     }
 
-    /// The same, where other symbols change with the parameter.
+    /// A parameter with which other symbols change too.
     pub(crate) fn between_with(
         mut self,
         name: &str,
@@ -103,23 +103,24 @@ pub(crate) struct Sums {
 }
 
 impl Sums {
+    /// This and so many times the other.
+    fn plus(self, times: i64, other: &Self) -> Self {
+        let times = |x: &Fraction| x * Fraction::from(times);
+        Self {
+            volume: self.volume + times(&other.volume),
+            first: self.first + other.first.map(|x| times(&x)),
+            inertia: self.inertia + other.inertia.map(|x| times(&x)),
+        }
+    }
+
     /// Both together.
     pub(crate) fn and(self, other: &Self) -> Self {
-        Self {
-            volume: self.volume + &other.volume,
-            first: self.first + &other.first,
-            inertia: self.inertia + &other.inertia,
-        }
+        self.plus(1, other)
     }
 
     /// This with `hole` taken out.
     pub(crate) fn without(self, hole: &Self) -> Self {
-        let negative = Self {
-            volume: -hole.volume.clone(),
-            first: hole.first.map(|x| -x),
-            inertia: hole.inertia.map(|x| -x),
-        };
-        self.and(&negative)
+        self.plus(-1, hole)
     }
 }
 

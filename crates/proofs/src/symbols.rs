@@ -1,7 +1,8 @@
 //! Every body at once: moments, spins, tensors and attitudes made of symbols.
 
-use crate::number::{Fraction, Relations};
+use crate::number::{Derivation, Fraction, Polynomial, Relations};
 use nalgebra::{Matrix3, Quaternion, Vector3};
+use num_traits::{One, Zero};
 
 /// Fractions in named variables.
 pub type Vector = Vector3<Fraction>;
@@ -70,4 +71,41 @@ pub fn adjugate(m: &Matrix) -> (Matrix, Fraction) {
     let determinant =
         &m[(0, 0)] * &adjugate[(0, 0)] + &m[(0, 1)] * &adjugate[(1, 0)] + &m[(0, 2)] * &adjugate[(2, 0)];
     (adjugate, determinant)
+}
+
+/// The inverse, by cofactors.
+pub(crate) fn inverse(m: &Matrix) -> Matrix {
+    let (adjugate, determinant) = adjugate(m);
+    adjugate.map(|x| x / &determinant)
+}
+
+/// The inverse of the diagonal matrix with these entries.
+pub(crate) fn inverse_diagonal(entries: &Vector) -> Matrix {
+    diagonal(&entries.map(|x| Fraction::one() / x))
+}
+
+/// The square of the variable of this name.
+pub(crate) fn square(name: &str) -> Polynomial {
+    Polynomial::variable(name).pow(2)
+}
+
+/// The quaternion of these two parts.
+pub(crate) fn quaternion(real: Fraction, v: &Vector) -> Quaternion<Fraction> {
+    Quaternion::new(real, v.x.clone(), v.y.clone(), v.z.clone())
+}
+
+/// The quaternion without a real part.
+pub(crate) fn pure(v: &Vector) -> Quaternion<Fraction> {
+    quaternion(Fraction::zero(), v)
+}
+
+/// The derivative by time, where the components of [`attitude`] have these rates.
+pub(crate) fn turning(rate: &Quaternion<Fraction>) -> Derivation {
+    let c = &rate.coords;
+    Derivation::new([("w", c.w.clone()), ("x", c.x.clone()), ("y", c.y.clone()), ("z", c.z.clone())])
+}
+
+/// The derivative `all`, where the components of the [`vector`] of this name have these rates besides.
+pub(crate) fn changing(all: Derivation, name: &str, rate: &Vector) -> Derivation {
+    (0..3).fold(all, |all, i| all.and(&format!("{name}{}", i + 1), rate[i].clone()))
 }

@@ -26,8 +26,5 @@ mod value;
 pub use error::TexError;
 pub use parse::parse;
 pub use scope::Scope;
-pub use token::states_something;
 pub use tree::{Node, Relation, Side, Statement};
 pub use value::Value;
-
-pub(crate) use parse::{Site, SiteKind, parse_with_sites};

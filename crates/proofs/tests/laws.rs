@@ -1,8 +1,11 @@
 //! The laws that the numbers of this crate must obey, on random ones.
 
+mod reader;
+
 use nalgebra::{Quaternion, Vector3};
 use num_traits::{One, Zero};
 use proptest::prelude::*;
+use reader::read;
 use tumbling::number::Field;
 use tumbling::step::PositionStage;
 use tumbling_proofs::{
@@ -165,13 +168,8 @@ proptest! {
 
     #[test]
     fn what_is_printed_reads_back_as_the_same(p in polynomial(), q in fraction()) {
-        prop_assert_eq!(p.to_string().parse::<Fraction>(), Ok(p.into()));
-        prop_assert_eq!(q.to_string().parse::<Fraction>(), Ok(q));
-    }
-
-    #[test]
-    fn no_text_makes_the_reader_panic(text in "[-+*/^() x1.\u{e9}]{0,40}") {
-        let _ = text.parse::<Fraction>();
+        prop_assert_eq!(read(&p.to_string()), p.into());
+        prop_assert_eq!(read(&q.to_string()), q);
     }
 
     #[test]
@@ -227,11 +225,11 @@ fn a_division_by_zero_spreads_and_equals_nothing() {
 #[test]
 fn a_bad_relation_is_refused() {
     let x = Polynomial::variable("x");
-    let own = Relations::new(vec![("x".into(), x.clone())]);
+    let own = Relations::new(vec![("x", x.clone())]);
     assert_eq!(own.unwrap_err().to_string(), "the rule for x^2 brings x back");
-    let round = Relations::new(vec![("x".into(), Polynomial::variable("y")), ("y".into(), x)]);
+    let round = Relations::new(vec![("x", Polynomial::variable("y")), ("y", x)]);
     assert_eq!(round.unwrap_err().to_string(), "the rule for y^2 brings x back");
-    let twice = Relations::new(vec![("x".into(), Polynomial::one()), ("x".into(), Polynomial::zero())]);
+    let twice = Relations::new(vec![("x", Polynomial::one()), ("x", Polynomial::zero())]);
     assert!(twice.is_err());
 }
 
@@ -240,11 +238,11 @@ fn the_relations_are_constant_under_their_own_derivations() {
     let elliptic = Relations::elliptic();
     let rate = Derivation::elliptic(&Fraction::one());
     for constant in ["cn^2 + sn^2", "dn^2 + m sn^2"] {
-        let constant: Fraction = constant.parse().unwrap();
+        let constant = read(constant);
         assert!(elliptic.reduce_fraction(&rate.of(&constant)).is_zero());
     }
     let hyperbolic = Relations::circle("sech", "tanh");
-    let constant: Fraction = "sech^2 + tanh^2".parse().unwrap();
+    let constant = read("sech^2 + tanh^2");
     assert!(hyperbolic.reduce_fraction(&Derivation::hyperbolic(&Fraction::one()).of(&constant)).is_zero());
 }
 
@@ -256,34 +254,8 @@ fn exact_arithmetic_passes_what_no_machine_word_holds() {
     assert_eq!(back, Fraction::variable("x"));
 }
 
-#[test]
-fn fractions_print_as_readable_tex() {
-    use tumbling_proofs::Tex;
-    let tex = |text: &str| text.parse::<Fraction>().unwrap().tex();
-    assert_eq!(tex("1/12 m (b^2 + c^2)"), r"\frac{1}{12} b^{2} m + \frac{1}{12} c^{2} m");
-    assert_eq!(
-        tex("(I2 - I3) omega2 omega3 / I1"),
-        r"\frac{I_{2} \omega_{2} \omega_{3} - I_{3} \omega_{2} \omega_{3}}{I_{1}}"
-    );
-    assert_eq!(tex("0 - x / (2 y)"), r"-\frac{x}{2 y}");
-    assert_eq!(tex("3 x / (2 y + 2 x)"), r"\frac{3 x}{2 x + 2 y}");
-    let h = Series::<Rational>::step(2);
-    assert_eq!((h.clone() / Series::constant(Rational::from(2))).tex(), r"\frac{1}{2} h + \dotsb");
-}
-
-#[test]
-fn bad_text_is_refused_where_it_is_bad() {
-    for (text, at) in
-        [("", 0), ("x +", 3), ("(x", 2), ("x)", 1), ("2..1", 4), ("x^y", 2), ("x^65", 2), ("é", 0)]
-    {
-        let error = text.parse::<Fraction>().unwrap_err();
-        assert_eq!(error.at, at, "{text}: {error}");
-    }
-    assert!("(".repeat(100_000).parse::<Fraction>().is_err());
-}
-
-/// The sum of what is added to the pace under the three roots, without signs, and the largest of the bends, at the
-/// longest time for which the position stage takes a single part.
+/// The sum of what is added to the pace under the three roots, without signs, and the largest of the bends,
+/// at the longest time for which the position stage takes a single part.
 fn at_the_longest_part(moments: Vector3<f64>, spin: Vector3<f64>) -> (f64, f64) {
     let stage = PositionStage::new(&moments).unwrap();
     let alone = |h: f64| stage.step(&Quaternion::identity(), &spin, h).parts == 1;
@@ -304,7 +276,8 @@ fn at_the_longest_part(moments: Vector3<f64>, spin: Vector3<f64>) -> (f64, f64) 
 }
 
 proptest! {
-    /// On this rests that `position-stage-roots-are-real` speaks of every step: moments that no solid has, too.
+    /// On this rests that `position-stage-roots-are-real` speaks of every step: moments that no solid has,
+    /// too.
     #[test]
     fn a_part_of_a_step_is_as_short_as_its_proof_assumes(
         moments in [-9.0..9.0_f64, -9.0..9.0, -9.0..9.0],

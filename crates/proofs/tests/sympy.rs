@@ -1,10 +1,9 @@
 //! The numbers of this crate against sympy's, see `data/README.md`.
 
-use tumbling_proofs::{Fraction, Polynomial, Relations, Series, Symbol};
+mod reader;
 
-fn read(text: &str) -> Fraction {
-    text.parse().unwrap_or_else(|error| panic!("{text}: {error}"))
-}
+use reader::read;
+use tumbling_proofs::{Fraction, Polynomial, Relations, Series, Symbol};
 
 fn polynomial(text: &str) -> Polynomial {
     read(text).as_polynomial().unwrap_or_else(|| panic!("{text}: not a polynomial")).clone()
@@ -28,7 +27,7 @@ fn agrees(line: &str) -> bool {
         }
         ["substitute", p, x, q, c] => polynomial(p).substitute(&x.into(), &polynomial(q)) == polynomial(c),
         ["remainder", p, x, q, c] => {
-            let rule = Relations::new(vec![(x.into(), polynomial(q))]).unwrap();
+            let rule = Relations::new(vec![(x, polynomial(q))]).unwrap();
             rule.reduce(&polynomial(p)) == polynomial(c)
         }
         ["fraction sum", a, b, c] => read(a) + read(b) == read(c),

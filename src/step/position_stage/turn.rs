@@ -65,8 +65,8 @@ pub fn conserving_turn<T: Field>(
     (below, [tangents, slip])
 }
 
-/// The pace of a [`conserving_turn`] that follows the free motion, from the numbers that are added to it under
-/// the roots, `coupling_j coupling_k (h omega_i)^2`; `over` gives one over a whole number.
+/// The pace of a [`conserving_turn`] that follows the free motion, from the numbers that are added to it
+/// under the roots, `coupling_j coupling_k (h omega_i)^2`; `over` gives one over a whole number.
 ///
 /// With the first terms of Weierstrass' function, `h^2 P(h) = 1 + g2/20 + g3/28 + g2^2/1200 ...`, in units of
 /// the time.

@@ -3,7 +3,7 @@
 use super::print::{Printer, name};
 use crate::number::expression::{Expression, Node};
 use crate::number::{Fraction, Polynomial, Symbol};
-use crate::record::{Claim, Kind};
+use crate::record::{Assertion, Claim};
 use std::collections::{BTreeSet, HashMap};
 use tumbling::number::Field;
 
@@ -28,8 +28,8 @@ impl Statement {
     pub(super) fn new(claim: &Claim) -> Self {
         let (left, right) = (claim.left.expression(), claim.right.expression());
         let (positive, all) = match &claim.kind {
-            Kind::Equal(relations) => (false, relations.squares()),
-            Kind::Above => (true, &[][..]),
+            Assertion::Equal(relations) => (false, relations.squares()),
+            Assertion::Above => (true, &[][..]),
         };
         let mut symbols = &left.symbols() | &right.symbols();
         // No right side holds an earlier symbol, so one pass finds all that are needed.
@@ -73,9 +73,7 @@ impl Statement {
     pub(super) fn nonzero(&self) -> Vec<String> {
         self.divisors.iter().map(|d| format!("{} <> 0", self.printer.print(d))).collect()
     }
-}
 
-impl Statement {
     /// The value of each named part for these values of the variables, put in its simplest form.
     pub(super) fn values<T: Field>(
         &self,

@@ -5,12 +5,9 @@ use super::statement::Statement;
 use super::witness::{Value, find};
 use crate::number::expression::Expression;
 use crate::number::{Fraction, Polynomial, Rational, Symbol};
-use crate::record::{Claim, Kind};
+use crate::record::{Assertion, Claim};
 use num_traits::Zero;
 use std::fmt;
-
-/// Lines are broken at this number of columns.
-const WIDTH: usize = 100;
 
 /// A theorem: its name, what it says and the tactics that prove it.
 #[derive(Debug, Clone)]
@@ -60,8 +57,8 @@ impl Theorem {
         ];
         let mut proof = vec![format!("intros {}.", introduced.join(" "))];
         match &claim.kind {
-            Kind::Equal(_) => proof.push("rational.".to_owned()),
-            Kind::Above => {
+            Assertion::Equal(_) => proof.push("rational.".to_owned()),
+            Assertion::Above => {
                 proof.push("unnamed.".to_owned());
                 let plain = |d: &Expression| Printer::default().print(d);
                 let not_zero = |d| format!("assert ({d} <> 0) by (apply Rgt_not_eq; positive).");
@@ -132,36 +129,12 @@ fn definitions(printer: &Printer) -> impl Iterator<Item = String> + '_ {
     printer.definitions().iter().map(|d| format!("let {} := {} in", d.name, d.text))
 }
 
-/// Text broken at spaces.
-fn broken(text: &str, indent: &str) -> String {
-    let mut lines = String::from(indent);
-    let mut column = indent.len();
-    for (k, word) in text.split(' ').enumerate() {
-        if k > 0 && column + 1 + word.len() > WIDTH {
-            lines += "\n";
-            lines += indent;
-            lines += "  ";
-            column = indent.len() + 2;
-        } else if k > 0 {
-            lines += " ";
-            column += 1;
-        }
-        lines += word;
-        column += word.len();
-    }
-    lines
-}
-
 impl fmt::Display for Theorem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "(* {} *)\nTheorem {} :", super::plain(&self.words), self.name)?;
-        for part in &self.says {
-            writeln!(f, "{}", broken(part, "  "))?;
-        }
+        self.says.iter().try_for_each(|part| writeln!(f, "  {part}"))?;
         writeln!(f, "Proof.")?;
-        for part in &self.proof {
-            writeln!(f, "{}", broken(part, "  "))?;
-        }
+        self.proof.iter().try_for_each(|part| writeln!(f, "  {part}"))?;
         writeln!(f, "Qed.")
     }
 }

@@ -3,7 +3,7 @@
 use super::statement::Statement;
 use crate::number::{Rational, Symbol};
 use num_rational::BigRational;
-use num_traits::{Signed, Zero};
+use num_traits::{One, Signed, Zero};
 use std::collections::BTreeMap;
 
 /// A number, or the positive root of one.
@@ -22,9 +22,9 @@ const TRIES: [u64; 2] = [3000, 300];
 /// Values for which the squares of the closed forms have roots that are fractions; others are found by
 /// trying.
 const CHOSEN: [(&str, i64, i64); 7] = [
-    ("x1", 153, 1),
+    ("x1", 672, 1),
     ("p", 104, 1),
-    ("q", 672, 1),
+    ("q", 153, 1),
     ("sn", 3, 5),
     ("m", 625, 1521),
     ("tanh", 3, 5),
@@ -70,10 +70,14 @@ fn tied(s: &Statement, k: u64, random: &mut Random, any_root: bool) -> Option<Po
     let below = [1, 1, 2, 5, 3, 6, 9][usize::try_from(k).unwrap_or(0) % 7];
     for symbol in s.symbols.iter().filter(|symbol| s.squares.iter().all(|(tied, _)| tied != *symbol)) {
         let chosen = CHOSEN.iter().find(|(name, ..)| *name == symbol.name() && k.is_multiple_of(2));
-        let random = random.next();
-        let sign = if !s.positive && random.is_multiple_of(4) { -1 } else { 1 };
-        let n = sign * i64::try_from(random / 4 % 7 + 1).unwrap_or(1);
-        let (n, d) = chosen.map_or((n, below), |(_, n, d)| (*n, *d));
+        let n = i64::try_from(random.next() % 7 + 1).unwrap_or(1);
+        let (n, d) = match (chosen, of_a_body(symbol.name())) {
+            (Some((_, n, d)), _) => (*n, *d),
+            (None, Some(Part::Moment)) => (4 + n % 4, 1),
+            (None, Some(Part::Inverse)) => (1, 4 + n % 4),
+            (None, Some(Part::Product)) => (1, 300),
+            (None, None) => (n, below),
+        };
         point.insert(symbol.clone(), Value::Exact(BigRational::new(n.into(), d.into())));
     }
     for (at, (symbol, square)) in s.squares.iter().rev().enumerate() {
@@ -83,8 +87,8 @@ fn tied(s: &Statement, k: u64, random: &mut Random, any_root: bool) -> Option<Po
         };
         let square = square.evaluate(value)?;
         let value = match (square.root(), square.value()) {
-            // Either root, of each in turn.
-            (Some(root), _) if !s.positive && k >> at.min(63) & 1 == 1 => {
+            // A sign is either, in turn.
+            (Some(root), _) if !s.positive && square.is_one() && k >> at.min(63) & 1 == 1 => {
                 Value::Exact(-root.value()?.clone())
             }
             (Some(root), _) => Value::Exact(root.value()?.clone()),
@@ -93,10 +97,54 @@ fn tied(s: &Statement, k: u64, random: &mut Random, any_root: bool) -> Option<Po
         };
         point.insert(symbol.clone(), value);
     }
-    Some(point)
+    is_a_body(&point).then_some(point)
 }
 
-/// Numbers in no order, the same every time.
+/// What a variable is of a body, by its name. Any three numbers from 4 to 7 are moments of a body, their
+/// inverses those of one, and with products so small so are tensors.
+#[derive(PartialEq)]
+enum Part {
+    Moment,
+    Inverse,
+    Product,
+}
+
+fn of_a_body(name: &str) -> Option<Part> {
+    let is = |letter: &str, ends: &[&str]| ends.iter().any(|end| name.strip_suffix(end) == Some(letter));
+    let (numbers, entries) = (["", "1", "2", "3"], ["_xx", "_yy", "_zz"]);
+    match name {
+        _ if ["_xy", "_xz", "_yz"].iter().any(|entry| name.ends_with(entry)) => Some(Part::Product),
+        _ if is("J", &numbers[1..]) || is("J", &entries) => Some(Part::Inverse),
+        _ if is("I", &numbers) || is("K", &numbers[1..]) || is("I", &entries) => Some(Part::Moment),
+        _ => None,
+    }
+}
+
+/// Whether moments that are squares of variables, or sums of them, are those of a body.
+fn is_a_body(point: &Point) -> bool {
+    let square = |name: &str| match point.get(&Symbol::new(name)) {
+        Some(Value::Exact(value)) => Some(value * value),
+        Some(Value::Root(square)) => Some(square.clone()),
+        None => None,
+    };
+    let exact = |name: &str| match point.get(&Symbol::new(name)) {
+        Some(Value::Exact(value)) => Some(value.clone()),
+        _ => None,
+    };
+    let roots = ["x1", "x2", "x3"].map(square);
+    let sums = match ["I1", "a", "b"].map(exact) {
+        [Some(i), Some(a), Some(b)] if !point.contains_key(&Symbol::new("I2")) => {
+            [Some(i.clone()), Some(&i + &a), Some(i + a + b)]
+        }
+        _ => [None, None, None],
+    };
+    [roots, sums].iter().all(|moments| match moments {
+        [Some(a), Some(b), Some(c)] => a + b >= *c && b + c >= *a && c + a >= *b,
+        _ => true,
+    })
+}
+
+/// Numbers in no order, but those of every run.
 struct Random(u64);
 
 impl Random {

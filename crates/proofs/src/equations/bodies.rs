@@ -52,9 +52,7 @@ fn of_points(places: &[Vector; 3]) -> Scope {
     scope = with_components(scope, "L", &momentum);
     scope = with_components(scope, r"\omega", &omega);
     scope = with_entries(scope, "I", &tensor);
-    for (i, name) in ["I_1", "I_2", "I_3"].into_iter().enumerate() {
-        scope = scope.with(name, tensor[(i, i)].clone());
-    }
+    scope = scope.with_each("I", &tensor.diagonal());
     scope
         .with("I", tensor)
         .with(r"\mathbf{L}", momentum)

@@ -2,30 +2,26 @@
 //! proven to obey Euler's equations and `q' = q w/2`, and the series as sums of their terms, cut off here: no
 //! function of the library's closed form runs.
 
-use crate::number::{Fraction, Relations};
+use crate::number::{Derivation, Fraction, Relations};
 use crate::proofs::klein::{Change, Motion, motion};
-use crate::symbols::{Vector, variables, vector};
+use crate::symbols::{Vector, changing, variables, vector};
 use crate::tex::Scope;
 use num_traits::{One, Zero};
-use std::sync::LazyLock;
 use tumbling::dynamics::euler::angular_acceleration;
 
 /// The constants of the motion and the spin, at any instant; nothing has a meaning if there is none.
 pub(super) fn at_any_time() -> Scope {
-    static ONCE: LazyLock<Scope> = LazyLock::new(|| of_motion(1, false));
-    ONCE.clone()
+    of_motion(1, false)
 }
 
-/// The same where across, middle and circled axis follow each other the other way.
+/// The motion where across, middle and circled axis follow each other the other way.
 pub(super) fn in_the_other_order() -> Scope {
-    static ONCE: LazyLock<Scope> = LazyLock::new(|| of_motion(-1, false));
-    ONCE.clone()
+    of_motion(-1, false)
 }
 
-/// The same at the saddle, where the spin across vanishes.
+/// The motion at the saddle, where the spin across vanishes.
 pub(super) fn at_the_saddle() -> Scope {
-    static ONCE: LazyLock<Scope> = LazyLock::new(|| of_motion(1, true));
-    ONCE.clone()
+    of_motion(1, true)
 }
 
 fn of_motion(sense: i64, saddle: bool) -> Scope {
@@ -62,27 +58,14 @@ fn of_motion(sense: i64, saddle: bool) -> Scope {
     let tilt =
         (&h * variables(["x2"])[0].clone() * &r / Fraction::variable("e")) / (&one + &kp * gamma / delta);
     scope
-        .with("d_{CX}", r.pow(2))
-        .with("d_{CM}", q.pow(2))
-        .with("d_{MX}", p.pow(2))
-        .with("E", twice / Fraction::from(2))
-        .with("L", momentum.clone())
-        .with("D", momentum.pow(2) - twice * &moments[1])
-        .with("P", &h * &q * &big)
-        .with("Q", big)
-        .with("k", &h * &p)
-        .with("k'", kp.clone())
-        .with(r"\zeta", &kp * &amplitudes[2])
-        .with("s", Fraction::from(sense))
-        .with(r"\sigma", Fraction::variable("sigma"))
-        .with(r"\tau", Fraction::variable("tau"))
-        .with(r"\eta", motion.rate.clone())
-        .with(r"\beta", beta.clone())
-        .with(r"\gamma", gamma.clone())
-        .with(r"\delta", delta.clone())
-        .with(r"\chi", circled)
-        .with(r"\kappa", tilt)
-        .with(r"\dot{\psi}", put(&motion.turning))
+        .with_all([("d_{CX}", r.pow(2)), ("d_{CM}", q.pow(2)), ("d_{MX}", p.pow(2))])
+        .with_all([("E", twice / Fraction::from(2)), ("L", momentum.clone())])
+        .with_all([("D", momentum.pow(2) - twice * &moments[1]), ("P", &h * &q * &big), ("Q", big)])
+        .with_all([("k", &h * &p), ("k'", kp.clone()), (r"\zeta", &kp * &amplitudes[2])])
+        .with_all([("s", Fraction::from(sense)), (r"\sigma", Fraction::variable("sigma"))])
+        .with_all([(r"\tau", Fraction::variable("tau")), (r"\eta", motion.rate.clone())])
+        .with_all([(r"\beta", beta.clone()), (r"\gamma", gamma.clone()), (r"\delta", delta.clone())])
+        .with_all([(r"\chi", circled), (r"\kappa", tilt), (r"\dot{\psi}", put(&motion.turning))])
         .with("R", &moments[1] * q.pow(2) / (&moments[0] * r.pow(2)))
         .with("S", &moments[1] * p.pow(2) / (&moments[2] * r.pow(2)))
         .with("T", &moments[0] * p.pow(2) / (&moments[2] * q.pow(2)))
@@ -93,11 +76,11 @@ fn of_motion(sense: i64, saddle: bool) -> Scope {
 /// two errors.
 fn with_errors(scope: Scope) -> Scope {
     let [mu, lambda, sn, cn, dn] = variables(["mu", "lambda", "sn", "cn", "dn"]);
-    scope
-        .with(r"\epsilon_M", &lambda + &mu * &cn * &dn / &sn)
-        .with(r"\epsilon_X", &lambda - &mu * sn * dn / cn)
-        .with(r"\mu", mu)
-        .with(r"\lambda", lambda)
+    scope.with(r"\epsilon_M", &lambda + &mu * &cn * &dn / &sn).with_all([
+        (r"\epsilon_X", &lambda - &mu * sn * dn / cn),
+        (r"\mu", mu),
+        (r"\lambda", lambda),
+    ])
 }
 
 /// Twice the cosine of `n` times an angle, from that of the angle; and the sine over that of the angle.
@@ -122,11 +105,6 @@ fn power(x: &Fraction, n: i32) -> Fraction {
 
 /// Jacobi's theta functions to four terms each: the nome is a symbol, `c` the cosine of the doubled phase.
 pub(super) fn direct() -> Scope {
-    static ONCE: LazyLock<Scope> = LazyLock::new(of_direct);
-    ONCE.clone()
-}
-
-fn of_direct() -> Scope {
     let [q, c] = variables(["q", "c"]);
     let [mut third, mut fourth] = [Fraction::one(), Fraction::one()];
     let [mut second, mut first] = [Fraction::zero(), Fraction::zero()];
@@ -143,22 +121,13 @@ fn of_direct() -> Scope {
         second += size * (odd - even);
     }
     Scope::default()
-        .with("q", q)
-        .with("c", c)
-        .with(r"\theta_1", first)
-        .with(r"\theta_2", second)
-        .with(r"\theta_3", third)
+        .with_all([("q", q), ("c", c), (r"\theta_1", first), (r"\theta_2", second), (r"\theta_3", third)])
         .with(r"\theta_4", fourth)
 }
 
 /// The attitude's two theta functions: their nome is that of `direct` squared, `f` and `q/f` are the
 /// exponentials of the zero.
 pub(super) fn attitude() -> Scope {
-    static ONCE: LazyLock<Scope> = LazyLock::new(of_attitude);
-    ONCE.clone()
-}
-
-fn of_attitude() -> Scope {
     let [q, f, c, s, w, sin, cos] = variables(["q", "f", "c", "s", "w", "sin", "cos"]);
     let waves = |n: usize, sign: i64| {
         let sign = Fraction::from(sign);
@@ -187,36 +156,19 @@ fn of_attitude() -> Scope {
     });
     let start = (1..=3).fold(Fraction::one(), |sum, n| sum + waves(n, 1) * alternating(n));
     let mut scope = Scope::default();
-    for n in 1..=3 {
-        scope = scope.with(&format!("h_{n}"), waves(n, 1)).with(&format!("l_{n}"), waves(n, -1));
-    }
-    for n in 1..=2 {
-        scope = scope.with(&format!("H_{n}"), odd(n, 1)).with(&format!("J_{n}"), odd(n, -1));
+    for (wide, narrow, sign) in [("h", "H", 1), ("l", "J", -1)] {
+        scope = scope.with_each(wide, &[1, 2, 3].map(|n| waves(n, sign)));
+        scope = scope.with_each(narrow, &[1, 2].map(|n| odd(n, sign)));
     }
     scope
-        .with("g", &q / &f)
-        .with("q", q)
-        .with("f", f)
-        .with("c", c)
-        .with("s", s)
-        .with("w", w)
-        .with(r"\sin(z)", sin)
-        .with(r"\cos(z)", cos)
-        .with("a_1", a_real)
-        .with("a_2", a_imaginary)
-        .with("b_1", b_real)
-        .with("b_2", b_imaginary)
-        .with(r"\rho", rate / start)
+        .with_all([("g", &q / &f), ("q", q), ("f", f), ("c", c), ("s", s), ("w", w), (r"\sin(z)", sin)])
+        .with_all([(r"\cos(z)", cos), ("a_1", a_real), ("a_2", a_imaginary), ("b_1", b_real)])
+        .with_all([("b_2", b_imaginary), (r"\rho", rate / start)])
         .under(Relations::default())
 }
 
 /// The complementary sums, without their first exponentials.
 pub(super) fn complementary() -> Scope {
-    static ONCE: LazyLock<Scope> = LazyLock::new(of_complementary);
-    ONCE.clone()
-}
-
-fn of_complementary() -> Scope {
     let [v, other] = variables(["v", "V"]);
     let nome = &v * &other;
     let even = |sign: i64| {
@@ -241,24 +193,13 @@ fn of_complementary() -> Scope {
     };
     Scope::default()
         .with("m_2", (0..=2).fold(Fraction::zero(), |sum, n: u32| sum + nome.pow(n * n + n)))
-        .with("m_3", squares(1))
-        .with("m_4", squares(-1))
-        .with("q'", nome.clone())
-        .with("v", v.clone())
-        .with("V", other)
-        .with(r"\theta'_1", odd(-1))
-        .with(r"\theta'_2", odd(1))
-        .with(r"\theta'_3", even(1))
+        .with_all([("m_3", squares(1)), ("m_4", squares(-1)), ("q'", nome.clone()), ("v", v.clone())])
+        .with_all([("V", other), (r"\theta'_1", odd(-1)), (r"\theta'_2", odd(1)), (r"\theta'_3", even(1))])
         .with(r"\theta'_4", even(-1))
 }
 
 /// The attitude's two numbers in hyperbolic functions, from their growing and falling exponentials.
 pub(super) fn complementary_attitude() -> Scope {
-    static ONCE: LazyLock<Scope> = LazyLock::new(of_complementary_attitude);
-    ONCE.clone()
-}
-
-fn of_complementary_attitude() -> Scope {
     let [p, e, s] = variables(["p", "e", "s"]);
     let r = p.pow(2) / &e;
     let mut scope = Scope::default();
@@ -277,24 +218,13 @@ fn of_complementary_attitude() -> Scope {
     }
     let [a_1, a_2, b_1, b_2] = sums;
     scope
-        .with("p", p)
-        .with("e", e)
-        .with("r", r)
-        .with("s", s)
-        .with("a_1", a_1)
-        .with("a_2", a_2)
-        .with("b_1", b_1)
+        .with_all([("p", p), ("e", e), ("r", r), ("s", s), ("a_1", a_1), ("a_2", a_2), ("b_1", b_1)])
         .with("b_2", b_2)
 }
 
 /// The steady rate of the common phase, where the phase of the series is zero and dn is one; `rho` is the
 /// rate of the angle of `a` by that phase.
 pub(super) fn drift() -> Scope {
-    static ONCE: LazyLock<Scope> = LazyLock::new(of_drift);
-    ONCE.clone()
-}
-
-fn of_drift() -> Scope {
     let Ok(motion) = motion(1, Change::None) else { return Scope::default() };
     let [pi, quarter, rho] = variables(["pi", "K", "rho"]);
     let two = Fraction::from(2);
@@ -302,19 +232,14 @@ fn of_drift() -> Scope {
     let about = values.iter().fold(motion.turning, |x, (name, value)| x.substitute(&(*name).into(), value));
     Scope::default()
         .with(r"\nu", about / &two - &pi * &motion.rate / (&two * &quarter) * &rho)
-        .with(r"\sigma", Fraction::variable("sigma"))
-        .with("E", motion.twice_energy / two)
-        .with("L", motion.momentum)
-        .with("A_C", motion.amplitudes[2].clone())
-        .with("I_C", motion.moments[2].clone())
-        .with(r"\eta", motion.rate)
-        .with(r"\pi", pi)
-        .with("K", quarter)
-        .with(r"\rho", rho)
+        .with_all([(r"\sigma", Fraction::variable("sigma")), ("E", motion.twice_energy / two)])
+        .with_all([("L", motion.momentum), ("A_C", motion.amplitudes[2].clone())])
+        .with_all([("I_C", motion.moments[2].clone()), (r"\eta", motion.rate), (r"\pi", pi)])
+        .with_all([("K", quarter), (r"\rho", rho)])
         .under(motion.relations)
 }
 
-/// The same at the saddle: `a` is there, but for a steady factor, the sum of all `p^(n²) exp(-n x)` with
+/// The drift at the saddle: `a` is there, but for a steady factor, the sum of all `p^(n²) exp(-n x)` with
 /// the angle of `-2 s n phi`, and `x` is zero.
 pub(super) fn drift_at_the_saddle() -> Scope {
     let [psi, s, pi, eta, other, p] = variables(["psi", "s", "pi", "eta", "K'", "p"]);
@@ -327,14 +252,14 @@ pub(super) fn drift_at_the_saddle() -> Scope {
         scope = scope.with(&format!("U_{}", 2 * n), cos).with(&format!("Y_{}", 2 * n), sin);
     }
     let two = Fraction::from(2);
-    scope
-        .with(r"\nu", &psi / &two - &pi * &eta / (two * &other) * turned / real)
-        .with(r"\dot{\psi}", psi)
-        .with("s", s)
-        .with(r"\pi", pi)
-        .with(r"\eta", eta)
-        .with("K'", other)
-        .with("p", p)
+    scope.with(r"\nu", &psi / &two - &pi * &eta / (two * &other) * turned / real).with_all([
+        (r"\dot{\psi}", psi),
+        ("s", s),
+        (r"\pi", pi),
+        (r"\eta", eta),
+        ("K'", other),
+        ("p", p),
+    ])
 }
 
 /// Flips: the argument at the start is the one that is zero at the time of a flip.
@@ -343,12 +268,8 @@ pub(super) fn flips() -> Scope {
     let two = Fraction::from(2);
     let half_period = &two * &quarter / &eta;
     Scope::default()
-        .with("u_0", &two * &count * &quarter - &eta * &t)
-        .with("t_N", t)
-        .with(r"\upsilon", two * &nu * half_period)
-        .with("N", count)
-        .with("K", quarter)
-        .with(r"\eta", eta)
+        .with_all([("u_0", &two * &count * &quarter - &eta * &t), ("t_N", t)])
+        .with_all([(r"\upsilon", two * &nu * half_period), ("N", count), ("K", quarter), (r"\eta", eta)])
         .with(r"\nu", nu)
 }
 
@@ -356,18 +277,13 @@ pub(super) fn flips() -> Scope {
 pub(super) fn variation(axis: usize) -> Scope {
     let (moments, omega, change) = (vector("I"), vector("omega"), vector("W"));
     let rate = angular_acceleration(&moments, &omega, &Vector::zeros());
-    let moved = |x: &Fraction| {
-        let part = |k: usize| x.derivative(&format!("omega{}", k + 1).as_str().into()) * &change[k];
-        part(0) + part(1) + part(2)
-    };
-    let scope = (1..=3).fold(Scope::default(), |scope, n| {
-        let place = (axis + n - 1) % 3;
-        scope
-            .with(&format!("I_{n}"), moments[place].clone())
-            .with(&format!("W_{n}"), change[place].clone())
-            .with(&format!(r"\omega_{n}"), omega[place].clone())
-    });
-    scope.with(r"\dot{W}_1", moved(&rate[axis]))
+    let moved = |x: &Fraction| changing(Derivation::default(), "omega", &change).of(x);
+    let from_axis = |v: &Vector| [0, 1, 2].map(|n| v[(axis + n) % 3].clone());
+    Scope::default()
+        .with_each("I", &from_axis(&moments))
+        .with_each("W", &from_axis(&change))
+        .with_each(r"\omega", &from_axis(&omega))
+        .with(r"\dot{W}_1", moved(&rate[axis]))
 }
 
 /// Carlson's series for `count` numbers, whose integrand falls with the power `first/2` of their mean: the

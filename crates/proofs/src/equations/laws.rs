@@ -32,6 +32,13 @@ pub struct Law {
     pub bare: bool,
 }
 
+/// What names mean, worked out once: the closed form takes a while.
+fn known(case: fn() -> Scope) -> Scope {
+    static KNOWN: Mutex<BTreeMap<usize, Scope>> = Mutex::new(BTreeMap::new());
+    let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+    known.entry(case as usize).or_insert_with(case).clone()
+}
+
 impl Law {
     /// Reads a statement in TeX and proves it.
     ///
@@ -50,7 +57,7 @@ impl Law {
     /// What is left over, or why the statement has no meaning.
     pub fn prove(&self, statement: &Statement) -> Result<(), String> {
         if self.bare {
-            return self.cases.iter().try_for_each(|case| statement.prove_worth(&case()));
+            return self.cases.iter().try_for_each(|case| statement.prove_worth(&known(*case)));
         }
         if statement.gives_values() {
             return Err("gives nothing but values where a law is expected".to_owned());
@@ -58,43 +65,18 @@ impl Law {
         let mut statement = statement.clone();
         if !self.example.is_empty() {
             for case in self.cases {
-                statement = statement.prove_example(&case(), self.example)?;
+                statement = statement.prove_example(&known(*case), self.example)?;
             }
         }
         let statement = &(self.in_general)(&statement)?;
         for case in self.cases {
-            statement.prove(&case())?;
+            statement.prove(&known(*case))?;
         }
         let not_attained = |problem| format!("a bound that is not attained: {problem}");
         for case in self.attained {
-            statement.prove_attained(&case()).map_err(not_attained)?;
+            statement.prove_attained(&known(*case)).map_err(not_attained)?;
         }
         Ok(())
-    }
-}
-
-impl Law {
-    /// Its meanings near single points, where a false statement is soon seen to be one.
-    pub(super) fn points(&self) -> Vec<Scope> {
-        let plain = !self.bare && self.example.is_empty();
-        self.cases.iter().filter(|_| plain).filter_map(|case| case().near_a_point()).collect()
-    }
-
-    /// Whether a statement clearly fails near one of these points.
-    pub(super) fn fails_near(&self, statement: &Statement, points: &[Scope]) -> bool {
-        let general = (self.in_general)(statement);
-        general.is_ok_and(|statement| points.iter().any(|point| statement.is_off(point)))
-    }
-
-    /// Whether each side of two statements of it is worth the same, in every meaning of their names.
-    pub(super) fn says_the_same(&self, a: &Statement, b: &Statement) -> bool {
-        if self.bare {
-            return true;
-        }
-        match ((self.in_general)(a), (self.in_general)(b)) {
-            (Ok(a), Ok(b)) => self.cases.iter().all(|case| a.same_sides(&b, &case())),
-            _ => false,
-        }
     }
 }
 

@@ -1,19 +1,17 @@
 //! What the names mean where the book speaks of motion.
 
 use crate::number::{Derivation, Fraction};
-use crate::symbols::{Matrix, Vector, adjugate, diagonal, ordered_moments, symmetric, variables, vector};
+use crate::symbols::{
+    Matrix, Vector, changing, diagonal, inverse as invert, inverse_diagonal, ordered_moments, pure,
+    quaternion, symmetric, turning, variables, vector,
+};
 use crate::tex::{Scope, Value};
-use nalgebra::Quaternion;
 use num_traits::{One, Zero};
 use tumbling::attitude::{product, rate, rotation_matrix};
 use tumbling::dynamics::euler::{angular_acceleration, coupling, momentum_rate, tensor_times_acceleration};
 use tumbling::dynamics::stability::rate_squared;
 use tumbling::inertia::{omega_world, point_mass, turned};
 use tumbling::step::Engine;
-
-fn inverse_diagonal(moments: &Vector) -> Matrix {
-    diagonal(&moments.map(|x| Fraction::one() / x))
-}
 
 /// The world's tensor.
 pub(super) mod world_tensor {
@@ -79,14 +77,8 @@ pub(super) mod rates {
         let (tensor, inverse) = (diagonal(&moments), inverse_diagonal(&moments));
         let acceleration = angular_acceleration(&moments, &omega, torque);
         let momentum_rate = momentum_rate(&inverse, &(&tensor * &omega), torque);
-        let mut scope = Scope::default();
-        for i in 0..3 {
-            let n = i + 1;
-            scope = scope
-                .with(&format!("I_{n}"), moments[i].clone())
-                .with(&format!(r"\omega_{n}"), omega[i].clone())
-                .with(&format!(r"\dot{{\omega}}_{n}"), acceleration[i].clone());
-        }
+        let scope = Scope::default().with_each("I", &moments).with_each(r"\omega", &omega);
+        let scope = scope.with_each(r"\dot{\omega}", &acceleration);
         named(scope, tensor, inverse, omega, torque, acceleration, momentum_rate)
     }
 
@@ -96,9 +88,7 @@ pub(super) mod rates {
         let rate = momentum_rate(&inverse, &momentum, &torque);
         let omega = &inverse * &momentum;
         let acceleration = &inverse * &rate;
-        let (adjugate, determinant) = adjugate(&inverse);
-        let tensor = adjugate.map(|x| x / &determinant);
-        named(Scope::default(), tensor, inverse, omega, &torque, acceleration, rate)
+        named(Scope::default(), invert(&inverse), inverse, omega, &torque, acceleration, rate)
             .with(r"\mathbf{L}", momentum)
     }
 
@@ -106,8 +96,7 @@ pub(super) mod rates {
     fn by_spin() -> Scope {
         let (tensor, omega, torque) = (symmetric("I"), vector("omega"), vector("tau"));
         let rate = tensor_times_acceleration(&tensor, &omega, &torque);
-        let (adjugate, determinant) = adjugate(&tensor);
-        let inverse = adjugate.map(|x| x / &determinant);
+        let inverse = invert(&tensor);
         let acceleration = &inverse * &rate;
         named(Scope::default(), tensor, inverse, omega, &torque, acceleration, rate)
     }
@@ -147,8 +136,7 @@ pub(super) fn wobble() -> Scope {
         .with(r"\lambda", Value::Root(square))
         .with(r"\omega", omega)
         .with("I", about)
-        .with("I_a", first)
-        .with("I_b", second)
+        .with_all([("I_a", first), ("I_b", second)])
 }
 
 /// A wobble about an axis by the place of its moment and of the others in the order of size.
@@ -179,11 +167,8 @@ pub(super) mod grows {
 /// Pitfall 1: the rate that the wrong engine carries.
 pub(super) fn frozen() -> Scope {
     let (tensor, omega) = (symmetric("I"), vector("omega"));
-    let (adjugate, determinant) = adjugate(&tensor);
-    let inverse = adjugate.map(|x| x / &determinant);
-    let [one, zero] = [Fraction::one(), Fraction::zero()];
-    let attitude = Quaternion::new(one, zero.clone(), zero.clone(), zero);
-    let (_, rate) = Engine::Frozen.rate(&tensor, &inverse, &attitude, &omega);
+    let attitude = quaternion(Fraction::one(), &Vector::zeros());
+    let (_, rate) = Engine::Frozen.rate(&tensor, &invert(&tensor), &attitude, &omega);
     Scope::default()
         .with(r"I_{\text{body}}", tensor)
         .with(r"\boldsymbol{\omega}", omega)
@@ -228,8 +213,7 @@ pub(super) fn summit() -> Scope {
     let tan2 = at_summit(squared.numerator()) / at_summit(squared.denominator());
     let sin2 = &tan2 / &(Fraction::one() + &tan2);
     Scope::default()
-        .with("a", a)
-        .with("b", b)
+        .with_all([("a", a), ("b", b)])
         .with(r"\tan(\theta)", Value::Root(square))
         .with(r"\sin(\text{gap})", Value::Root(sin2))
         .positive(["a", "d"])
@@ -241,10 +225,8 @@ pub(super) fn attitude() -> Scope {
     let (omega, v) = (vector("omega"), vector("v"));
     let rate = rate(&q, &omega);
     let rotation = rotation_matrix(&q);
-    let arrow = Quaternion::new(Fraction::zero(), v.x.clone(), v.y.clone(), v.z.clone());
-    let back =
-        Quaternion::new(q.coords.w.clone(), -q.coords.x.clone(), -q.coords.y.clone(), -q.coords.z.clone());
-    let carried = product(&product(&q, &arrow), &back).coords.xyz();
+    let back = quaternion(q.coords.w.clone(), &-q.coords.xyz());
+    let carried = product(&product(&q, &pure(&v)), &back).coords.xyz();
     Scope::default()
         .with("q", q)
         .with(r"\dot{q}", rate)
@@ -259,11 +241,7 @@ pub(super) fn attitude() -> Scope {
 pub(super) fn carried_round() -> Scope {
     let (q, unit) = crate::symbols::attitude();
     let (r, omega) = (vector("r"), vector("omega"));
-    let [w, x, y, z] = {
-        let rate = rate(&q, &omega).coords;
-        [rate.w.clone(), rate.x.clone(), rate.y.clone(), rate.z.clone()]
-    };
-    let time = Derivation::new([("w", w), ("x", x), ("y", y), ("z", z)]);
+    let time = turning(&rate(&q, &omega));
     let rotation = rotation_matrix(&q);
     let velocity = rotation.transpose() * (&rotation * &r).map(|x| time.of(&x));
     Scope::default()
@@ -294,8 +272,7 @@ pub(super) fn gyroscopic() -> Scope {
 pub(super) fn power() -> Scope {
     let (moments, omega) = (vector("I"), vector("omega"));
     let acceleration = angular_acceleration(&moments, &omega, &vector("tau"));
-    let [x, y, z] = [0, 1, 2].map(|i| acceleration[i].clone());
-    let time = Derivation::new([("omega1", x), ("omega2", y), ("omega3", z)]);
+    let time = changing(Derivation::default(), "omega", &acceleration);
     let tensor = diagonal(&moments);
     let it = time.of(&tumbling::dynamics::observe::energy(&omega, &(&tensor * &omega)));
     Scope::default()
@@ -311,8 +288,7 @@ pub(super) fn power() -> Scope {
 pub(super) fn in_order() -> Scope {
     let [a, b] = variables(["a", "b"]);
     let moments = ordered_moments();
-    let scope = Scope::default().with("a", a).with("b", b);
-    (0..3).fold(scope, |scope, i| scope.with(&format!("I_{}", i + 1), moments[i].clone()))
+    Scope::default().with("a", a).with("b", b).with_each("I", &moments)
 }
 
 /// An arrow fixed in the room, seen from a frame that spins anyhow.
@@ -330,11 +306,11 @@ pub(super) fn seen_from_the_body() -> Scope {
 pub(super) fn at_rest() -> Scope {
     let (tensor, torque) = (symmetric("I"), vector("tau"));
     let rate = tensor_times_acceleration(&tensor, &Vector::zeros(), &torque);
-    let (adjugate, determinant) = adjugate(&tensor);
+    let acceleration = invert(&tensor) * rate;
     Scope::default()
         .with("I", tensor)
         .with(r"\boldsymbol{\tau}", torque)
-        .with(r"\dot{\boldsymbol{\omega}}", (adjugate * rate).map(|x| x / &determinant))
+        .with(r"\dot{\boldsymbol{\omega}}", acceleration)
 }
 
 /// Two small components near a spin that stays, and the second rate of the first.
@@ -349,11 +325,8 @@ pub(super) fn linearised() -> Scope {
     let again = time.of(&rate.y);
     let [a, b] = small;
     wobble()
-        .with(r"\omega_a", a)
-        .with(r"\omega_b", b)
-        .with(r"\dot{\omega}_a", rate.y.clone())
-        .with(r"\dot{\omega}_b", rate.z.clone())
-        .with(r"\ddot{\omega}_a", again)
+        .with_all([(r"\omega_a", a), (r"\omega_b", b), (r"\dot{\omega}_a", rate.y.clone())])
+        .with_all([(r"\dot{\omega}_b", rate.z.clone()), (r"\ddot{\omega}_a", again)])
 }
 
 /// What is kept, by the components of the spin along principal axes.
@@ -362,8 +335,5 @@ pub(super) fn conserved() -> Scope {
     let momentum = diagonal(&moments) * &omega;
     let energy = tumbling::dynamics::observe::energy(&omega, &momentum);
     let scope = Scope::default().with("E", energy).with("L", Value::Root(momentum.dot(&momentum)));
-    (0..3).fold(scope, |scope, i| {
-        let n = i + 1;
-        scope.with(&format!("I_{n}"), moments[i].clone()).with(&format!(r"\omega_{n}"), omega[i].clone())
-    })
+    scope.with_each("I", &moments).with_each(r"\omega", &omega)
 }

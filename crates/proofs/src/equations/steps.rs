@@ -1,17 +1,13 @@
 //! What the names mean where the book speaks of steps through time.
 
 use crate::number::{Fraction, Rational, Relations, Series};
-use crate::symbols::{Matrix, Vector, diagonal, symmetric, variables, vector};
+use crate::symbols::{Matrix, Vector, diagonal, inverse_diagonal, symmetric, variables, vector};
 use crate::tex::Scope;
 use nalgebra::{Quaternion, Vector3};
 use num_traits::{One, Zero};
 use tumbling::attitude::rotation_matrix;
 use tumbling::dynamics::{euler, observe};
 use tumbling::step::{Method, State, System};
-
-fn inverse_diagonal(moments: &Vector) -> Matrix {
-    diagonal(&moments.map(|x| Fraction::one() / x))
-}
 
 fn times(v: &Vector, factor: &Fraction) -> Vector {
     v.map(|x| x * factor)
@@ -77,10 +73,8 @@ pub(super) mod turn {
         let end = rotation.transpose() * &momentum;
         let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
         Scope::default()
-            .with("L_j", momentum[j].clone())
-            .with("L_k", momentum[k].clone())
-            .with("L'_j", end[j].clone())
-            .with("L'_k", end[k].clone())
+            .with_all([("L_j", momentum[j].clone()), ("L_k", momentum[k].clone())])
+            .with_all([("L'_j", end[j].clone()), ("L'_k", end[k].clone())])
             .with(r"\cos(a)", cosine.pow(2) - sine.pow(2))
             .with(r"\sin(a)", Fraction::from(2) * cosine * sine)
             .under(Relations::circle("c", "s"))
@@ -92,9 +86,7 @@ pub(super) fn angle() -> Scope {
     let (moments, momentum, h) = (vector("I"), vector("L"), Fraction::variable("h"));
     let omega = tumbling::inertia::omega_world(&Matrix::identity(), &inverse_diagonal(&moments), &momentum);
     Scope::default()
-        .with("h", h.clone())
-        .with("L_i", momentum.x.clone())
-        .with("I_i", moments.x.clone())
+        .with_all([("h", h.clone()), ("L_i", momentum.x.clone()), ("I_i", moments.x.clone())])
         .with(Scope::IT, h * &omega.x)
 }
 
@@ -107,8 +99,7 @@ pub(super) fn midpoint() -> Scope {
     let (start, end) = (&mean - &half, &mean + &half);
     let energy = |momentum: &Vector| observe::energy(&(&inverse * momentum), momentum);
     Scope::default()
-        .with("E", energy(&start))
-        .with("E'", energy(&end))
+        .with_all([("E", energy(&start)), ("E'", energy(&end))])
         .with(r"\mathbf{L}", start)
         .with(r"\mathbf{L}'", end)
         .with(r"\mathbf{M}", mean)

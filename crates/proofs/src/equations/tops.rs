@@ -5,7 +5,6 @@ use crate::proofs::closed_forms::about_the_largest_axis;
 use crate::symbols::{Vector, diagonal, variables};
 use crate::tex::{Scope, Value};
 use num_traits::{One, Zero};
-use std::sync::LazyLock;
 use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::dynamics::observe::energy;
 
@@ -13,18 +12,13 @@ use tumbling::dynamics::observe::energy;
 pub(super) fn coin() -> Scope {
     let [i1, i3, w1, w2, w3] = variables(["I1", "I3", "omega1", "omega2", "omega3"]);
     let moments = Vector::new(i1.clone(), i1.clone(), i3.clone());
-    let omega = Vector::new(w1.clone(), w2.clone(), w3.clone());
+    let omega = Vector::new(w1.clone(), w2, w3);
     let rate = angular_acceleration(&moments, &omega, &Vector::zeros());
     let axis = Vector::new(Fraction::zero(), Fraction::zero(), Fraction::one());
     Scope::default()
-        .with("I_1", i1)
-        .with("I_3", i3)
-        .with(r"\Omega", &rate.y / &w1)
-        .with(r"\omega_1", w1)
-        .with(r"\omega_2", w2)
-        .with(r"\omega_3", w3)
-        .with(r"\dot{\omega}_1", rate.x.clone())
-        .with(r"\dot{\omega}_2", rate.y.clone())
+        .with_all([("I_1", i1), ("I_3", i3), (r"\Omega", &rate.y / &w1)])
+        .with_each(r"\omega", &omega)
+        .with_each(r"\dot{\omega}", &rate)
         .with(r"\mathbf{L}", diagonal(&moments) * &omega)
         .with(r"\dot{\mathbf{e}}", omega.cross(&axis))
         .with(r"\boldsymbol{\omega}", omega)
@@ -42,11 +36,8 @@ pub(super) fn coin_in_time() -> Scope {
         return Scope::default();
     }
     Scope::default()
-        .with("a", amplitude)
-        .with(r"\cos(\phi)", cos)
-        .with(r"\sin(\phi)", sin)
-        .with(r"\omega_1", omega.x.clone())
-        .with(r"\omega_2", omega.y.clone())
+        .with_all([("a", amplitude), (r"\cos(\phi)", cos), (r"\sin(\phi)", sin)])
+        .with_each(r"\omega", omega.iter().take(2))
         .under(Relations::circle("cos", "sin"))
 }
 
@@ -57,7 +48,7 @@ pub(super) fn steady_top() -> Scope {
     precessing(spin, sin, cos)
 }
 
-/// The same nearly upright, where the two rates that one spin allows are one.
+/// That top nearly upright, where the two rates that one spin allows are one.
 pub(super) fn sleeping_top() -> Scope {
     let [i1, i3, rate, sin] = variables(["I1", "I3", "Omega", "sin"]);
     precessing(&i1 * &rate * Fraction::from(2_i64) / &i3, sin, Fraction::one())
@@ -122,26 +113,17 @@ pub(super) fn jacobi() -> Scope {
 /// The motion that circles the axis of the largest moment, if the library's equations hold along it; nothing
 /// has a meaning if not. Worked out once.
 pub(super) fn jacobi_motion() -> Scope {
-    static ONCE: LazyLock<Scope> = LazyLock::new(of_jacobi_motion);
-    ONCE.clone()
-}
-
-fn of_jacobi_motion() -> Scope {
     let Ok(motion) = about_the_largest_axis() else { return Scope::default() };
     let reduced = |x: &Fraction| motion.relations.reduce_fraction(x);
     let momentum = diagonal(&motion.moments) * &motion.omega;
     let square = reduced(&momentum.dot(&momentum));
-    let scope = (0..3).zip(["cn", "sn", "dn"]).fold(Scope::default(), |scope, (i, name)| {
-        let n = i + 1;
-        scope
-            .with(&format!("I_{n}"), motion.moments[i].clone())
-            .with(&format!("a_{n}"), motion.amplitudes[i].clone())
-            .with(&format!(r"\omega_{n}"), motion.omega[i].clone())
-            .with(&format!(r"\operatorname{{{name}}}(u)"), Fraction::variable(name))
-    });
+    let scope = Scope::default().with_each("I", &motion.moments).with_each("a", &motion.amplitudes);
+    let scope =
+        ["cn", "sn", "dn"].into_iter().fold(scope.with_each(r"\omega", &motion.omega), |scope, name| {
+            scope.with(&format!(r"\operatorname{{{name}}}(u)"), Fraction::variable(name))
+        });
     scope
-        .with("m", Fraction::variable("m"))
-        .with("p", motion.rate.clone())
+        .with_all([("m", Fraction::variable("m")), ("p", motion.rate.clone())])
         .with("E", reduced(&energy(&motion.omega, &momentum)))
         .with("L", Value::Root(square))
         .under(motion.relations)

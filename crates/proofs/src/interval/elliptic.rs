@@ -1,12 +1,8 @@
 //! Elliptic integrals and functions of intervals, by the complement of the modulus.
 
-use super::Interval;
+use super::{Interval, whole};
 use crate::Rational;
 use num_traits::{One, Zero};
-
-fn whole(n: i32) -> Interval {
-    Interval::whole(n)
-}
 
 /// Carlson's integral of the first kind, of three numbers of which one at most is zero.
 ///

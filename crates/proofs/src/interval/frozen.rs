@@ -7,8 +7,8 @@
 //! `s²/2 |w x w'|` at most, and that from the true one by `(s - h/2)²/2 |w''|`. The integral of both bounds
 //! the angle that the two frames come apart by.
 
-use super::Interval;
 use super::motion::FreeMotion;
+use super::{Interval, whole};
 use nalgebra::{Matrix3, Quaternion, Vector3};
 use num_traits::{One, Zero};
 use tumbling::attitude::{product, rotation_matrix};
@@ -16,10 +16,6 @@ use tumbling::dynamics::observe::energy;
 
 /// The number of equal parts in which the attitude is turned from one instant to the next.
 const PARTS: u32 = 8;
-
-fn whole(n: u32) -> Interval {
-    Interval::whole(n)
-}
 
 /// Bounds of the spin and of its first two rates, rad/s, rad/s² and rad/s³: the spin is largest where all
 /// energy is about the axis of the smallest moment. Of a vector the squares of the products of two components

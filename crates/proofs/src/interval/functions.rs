@@ -1,7 +1,7 @@
 //! Roots, sines, arctangents and logarithms of intervals.
 
-use super::Interval;
 use super::arithmetic::root;
+use super::{Interval, whole};
 use num_traits::{One, Zero};
 
 /// The number of terms of each series; its rest is bounded by the next one.
@@ -10,10 +10,6 @@ const TERMS: i32 = 24;
 /// The exact fraction, enclosed.
 fn fraction(numerator: i32, denominator: i32) -> Interval {
     whole(numerator) / whole(denominator)
-}
-
-fn whole(n: i32) -> Interval {
-    Interval::whole(n)
 }
 
 /// The sum of `sign^n x^(2n+1) / (2n+1)`: the arctangent, or with a positive sign its hyperbolic sister, for
@@ -108,10 +104,13 @@ impl Interval {
         }
     }
 
-    /// The angle whose cosine it is, in radians.
+    /// The angle whose cosine it is, in radians; all numbers where it is no cosine.
     #[must_use]
     pub fn acos(self) -> Self {
         let within = self.clamped(-1.0, 1.0);
+        if within.low == f64::NEG_INFINITY {
+            return within;
+        }
         let sine = ((Self::one() - within) * (Self::one() + within)).not_negative().sqrt();
         let angle = sine.atan2(within);
         angle.clamped(0.0, Self::PI.high)

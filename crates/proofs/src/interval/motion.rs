@@ -1,16 +1,12 @@
 //! The free motion of a body, enclosed: its spin at a time, its flips and its period.
 
-use super::Interval;
 use super::elliptic::{carlson_first, jacobi, quarter_period};
 use super::geometry::length;
+use super::{Interval, whole};
 use crate::Rational;
 use nalgebra::Vector3;
 use num_traits::{One, Zero};
 use std::cmp::Ordering;
-
-fn whole(n: impl Into<f64>) -> Interval {
-    Interval::whole(n)
-}
 
 /// A motion in Jacobi's functions, of a body with three different moments that is neither steady nor on the
 /// separatrix. Source: [LL76](tumbling::references), section 37.

@@ -200,6 +200,15 @@ fn the_smallest_float_has_a_logarithm() {
 }
 
 #[test]
+fn bounds_that_contradict_a_number_leave_nothing_known() {
+    let two = Interval::whole(2);
+    for contradiction in [two.acos(), (-two).not_negative(), two.clamped(-1.0, 1.0)] {
+        assert_eq!((contradiction.low, contradiction.high), (f64::NEG_INFINITY, f64::INFINITY));
+    }
+    assert_eq!(format!("{:.3}", (two / Interval::whole(4)).acos()), "1.047");
+}
+
+#[test]
 fn whole_numbers_stay_points() {
     assert_eq!(Interval::integer(12), given!(12));
     assert_eq!(Interval::zero() * Interval::ALL.clamped(-1.0, 1.0), Interval::zero());

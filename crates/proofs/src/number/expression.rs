@@ -183,21 +183,32 @@ impl Expression {
         all
     }
 
+    /// What is known of it, or else is made of it and then known.
+    fn once<T: Clone>(
+        &self,
+        known: &mut HashMap<usize, T>,
+        make: impl FnOnce(&mut HashMap<usize, T>) -> T,
+    ) -> T {
+        if let Some(result) = known.get(&self.address()) {
+            return result.clone();
+        }
+        let result = make(known);
+        known.insert(self.address(), result.clone());
+        result
+    }
+
     /// Its value, computed as it is written.
     pub(crate) fn evaluate<T: Field>(&self, value: impl Fn(&Symbol) -> T) -> T {
         self.evaluated(&value, &mut HashMap::new())
     }
 
-    /// The same where the values of parts may be known, by their addresses; adds those that it finds.
+    /// Its value where those of parts may be known, by their addresses; adds those that it finds.
     pub(crate) fn evaluated<T: Field>(
         &self,
         value: &impl Fn(&Symbol) -> T,
         known: &mut HashMap<usize, T>,
     ) -> T {
-        if let Some(result) = known.get(&self.address()) {
-            return result.clone();
-        }
-        let result = match self.node() {
+        self.once(known, |known| match self.node() {
             Variable(symbol) => value(symbol),
             Number(number) => in_field(number),
             Sum(a, b) => a.evaluated(value, known) + b.evaluated(value, known),
@@ -206,9 +217,7 @@ impl Expression {
             Quotient(a, b) => a.evaluated(value, known) / b.evaluated(value, known),
             Negative(a) => -a.evaluated(value, known),
             Power(a, n) => num_traits::pow(a.evaluated(value, known), *n as usize),
-        };
-        known.insert(self.address(), result.clone());
-        result
+        })
     }
 
     /// The partial derivative by `symbol`, by the rules for sums, products and quotients.
@@ -217,11 +226,8 @@ impl Expression {
     }
 
     fn derived(&self, symbol: &Symbol, known: &mut HashMap<usize, Self>) -> Self {
-        if let Some(result) = known.get(&self.address()) {
-            return result.clone();
-        }
         let constant = |n: i64| Self::number(BigInt::from(n).into());
-        let result = match self.node() {
+        self.once(known, |known| match self.node() {
             Variable(own) => constant(i64::from(own == symbol)),
             Number(_) => constant(0),
             Sum(a, b) => a.derived(symbol, known).plus(&b.derived(symbol, known)),
@@ -237,9 +243,7 @@ impl Expression {
             }
             Negative(a) => a.derived(symbol, known).negative(),
             Power(a, n) => constant((*n).into()).times(&a.power(n - 1)).times(&a.derived(symbol, known)),
-        };
-        known.insert(self.address(), result.clone());
-        result
+        })
     }
 
     /// This with `value` put for `symbol`.
@@ -248,22 +252,19 @@ impl Expression {
     }
 
     fn substituted(&self, symbol: &Symbol, value: &Self, known: &mut HashMap<usize, Self>) -> Self {
-        if let Some(result) = known.get(&self.address()) {
-            return result.clone();
-        }
-        let mut put = |x: &Self| x.substituted(symbol, value, known);
-        let result = match self.node() {
-            Variable(own) if own == symbol => value.clone(),
-            Variable(_) | Number(_) => self.clone(),
-            Sum(a, b) => put(a).plus(&put(b)),
-            Difference(a, b) => put(a).minus(&put(b)),
-            Product(a, b) => put(a).times(&put(b)),
-            Quotient(a, b) => put(a).over(&put(b)),
-            Negative(a) => put(a).negative(),
-            Power(a, n) => put(a).power(*n),
-        };
-        known.insert(self.address(), result.clone());
-        result
+        self.once(known, |known| {
+            let mut put = |x: &Self| x.substituted(symbol, value, known);
+            match self.node() {
+                Variable(own) if own == symbol => value.clone(),
+                Variable(_) | Number(_) => self.clone(),
+                Sum(a, b) => put(a).plus(&put(b)),
+                Difference(a, b) => put(a).minus(&put(b)),
+                Product(a, b) => put(a).times(&put(b)),
+                Quotient(a, b) => put(a).over(&put(b)),
+                Negative(a) => put(a).negative(),
+                Power(a, n) => put(a).power(*n),
+            }
+        })
     }
 }
 

@@ -6,9 +6,8 @@ use super::ops::operator;
 use super::polynomial::Polynomial;
 use super::rational::Rational;
 use super::symbol::Symbol;
-use super::tex::Tex;
 use num_rational::BigRational;
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Zero};
 use std::collections::BTreeSet;
 use std::fmt;
 use std::ops::Neg;
@@ -23,12 +22,11 @@ use tumbling::number::Field;
 /// it; other common factors may stay, which changes how it prints but not what it equals.
 ///
 /// ```
-/// use tumbling_proofs::{Fraction, Tex};
+/// use tumbling_proofs::Fraction;
 /// let [a, b] = ["a", "b"].map(Fraction::variable);
 /// let sum = Fraction::from(1) / a.clone() + Fraction::from(1) / b.clone();
 /// assert_eq!(sum, (a.clone() + b.clone()) / (a.clone() * b.clone()));
 /// assert_eq!(sum.to_string(), "(a + b) / (a b)");
-/// assert_eq!(sum.tex(), r"\frac{a + b}{a b}");
 /// assert!((a.clone() / (a.clone() - a)).is_undefined());
 /// ```
 #[derive(Debug, Clone)]
@@ -370,23 +368,5 @@ impl fmt::Display for Fraction {
             if bare { p.to_string() } else { format!("({p})") }
         };
         f.pad(&format!("{} / {}", above(&self.numerator), below(&self.denominator)))
-    }
-}
-
-impl Tex for Fraction {
-    fn tex(&self) -> String {
-        if self.is_undefined() {
-            return r"\text{undefined}".to_owned();
-        }
-        if let Some(whole) = self.as_polynomial() {
-            return whole.tex();
-        }
-        // Whole coefficients above and below, and a sign, if any, before the bar.
-        let content = self.numerator.content();
-        let sign = if content.is_negative() { "-" } else { "" };
-        let whole = BigRational::from(content.denom().clone());
-        let above = self.numerator.scaled(&(&whole * content.signum()));
-        let below = self.denominator.scaled(&whole);
-        format!(r"{sign}\frac{{{}}}{{{}}}", above.tex(), below.tex())
     }
 }

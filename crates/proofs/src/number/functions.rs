@@ -15,12 +15,13 @@ fn undefined() -> Powers {
     Powers::one() / Powers::zero()
 }
 
+fn whole(n: usize) -> Rational {
+    Rational::from(i64::try_from(n).unwrap_or(i64::MAX))
+}
+
 /// `0, 1, ...` times the coefficients: `h` times the derivative.
 fn weighed(a: &[Rational]) -> Vec<Rational> {
-    a.iter()
-        .enumerate()
-        .map(|(n, x)| x.clone() * Rational::from(i64::try_from(n).unwrap_or(i64::MAX)))
-        .collect()
+    a.iter().enumerate().map(|(n, x)| x.clone() * whole(n)).collect()
 }
 
 /// All coefficients that are known, if they end somewhere.
@@ -64,10 +65,9 @@ impl Analytic for Powers {
         let Some(a) = known(self).filter(|a| a[0].is_zero()) else { return (undefined(), undefined()) };
         let (slope, mut s, mut c) = (weighed(&a), vec![Rational::zero()], vec![Rational::one()]);
         for n in 1..a.len() {
-            let count = Rational::from(i64::try_from(n).unwrap_or(i64::MAX));
             let (sine, cosine) = (sum_of_products(&slope, &c, n), -sum_of_products(&slope, &s, n));
-            s.push(sine / count.clone());
-            c.push(cosine / count);
+            s.push(sine / whole(n));
+            c.push(cosine / whole(n));
         }
         (Self::new(s, a.len() - 1), Self::new(c, a.len() - 1))
     }
@@ -80,8 +80,7 @@ impl Analytic for Powers {
         let Some(a) = known(self).filter(|a| a[0].is_zero()) else { return undefined() };
         let (slope, mut e) = (weighed(&a), vec![Rational::one()]);
         for n in 1..a.len() {
-            let count = Rational::from(i64::try_from(n).unwrap_or(i64::MAX));
-            e.push(sum_of_products(&slope, &e, n) / count);
+            e.push(sum_of_products(&slope, &e, n) / whole(n));
         }
         Self::new(e, a.len() - 1)
     }

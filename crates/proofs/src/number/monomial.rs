@@ -1,7 +1,6 @@
 //! A product of powers of variables: one kind of term of a polynomial.
 
 use super::symbol::Symbol;
-use super::tex::Tex;
 use std::cmp::Ordering;
 use std::fmt;
 
@@ -45,7 +44,7 @@ impl Monomial {
         self.powers.is_empty()
     }
 
-    /// The same without `symbol`.
+    /// This without `symbol`.
     #[must_use]
     pub fn without(&self, symbol: &Symbol) -> Self {
         Self { powers: self.powers.iter().filter(|(s, _)| s != symbol).cloned().collect() }
@@ -140,15 +139,5 @@ impl fmt::Display for Monomial {
             }
         }
         Ok(())
-    }
-}
-
-impl Tex for Monomial {
-    fn tex(&self) -> String {
-        let factor = |(symbol, power): (&Symbol, u32)| match power {
-            1 => symbol.tex(),
-            _ => format!("{}^{{{power}}}", symbol.tex()),
-        };
-        self.powers().map(factor).collect::<Vec<_>>().join(" ")
     }
 }

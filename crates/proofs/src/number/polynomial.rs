@@ -9,6 +9,7 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt;
 use std::ops::Neg;
 
 /// A polynomial in any number of named variables, with exact rational coefficients.
@@ -302,5 +303,27 @@ impl Zero for Polynomial {
 impl One for Polynomial {
     fn one() -> Self {
         Self::from(1)
+    }
+}
+
+impl fmt::Display for Polynomial {
+    /// The largest terms first, leaving out a 1 that goes without saying.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut text = String::new();
+        for (monomial, coefficient) in self.terms() {
+            text += match (text.is_empty(), coefficient.is_negative()) {
+                (true, true) => "-",
+                (true, false) => "",
+                (false, true) => " - ",
+                (false, false) => " + ",
+            };
+            let size = coefficient.abs();
+            text += &match (monomial.is_unit(), size.is_one()) {
+                (true, _) => size.to_string(),
+                (false, true) => monomial.to_string(),
+                (false, false) => format!("{size} {monomial}"),
+            };
+        }
+        f.pad(if text.is_empty() { "0" } else { &text })
     }
 }

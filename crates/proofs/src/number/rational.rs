@@ -1,7 +1,6 @@
 //! Exact fractions of whole numbers of any size.
 
 use super::ops::operator;
-use super::tex::Tex;
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
@@ -14,11 +13,10 @@ use std::ops::Neg;
 /// undefined equals nothing, not even itself; so no equality that is found can rest on a division by zero.
 ///
 /// ```
-/// use tumbling_proofs::{Rational, Tex};
+/// use tumbling_proofs::Rational;
 /// let third = Rational::new(1, 3);
 /// assert_eq!(third.clone() + third.clone() + third.clone(), Rational::from(1));
 /// assert_eq!(third.to_string(), "1/3");
-/// assert_eq!((-third).tex(), r"-\frac{1}{3}");
 /// assert!(Rational::new(1, 0).is_undefined());
 /// assert_ne!(Rational::new(1, 0), Rational::new(1, 0));
 /// ```
@@ -214,19 +212,4 @@ fn decimal(value: &BigRational, digits: usize) -> String {
     let all = format!("{whole:0>width$}", width = digits + 1, whole = whole.to_string());
     let (before, after) = all.split_at(all.len() - digits);
     if digits == 0 { format!("{sign}{before}") } else { format!("{sign}{before}.{after}") }
-}
-
-impl Tex for Rational {
-    fn tex(&self) -> String {
-        self.value().map_or_else(|| r"\text{undefined}".to_owned(), tex)
-    }
-}
-
-/// The TeX of an exact fraction.
-pub(super) fn tex(value: &BigRational) -> String {
-    if value.is_integer() {
-        return value.numer().to_string();
-    }
-    let sign = if value.is_negative() { "-" } else { "" };
-    format!(r"{sign}\frac{{{}}}{{{}}}", value.numer().abs(), value.denom())
 }

@@ -52,7 +52,8 @@ impl Relations {
     ///
     /// # Errors
     /// A right side that holds its own symbol or that of an earlier rule; the same symbol twice.
-    pub fn new(squares: Vec<(Symbol, Polynomial)>) -> Result<Self, Circular> {
+    pub fn new<S: Into<Symbol>>(squares: Vec<(S, Polynomial)>) -> Result<Self, Circular> {
+        let squares: Vec<_> = squares.into_iter().map(|(of, right)| (of.into(), right)).collect();
         for (i, (of, right)) in squares.iter().enumerate() {
             for (holds, _) in &squares[..=i] {
                 if right.degree_in(holds) > 0 {

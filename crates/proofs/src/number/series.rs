@@ -1,7 +1,6 @@
 //! Power series in a step size, cut off after some power: how the order of an integrator is found.
 
 use super::ops::operator;
-use super::tex::Tex;
 use num_traits::{One, Zero};
 use std::fmt;
 use std::ops::Neg;
@@ -93,7 +92,7 @@ impl<T: Field> Series<T> {
         Self { coefficients, known: self.known.map(|known| known + 1) }
     }
 
-    /// The same known only up to the power `order`.
+    /// This known only up to the power `order`.
     #[must_use]
     pub fn cut(&self, order: usize) -> Self {
         let known = self.known.map_or(order + 1, |known| known.min(order + 1));
@@ -106,11 +105,12 @@ impl<T: Field> Series<T> {
         self.coefficients.get(power).cloned().unwrap_or_else(T::zero)
     }
 
+    fn both_known(&self, other: &Self) -> Option<usize> {
+        [self.known, other.known].into_iter().flatten().min()
+    }
+
     fn combined(&self, other: &Self, count: usize, at: impl Fn(usize) -> T) -> Self {
-        let known = match (self.known, other.known) {
-            (Some(a), Some(b)) => Some(a.min(b)),
-            (a, b) => a.or(b),
-        };
+        let known = self.both_known(other);
         let count = known.map_or(count, |known| known.min(count));
         Self { coefficients: (0..count).map(at).collect(), known }
     }
@@ -146,10 +146,7 @@ impl<T: Field> Series<T> {
             return undefined;
         }
         let plain = other.coefficients.iter().skip(1).all(Zero::is_zero);
-        let known = match (self.known, other.known) {
-            (Some(a), Some(b)) => Some(a.min(b)),
-            (a, b) => a.or(b),
-        };
+        let known = self.both_known(other);
         let count = match known {
             Some(known) => known,
             None if plain => self.coefficients.len(),
@@ -207,48 +204,35 @@ impl<T: Field> PartialEq for Series<T> {
     }
 }
 
-/// The terms written by `number`, joined by their signs; sums are put in brackets.
-fn joined<T: Field>(
-    series: &Series<T>,
-    number: impl Fn(&T) -> String,
-    [open, close, dots]: [&str; 3],
-) -> String {
-    if series.is_undefined() {
-        return "undefined".to_owned();
-    }
-    let mut all = String::new();
-    let mut add = |term: String| {
-        all += &match term.strip_prefix('-') {
-            Some(rest) if !all.is_empty() => format!(" - {rest}"),
-            _ if !all.is_empty() => format!(" + {term}"),
-            _ => term,
-        };
-    };
-    for (power, a) in series.coefficients.iter().enumerate().filter(|(_, a)| !a.is_zero()) {
-        let text = number(a);
-        let sum = text.contains(" + ") || text.contains(" - ");
-        let text = if power > 0 && sum { format!("{open}{text}{close}") } else { text };
-        let h = if power == 1 { "h".to_owned() } else { format!("h^{power}") };
-        add(match (power, a.is_one()) {
-            (0, _) => text,
-            (_, true) => h,
-            (_, false) => format!("{text} {h}"),
-        });
-    }
-    if series.known.is_some() {
-        add(dots.to_owned());
-    }
-    if all.is_empty() { "0".to_owned() } else { all }
-}
-
 impl<T: Field + fmt::Display> fmt::Display for Series<T> {
+    /// The terms joined by their signs, coefficients that are sums in brackets.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.pad(&joined(self, T::to_string, ["(", ")", "..."]))
-    }
-}
-
-impl<T: Field + Tex> Tex for Series<T> {
-    fn tex(&self) -> String {
-        joined(self, T::tex, [r"\left(", r"\right)", r"\dotsb"])
+        let mut all = String::new();
+        let mut add = |term: &str| {
+            all += &match term.strip_prefix('-') {
+                Some(rest) if !all.is_empty() => format!(" - {rest}"),
+                _ if !all.is_empty() => format!(" + {term}"),
+                _ => term.to_owned(),
+            };
+        };
+        for (power, a) in self.coefficients.iter().enumerate().filter(|(_, a)| !a.is_zero()) {
+            let text = a.to_string();
+            let sum = power > 0 && (text.contains(" + ") || text.contains(" - "));
+            let text = if sum { format!("({text})") } else { text };
+            let h = if power == 1 { "h".to_owned() } else { format!("h^{power}") };
+            add(&match (power, a.is_one()) {
+                (0, _) => text,
+                (_, true) => h,
+                (_, false) => format!("{text} {h}"),
+            });
+        }
+        if self.known.is_some() {
+            add("...");
+        }
+        f.pad(match all.as_str() {
+            _ if self.is_undefined() => "undefined",
+            "" => "0",
+            terms => terms,
+        })
     }
 }

@@ -1,79 +1,35 @@
 //! Motions in closed form: each put into Euler's equations, which it satisfies identically.
 
-use crate::number::{Derivation, Fraction, Polynomial, Relations, Symbol};
-use crate::proof::{Mutant, Outcome, Proof, Residue, same, same_vectors_under, vanishes};
-use crate::symbols::{Vector, diagonal, variables, vector};
+use crate::number::{Derivation, Fraction, Polynomial, Relations};
+use crate::proof::{Outcome, Residue, same, same_entries_under, vanishes};
+use crate::proofs::conserved::one_sign_wrong;
+use crate::symbols::{Vector, diagonal, square, variables, vector};
 use num_traits::One;
 use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::dynamics::observe::energy;
 
-pub(super) const PROOFS: &[Proof] = &[
-    Proof {
-        name: "symmetric-top",
-        part: "exact",
-        statement: "With I1 = I2 the spin w1 = A cos, w2 = A sin, w3 constant, which circles the third axis at the rate (I3 - I1) w3 \
-                    / I1, obeys Euler's equations.",
-        check: || symmetric_top(angular_acceleration, 1),
-        mutants: &[
-            Mutant { change: "the other way round", check: || symmetric_top(angular_acceleration, -1) },
-            Mutant { change: "a sign in Euler's equations", check: || symmetric_top(one_sign_wrong, 1) },
-        ],
-    },
-    Proof {
-        name: "separatrix",
-        part: "exact",
-        statement: "The spin (A1 sech, w tanh, A3 sech) of w t sqrt((I2 - I1)(I3 - I2) / (I1 I3)), with A1 and A3 in closed form, \
-                    obeys Euler's equations and has L² = 2 E I2, for every I1 < I2 < I3.",
-        check: || separatrix(angular_acceleration, 1),
-        mutants: &[
-            Mutant {
-                change: "one amplitude with the wrong sign",
-                check: || separatrix(angular_acceleration, -1),
-            },
-            Mutant { change: "a sign in Euler's equations", check: || separatrix(one_sign_wrong, 1) },
-        ],
-    },
-    Proof {
-        name: "circling-the-largest-axis",
-        part: "exact",
-        statement: "The spin (A1 cn, A2 sn, A3 dn), with amplitudes, rate and parameter in closed form, obeys Euler's equations, for \
-                    every I1 < I2 < I3. The rates of Jacobi's functions are put in.",
-        check: || elliptic(angular_acceleration, Side::Largest, 1),
-        mutants: &[
-            Mutant {
-                change: "the rate reversed",
-                check: || elliptic(angular_acceleration, Side::Largest, -1),
-            },
-            Mutant {
-                change: "a sign in Euler's equations",
-                check: || elliptic(one_sign_wrong, Side::Largest, 1),
-            },
-        ],
-    },
-    Proof {
-        name: "circling-the-smallest-axis",
-        part: "exact",
-        statement: "The spin (A1 dn, A2 sn, A3 cn) with the two ends exchanged obeys Euler's equations, for every I1 < I2 < I3.",
-        check: || elliptic(angular_acceleration, Side::Smallest, 1),
-        mutants: &[Mutant {
-            change: "the rate reversed",
-            check: || elliptic(angular_acceleration, Side::Smallest, -1),
-        }],
-    },
-    Proof {
-        name: "which-side",
-        part: "exact",
-        statement: "L² - 2 E I2 = I3 (I3 - I2) w3² - I1 (I2 - I1) w1²: the sum of one positive and one negative square that says which end the \
-                    spin circles; likewise 2 E I3 - L² and L² - 2 E I1 are sums of positive squares.",
-        check: || sides(1),
-        mutants: &[Mutant { change: "a plus between the squares", check: || sides(-1) }],
-    },
-];
-
-fn one_sign_wrong(moments: &Vector, omega: &Vector, torque: &Vector) -> Vector {
-    let mut rate = angular_acceleration(moments, omega, torque);
-    rate.y = -rate.y.clone();
-    rate
+proofs! {
+    "exact" {
+        "symmetric-top": symmetric_top(angular_acceleration, 1),
+            "With I1 = I2 the spin w1 = A cos, w2 = A sin, w3 constant, which circles the third axis at the rate (I3 - I1) w3 / I1, obeys Euler's equations.";
+            but "the other way round": symmetric_top(angular_acceleration, -1),
+            but "a sign in Euler's equations": symmetric_top(one_sign_wrong, 1),
+        "separatrix": separatrix(angular_acceleration, 1),
+            "The spin (A1 sech, w tanh, A3 sech) of w t sqrt((I2 - I1)(I3 - I2) / (I1 I3)), with A1 and A3 in closed form, obeys Euler's equations and has L² = 2 E I2, for every I1 < I2 < I3.";
+            but "one amplitude with the wrong sign": separatrix(angular_acceleration, -1),
+            but "a sign in Euler's equations": separatrix(one_sign_wrong, 1),
+        "circling-the-largest-axis": elliptic(angular_acceleration, Side::Largest, 1),
+            "The spin (A1 cn, A2 sn, A3 dn), with amplitudes, rate and parameter in closed form, obeys Euler's equations, for every I1 < I2 < I3. The rates of Jacobi's functions are put in.";
+            but "the rate reversed": elliptic(angular_acceleration, Side::Largest, -1),
+            but "a sign in Euler's equations": elliptic(one_sign_wrong, Side::Largest, 1),
+        "circling-the-smallest-axis": elliptic(angular_acceleration, Side::Smallest, 1),
+            "The spin (A1 dn, A2 sn, A3 cn) with the two ends exchanged obeys Euler's equations, for every I1 < I2 < I3.";
+            but "the rate reversed": elliptic(angular_acceleration, Side::Smallest, -1),
+        "which-side": sides(1),
+            "L² - 2 E I2 = I3 (I3 - I2) w3² - I1 (I2 - I1) w1²: the sum of one positive and one negative square that says which end the spin circles; likewise 2 E I3 - L² and L² - 2 E I1 are sums of \
+            positive squares.";
+            but "a plus between the squares": sides(-1),
+    }
 }
 
 fn symmetric_top(law: impl Fn(&Vector, &Vector, &Vector) -> Vector, factor: i64) -> Outcome {
@@ -83,31 +39,27 @@ fn symmetric_top(law: impl Fn(&Vector, &Vector, &Vector) -> Vector, factor: i64)
     let omega = Vector::new(&amplitude * cos, amplitude * sin, w3);
     let expected = law(&Vector::new(i1.clone(), i1, i3), &omega, &Vector::zeros());
     let circle = Relations::circle("cos", "sin");
-    same_vectors_under(&circle, "w'", &omega.map(|x| time.of(&x)), &expected)
+    same_entries_under(&circle, "w'", &omega.map(|x| time.of(&x)), &expected)
 }
 
 /// Roots of the moments and of their differences, as symbols: `x1² = I1`, `p² = I2 - I1`, `q² = I3 - I2`,
 /// `r² = I3 - I1`; `more` goes before them.
-fn roots(more: Vec<(Symbol, Polynomial)>) -> Result<Relations, Residue> {
-    let square = |name: &str| Polynomial::variable(name).pow(2);
+pub(super) fn roots(more: Vec<(&str, Polynomial)>) -> Result<Relations, Residue> {
     let (i1, p, q) = (square("x1"), square("p"), square("q"));
     let mut rules = more;
-    rules.push(("x2".into(), &i1 + &p));
-    rules.push(("x3".into(), &i1 + &p + &q));
-    rules.push(("r".into(), p + q));
-    Relations::new(rules).map_err(|rule| Residue::Missing { claim: rule.to_string() })
+    rules.extend([("x2", &i1 + &p), ("x3", &i1 + &p + &q), ("r", p + q)]);
+    Ok(Relations::new(rules)?)
 }
 
 /// The squares of the roots of the moments: the moments, in order of size.
-fn moments() -> Vector {
+pub(super) fn moments() -> Vector {
     Vector::from(variables(["x1", "x2", "x3"])).map(|x| x.pow(2))
 }
 
 fn separatrix(law: impl Fn(&Vector, &Vector, &Vector) -> Vector, factor: i64) -> Outcome {
     let [x1, x2, x3, p, q, r, spin, sech, tanh] =
         variables(["x1", "x2", "x3", "p", "q", "r", "Omega", "sech", "tanh"]);
-    let square = Polynomial::one() - Polynomial::variable("tanh").pow(2);
-    let relations = roots(vec![("sech".into(), square)])?;
+    let relations = roots(vec![("sech", Polynomial::one() - square("tanh"))])?;
     let rate = &spin * &p * &q / (&x1 * &x3);
     let time = Derivation::hyperbolic(&rate);
     let a1 = &spin * &q * &x2 / (&x1 * &r) * Fraction::from(factor);
@@ -115,7 +67,7 @@ fn separatrix(law: impl Fn(&Vector, &Vector, &Vector) -> Vector, factor: i64) ->
     let omega = Vector::new(a1 * &sech, &spin * tanh, a3 * sech);
     let moments = moments();
     let expected = law(&moments, &omega, &Vector::zeros());
-    same_vectors_under(&relations, "w'", &omega.map(|x| time.of(&x)), &expected)?;
+    same_entries_under(&relations, "w'", &omega.map(|x| time.of(&x)), &expected)?;
     let momentum = diagonal(&moments) * &omega;
     let discriminant = momentum.dot(&momentum) - energy(&omega, &momentum) * &moments.y * Fraction::from(2);
     vanishes("L² - 2 E I2", &discriminant, &relations)
@@ -123,7 +75,7 @@ fn separatrix(law: impl Fn(&Vector, &Vector, &Vector) -> Vector, factor: i64) ->
 
 /// Which end the spin circles.
 #[derive(Clone, Copy, PartialEq)]
-enum Side {
+pub(super) enum Side {
     Smallest,
     Largest,
 }
@@ -155,20 +107,16 @@ fn elliptic(law: impl Fn(&Vector, &Vector, &Vector) -> Vector, side: Side, facto
     let motion = elliptic_motion(side, factor)?;
     let time = Derivation::elliptic(&motion.rate);
     let expected = law(&motion.moments, &motion.omega, &Vector::zeros());
-    same_vectors_under(&motion.relations, "w'", &motion.omega.map(|x| time.of(&x)), &expected)
+    same_entries_under(&motion.relations, "w'", &motion.omega.map(|x| time.of(&x)), &expected)
 }
 
 /// Symbols: `Q` is free and says how fast; `k` is the modulus, `k² = m`.
 fn elliptic_motion(side: Side, factor: i64) -> Result<EllipticMotion, Residue> {
     let [x1, x2, x3, p, q, r, k, big, sn, cn, dn] =
         variables(["x1", "x2", "x3", "p", "q", "r", "k", "Q", "sn", "cn", "dn"]);
-    let [sn2, m] = ["sn", "m"].map(Polynomial::variable);
-    let sn2 = sn2.pow(2);
-    let relations = roots(vec![
-        ("cn".into(), Polynomial::one() - &sn2),
-        ("dn".into(), Polynomial::one() - &m * sn2),
-        ("k".into(), m),
-    ])?;
+    let (sn2, m) = (square("sn"), Polynomial::variable("m"));
+    let relations =
+        roots(vec![("cn", Polynomial::one() - &sn2), ("dn", Polynomial::one() - &m * sn2), ("k", m)])?;
     // Between the circled axis and the middle, and between the middle and the other end.
     let (near, far) = if side == Side::Largest { (&q, &p) } else { (&p, &q) };
     let small = &k * &big * near / far;

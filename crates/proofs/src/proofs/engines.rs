@@ -1,10 +1,11 @@
 //! The engines, right and wrong: which laws of motion each keeps, and what is left over of those it breaks.
 
 use crate::number::{Derivation, Fraction, Relations};
-use crate::proof::{Mutant, Outcome, Proof, Residue, breaks, same_vectors_under, vanishes};
-use crate::symbols::{Matrix, Vector, attitude, diagonal, vector};
+use crate::proof::{Outcome, Residue, breaks, same_entries_under, vanishes};
+use crate::symbols::{Matrix, Vector, attitude, changing, diagonal, inverse_diagonal, turning, vector};
+use nalgebra::Quaternion;
 use num_rational::BigRational;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 use tumbling::attitude::rotation_matrix;
 use tumbling::dynamics::euler::tensor_times_acceleration;
 use tumbling::inertia::turned;
@@ -12,7 +13,7 @@ use tumbling::step::Engine;
 
 /// A law that the motion of a free body obeys, and that an engine may break.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Law {
+enum Kept {
     /// The momentum that the body's mass truly has, `R I R^T w`, is constant.
     Momentum,
     /// Its length is.
@@ -25,79 +26,42 @@ pub enum Law {
     SpinFromMomentum,
 }
 
-impl Law {
+impl Kept {
     /// Whether it says anything of an engine: the last speaks only of those that carry momentum.
     #[must_use]
-    pub fn applies_to(self, engine: Engine) -> bool {
+    fn applies_to(self, engine: Engine) -> bool {
         self != Self::SpinFromMomentum || matches!(engine, Engine::Turned | Engine::MomentumForSpin)
     }
 
     /// All five.
-    pub const ALL: [Self; 5] =
+    const ALL: [Self; 5] =
         [Self::Momentum, Self::LengthOfMomentum, Self::Energy, Self::Euler, Self::SpinFromMomentum];
 }
 
-use Law::{Energy, Euler, LengthOfMomentum, Momentum};
+use Kept::{Energy, Euler, LengthOfMomentum, Momentum};
 
-pub(super) const PROOFS: &[Proof] = &[
-    Proof {
-        name: "right-engine",
-        part: "step",
-        statement: "The law of the right engine keeps all: momentum, its length, energy, Euler's equations, and the spin belongs to \
-                    its momentum.",
-        check: || keeps_only(Engine::Turned, &Law::ALL),
-        mutants: &[Mutant {
-            change: "the frozen tensor in its place",
-            check: || keeps_only(Engine::Frozen, &Law::ALL),
-        }],
-    },
-    Proof {
-        name: "frozen-tensor",
-        part: "step",
-        statement: "With the tensor frozen in the world (pitfall 1), the rates of momentum, its length and energy, and what is left \
-                    of Euler's equations, are not zero for all bodies, spins and attitudes: all four laws break.",
-        check: || keeps_only(Engine::Frozen, &[]),
-        mutants: &[
-            Mutant { change: "said to keep the energy", check: || keeps_only(Engine::Frozen, &[Energy]) },
-            Mutant { change: "the right engine in its place", check: || keeps_only(Engine::Turned, &[]) },
-        ],
-    },
-    Proof {
-        name: "momentum-for-spin",
-        part: "step",
-        statement: "With momentum taken for spin (pitfall 2) energy and the length of momentum stay, but the body's own momentum \
-                    turns away, is not the one carried, and Euler's equations break.",
-        check: || keeps_only(Engine::MomentumForSpin, &[Energy, LengthOfMomentum]),
-        mutants: &[
-            Mutant {
-                change: "said to keep momentum",
-                check: || keeps_only(Engine::MomentumForSpin, &[Energy, LengthOfMomentum, Momentum]),
-            },
-            Mutant {
-                change: "said to break the energy",
-                check: || keeps_only(Engine::MomentumForSpin, &[LengthOfMomentum]),
-            },
-        ],
-    },
-    Proof {
-        name: "no-gyroscopic-term",
-        part: "step",
-        statement: "With constant spin (pitfall 3) energy and the length of momentum stay, which is why it looks right, but \
-                    momentum turns with the body and Euler's equations break.",
-        check: || keeps_only(Engine::NoGyroscopicTerm, &[Energy, LengthOfMomentum]),
-        mutants: &[Mutant {
-            change: "said to keep Euler's equations",
-            check: || keeps_only(Engine::NoGyroscopicTerm, &[Energy, LengthOfMomentum, Euler]),
-        }],
-    },
-    Proof {
-        name: "wrong-engines-are-right-for-a-ball",
-        part: "step",
-        statement: "For a body with three equal moments the law of every engine, right or wrong, keeps every law that applies to it.",
-        check: || ball(&[0, 0, 0]),
-        mutants: &[Mutant { change: "one moment larger", check: || ball(&[0, 1, 0]) }],
-    },
-];
+proofs! {
+    "step" {
+        "right-engine": keeps_only(Engine::Turned, &Kept::ALL),
+            "The law of the right engine keeps all: momentum, its length, energy, Euler's equations, and the spin belongs to its momentum.";
+            but "the frozen tensor in its place": keeps_only(Engine::Frozen, &Kept::ALL),
+        "frozen-tensor": keeps_only(Engine::Frozen, &[]),
+            "With the tensor frozen in the world (pitfall 1), the rates of momentum, its length and energy, and what is left of Euler's equations, are not zero for all bodies, spins and attitudes: all \
+            four laws break.";
+            but "said to keep the energy": keeps_only(Engine::Frozen, &[Energy]),
+            but "the right engine in its place": keeps_only(Engine::Turned, &[]),
+        "momentum-for-spin": keeps_only(Engine::MomentumForSpin, &[Energy, LengthOfMomentum]),
+            "With momentum taken for spin (pitfall 2) energy and the length of momentum stay, but the body's own momentum turns away, is not the one carried, and Euler's equations break.";
+            but "said to keep momentum": keeps_only(Engine::MomentumForSpin, &[Energy, LengthOfMomentum, Momentum]),
+            but "said to break the energy": keeps_only(Engine::MomentumForSpin, &[LengthOfMomentum]),
+        "no-gyroscopic-term": keeps_only(Engine::NoGyroscopicTerm, &[Energy, LengthOfMomentum]),
+            "With constant spin (pitfall 3) energy and the length of momentum stay, which is why it looks right, but momentum turns with the body and Euler's equations break.";
+            but "said to keep Euler's equations": keeps_only(Engine::NoGyroscopicTerm, &[Energy, LengthOfMomentum, Euler]),
+        "wrong-engines-are-right-for-a-ball": ball(&[0, 0, 0]),
+            "For a body with three equal moments the law of every engine, right or wrong, keeps every law that applies to it.";
+            but "one moment larger": ball(&[0, 1, 0]),
+    }
+}
 
 /// A free body as an engine moves it: tensor and attitude, spin, and the rate of change with time.
 struct Run {
@@ -114,20 +78,12 @@ impl Run {
         let (q, unit) = attitude();
         let reduced = |v: Vector| v.map(|x| unit.reduce_fraction(&x));
         let rotation = rotation_matrix(&q);
-        let (tensor, inverse) = (diagonal(moments), diagonal(&moments.map(|x| Fraction::one() / x)));
+        let (tensor, inverse) = (diagonal(moments), inverse_diagonal(moments));
         let carried = vector("v");
         let omega = reduced(engine.omega_world(&rotation, &tensor, &inverse, &carried));
         let (q_rate, v_rate) = engine.rate(&tensor, &inverse, &q, &carried);
-        let q_rate = q_rate.coords.map(|x| unit.reduce_fraction(&x));
-        let time = Derivation::new([
-            ("w", q_rate.w.clone()),
-            ("x", q_rate.x.clone()),
-            ("y", q_rate.y.clone()),
-            ("z", q_rate.z.clone()),
-            ("v1", v_rate.x.clone()),
-            ("v2", v_rate.y.clone()),
-            ("v3", v_rate.z.clone()),
-        ]);
+        let q_rate = Quaternion::from_vector(q_rate.coords.map(|x| unit.reduce_fraction(&x)));
+        let time = changing(turning(&q_rate), "v", &v_rate);
         Self { unit, rotation, tensor, carried, omega, time }
     }
 
@@ -136,25 +92,25 @@ impl Run {
     }
 
     /// What each law leaves over: zero where it is kept. In the attitude of the moment.
-    fn left_over(&self, law: Law) -> Vector {
+    fn left_over(&self, law: Kept) -> Vector {
         let body_spin = self.reduced(&(self.rotation.transpose() * &self.omega));
         let body_momentum = &self.tensor * &body_spin;
         let only = |x: Fraction| Vector::new(x, Fraction::zero(), Fraction::zero());
         match law {
-            Law::Momentum => {
+            Kept::Momentum => {
                 let momentum = self.reduced(&(&self.rotation * &body_momentum));
                 momentum.map(|x| self.time.of(&x))
             }
-            Law::LengthOfMomentum => only(self.time.of(&body_momentum.dot(&body_momentum))),
-            Law::Energy => {
+            Kept::LengthOfMomentum => only(self.time.of(&body_momentum.dot(&body_momentum))),
+            Kept::Energy => {
                 only(self.time.of(&tumbling::dynamics::observe::energy(&body_spin, &body_momentum)))
             }
-            Law::Euler => {
+            Kept::Euler => {
                 let acceleration = body_spin.map(|x| self.time.of(&x));
                 &self.tensor * acceleration
                     - tensor_times_acceleration(&self.tensor, &body_spin, &Vector::zeros())
             }
-            Law::SpinFromMomentum => turned(&self.rotation, &self.tensor) * &self.omega - &self.carried,
+            Kept::SpinFromMomentum => turned(&self.rotation, &self.tensor) * &self.omega - &self.carried,
         }
     }
 }
@@ -164,19 +120,11 @@ impl Run {
 /// # Errors
 /// If it does not, what is left over after a quarter turn about z if anything is then, else at any attitude.
 /// There `v` is the vector that the engine carries, along the world's axes.
-///
-/// ```
-/// use tumbling::step::Engine;
-/// use tumbling_proofs::{Law, keeps};
-/// assert!(keeps(Engine::NoGyroscopicTerm, Law::Energy).is_ok());
-/// let broken = keeps(Engine::NoGyroscopicTerm, Law::Euler).unwrap_err();
-/// assert_eq!(broken.to_string(), "NoGyroscopicTerm, Euler: leaves I2 v1 v3 - I3 v1 v3");
-/// ```
-pub fn keeps(engine: Engine, law: Law) -> Outcome {
+fn keeps(engine: Engine, law: Kept) -> Outcome {
     keeps_with(engine, law, &vector("I"))
 }
 
-fn keeps_with(engine: Engine, law: Law, moments: &Vector) -> Outcome {
+fn keeps_with(engine: Engine, law: Kept, moments: &Vector) -> Outcome {
     if !law.applies_to(engine) {
         return Err(Residue::Missing { claim: format!("{engine:?} carries no momentum") });
     }
@@ -185,8 +133,7 @@ fn keeps_with(engine: Engine, law: Law, moments: &Vector) -> Outcome {
     let claim = format!("{engine:?}, {law:?}");
     // Reduced, it is made of even powers of w, x, y, z; after a quarter turn about z, w and z are both the
     // root of one half.
-    let half =
-        Relations::new(vec![("w".into(), BigRational::new(1.into(), 2.into()).into())]).unwrap_or_default();
+    let half = Relations::new(vec![("w", BigRational::new(1.into(), 2.into()).into())]).unwrap_or_default();
     let w = Fraction::variable("w");
     let quarter_turn = [("x", Fraction::zero()), ("y", Fraction::zero()), ("z", w)];
     for x in &left {
@@ -194,12 +141,12 @@ fn keeps_with(engine: Engine, law: Law, moments: &Vector) -> Outcome {
             quarter_turn.iter().fold(x.clone(), |x, (name, value)| x.substitute(&(*name).into(), value));
         vanishes(&claim, &there, &half)?;
     }
-    same_vectors_under(&run.unit, &claim, &left, &Vector::zeros())
+    same_entries_under(&run.unit, &claim, &left, &Vector::zeros())
 }
 
 /// That an engine keeps these laws and breaks the others.
-fn keeps_only(engine: Engine, kept: &[Law]) -> Outcome {
-    for law in Law::ALL.into_iter().filter(|law| law.applies_to(engine)) {
+fn keeps_only(engine: Engine, kept: &[Kept]) -> Outcome {
+    for law in Kept::ALL.into_iter().filter(|law| law.applies_to(engine)) {
         let outcome = keeps(engine, law);
         if kept.contains(&law) {
             outcome?;
@@ -215,7 +162,7 @@ fn ball(added: &[i64; 3]) -> Outcome {
     let moment = Fraction::variable("I");
     let moments = Vector::from_fn(|i, _| &moment + Fraction::from(added[i]));
     for engine in Engine::ALL {
-        for law in Law::ALL.into_iter().filter(|law| law.applies_to(engine)) {
+        for law in Kept::ALL.into_iter().filter(|law| law.applies_to(engine)) {
             keeps_with(engine, law, &moments)?;
         }
     }

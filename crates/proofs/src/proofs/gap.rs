@@ -1,77 +1,33 @@
 //! The angle between spin and momentum.
 
 use crate::number::{Fraction, Rational};
-use crate::proof::{Mutant, Outcome, Proof, Residue, positive, same};
+use crate::proof::{Outcome, Residue, positive, same};
 use crate::symbols::{Vector, diagonal, ordered_moments, variables, vector};
 use num_traits::{One, Zero};
 use tumbling::dynamics::euler::{coupling, tensor_times_acceleration};
 use tumbling::solid::{Cuboid, Shape};
 
-pub(super) const PROOFS: &[Proof] = &[
-    Proof {
-        name: "gap-of-a-box",
-        part: "inertia",
-        statement: "For every box spun equally about x and y the tangent of the gap is (a² - b²)/(a² + b² + 2 c²), whatever it \
-                    weighs; for edges 2, 1, 3 that is 3/23.",
-        check: || box_gap(|m, a, b, c| Cuboid::moments(m, [a, b, c])),
-        mutants: &[
-            Mutant {
-                change: "edges a and b swapped",
-                check: || box_gap(|m, a, b, c| Cuboid::moments(m, [b, a, c])),
-            },
-            Mutant {
-                change: "edges b and c swapped",
-                check: || box_gap(|m, a, b, c| Cuboid::moments(m, [a, c, b])),
-            },
-        ],
-    },
-    Proof {
-        name: "gap-is-zero-on-principal-axes-alone",
-        part: "inertia",
-        statement: "|L x w|² is a sum of squares, one for each pair of axes, each with a positive factor if the moments differ: it \
-                    vanishes only where two of the three components of the spin do.",
-        check: || zero_gap(&ordered_moments(), coupling),
-        mutants: &[
-            Mutant {
-                change: "one pair left out",
-                check: || {
-                    zero_gap(&ordered_moments(), |i, w| {
-                        let mut x = coupling(i, w);
-                        x.y = Fraction::zero();
-                        x
-                    })
-                },
-            },
-            Mutant {
-                change: "moments in no order, whose differences may vanish",
-                check: || zero_gap(&vector("I"), coupling),
-            },
-        ],
-    },
-    Proof {
-        name: "momentum-leans-to-the-heavier-axis",
-        part: "inertia",
-        statement: "For all moments, L is turned from w towards the axis with the larger moment: L_j / L_i - w_j / w_i is positive \
-                    if I_j exceeds I_i and the components are positive.",
-        check: || lean(1),
-        mutants: &[Mutant { change: "towards the lighter axis", check: || lean(-1) }],
-    },
-    Proof {
-        name: "gap-is-never-a-right-angle",
-        part: "inertia",
-        statement: "w.L is positive for every spin but none: the angle between them stays below a right angle.",
-        check: || acute(1),
-        mutants: &[Mutant { change: "one moment with a minus", check: || acute(-1) }],
-    },
-    Proof {
-        name: "largest-gap",
-        part: "inertia",
-        statement: "Between two axes with moments I and J the gap is largest where the spin's slope squared is I / J; its tangent \
-                    squared is then (J - I)² / (4 I J), and everywhere else less, by a square.",
-        check: || largest(4),
-        mutants: &[Mutant { change: "4 becomes 2", check: || largest(2) }],
-    },
-];
+proofs! {
+    "inertia" {
+        "gap-of-a-box": box_gap(|m, a, b, c| Cuboid::moments(m, [a, b, c])),
+            "For every box spun equally about x and y the tangent of the gap is (a² - b²)/(a² + b² + 2 c²), whatever it weighs; for edges 2, 1, 3 that is 3/23.";
+            but "edges a and b swapped": box_gap(|m, a, b, c| Cuboid::moments(m, [b, a, c])),
+            but "edges b and c swapped": box_gap(|m, a, b, c| Cuboid::moments(m, [a, c, b])),
+        "gap-is-zero-on-principal-axes-alone": zero_gap(&ordered_moments(), coupling),
+            "|L x w|² is a sum of squares, one for each pair of axes, each with a positive factor if the moments differ: it vanishes only where two of the three components of the spin do.";
+            but "one pair left out": zero_gap(&ordered_moments(), |i, w| { let mut x = coupling(i, w); x.y = Fraction::zero(); x }),
+            but "moments in no order, whose differences may vanish": zero_gap(&vector("I"), coupling),
+        "momentum-leans-to-the-heavier-axis": lean(1),
+            "For all moments, L is turned from w towards the axis with the larger moment: L_j / L_i - w_j / w_i is positive if I_j exceeds I_i and the components are positive.";
+            but "towards the lighter axis": lean(-1),
+        "gap-is-never-a-right-angle": acute(1),
+            "w.L is positive for every spin but none: the angle between them stays below a right angle.";
+            but "one moment with a minus": acute(-1),
+        "largest-gap": largest(4),
+            "Between two axes with moments I and J the gap is largest where the spin's slope squared is I / J; its tangent squared is then (J - I)² / (4 I J), and everywhere else less, by a square.";
+            but "4 becomes 2": largest(2),
+    }
+}
 
 fn box_gap(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector) -> Outcome {
     let [m, a, b, c] = variables(["m", "a", "b", "c"]);

@@ -1,71 +1,34 @@
 //! The tensor itself: what it is for one point, and how it moves with the point it is taken about.
 
 use crate::number::Fraction;
-use crate::proof::{Mutant, Outcome, Proof, same, same_matrices, same_vectors};
+use crate::proof::{Outcome, same, same_entries};
 use crate::symbols::{Matrix, Vector, scalar, variables, vector};
 use tumbling::inertia::point_mass;
 use tumbling::solid::{MassMoments, combined};
 
-pub(super) const PROOFS: &[Proof] = &[
-    Proof {
-        name: "point-mass",
-        part: "inertia",
-        statement: "The tensor of a point, applied to a spin w, is its angular momentum m r x (w x r), for every point and spin.",
-        check: || point(point_mass),
-        mutants: &[
-            Mutant {
-                change: "the products without their minus",
-                check: || {
-                    point(|m, r| Matrix::from_fn(|i, j| sign(i == j) * point_mass(m, r)[(i, j)].clone()))
-                },
-            },
-            Mutant {
-                change: "the axes one further on",
-                check: || {
-                    point(|m, r| Matrix::from_fn(|i, j| point_mass(m, r)[((i + 1) % 3, (j + 1) % 3)].clone()))
-                },
-            },
-        ],
-    },
-    Proof {
-        name: "every-body-obeys-the-triangle-inequality",
-        part: "inertia",
-        statement: "For one point and every n, half the trace less the moment is m (n.r)², which is never below zero. Tensors of \
-                    points add, so that no body of points has a moment above the sum of the others; the sum is no part of this \
-                    check.",
-        check: || triangle(point_mass),
-        mutants: &[Mutant {
-            change: "the products without their minus",
-            check: || {
-                triangle(|m, r| Matrix::from_fn(|i, j| sign(i == j) * point_mass(m, r)[(i, j)].clone()))
-            },
-        }],
-    },
-    Proof {
-        name: "parallel-axes",
-        part: "inertia",
-        statement: "The tensor of any three points, about a point away from their centre, is that about the centre plus that of one \
-                    point with all their mass.",
-        check: || parallel_axes(1),
-        mutants: &[Mutant { change: "subtracted, not added", check: || parallel_axes(-1) }],
-    },
-    Proof {
-        name: "parts-of-a-body",
-        part: "inertia",
-        statement: "Three points put together in steps, counted from any point, make the same body as at once; two turn as one with \
-                    their reduced mass; a part alone stays what it is.",
-        check: || parts(combined),
-        mutants: &[Mutant {
-            change: "the parts' tensors added without their distances",
-            check: || {
+proofs! {
+    "inertia" {
+        "point-mass": point(point_mass),
+            "The tensor of a point, applied to a spin w, is its angular momentum m r x (w x r), for every point and spin.";
+            but "the products without their minus": point(|m, r| Matrix::from_fn(|i, j| sign(i == j) * point_mass(m, r)[(i, j)].clone())),
+            but "the axes one further on": point(|m, r| Matrix::from_fn(|i, j| point_mass(m, r)[((i + 1) % 3, (j + 1) % 3)].clone())),
+        "every-body-obeys-the-triangle-inequality": triangle(point_mass),
+            "For one point and every n, half the trace less the moment is m (n.r)², which is never below zero. Tensors of points add, so that no body of points has a moment above the sum of the others; \
+            the sum is no part of this check.";
+            but "the products without their minus": triangle(|m, r| Matrix::from_fn(|i, j| sign(i == j) * point_mass(m, r)[(i, j)].clone())),
+        "parallel-axes": parallel_axes(1),
+            "The tensor of any three points, about a point away from their centre, is that about the centre plus that of one point with all their mass.";
+            but "subtracted, not added": parallel_axes(-1),
+        "parts-of-a-body": parts(combined),
+            "Three points put together in steps, counted from any point, make the same body as at once; two turn as one with their reduced mass; a part alone stays what it is.";
+            but "the parts' tensors added without their distances": {
                 parts(|parts, reference| {
                     let sum = parts.iter().fold(Matrix::zeros(), |sum, part| sum + &part.inertia);
                     MassMoments { inertia: sum, ..combined(parts, reference) }
                 })
             },
-        }],
-    },
-];
+    }
+}
 
 fn sign(plus: bool) -> Fraction {
     Fraction::from(if plus { 1 } else { -1 })
@@ -74,7 +37,7 @@ fn sign(plus: bool) -> Fraction {
 fn point(law: impl Fn(&Fraction, &Vector) -> Matrix) -> Outcome {
     let (m, r, w) = (Fraction::variable("m"), vector("r"), vector("omega"));
     let momentum = r.cross(&w.cross(&r)).map(|x| x * m.clone());
-    same_vectors("L = I w", &(law(&m, &r) * &w), &momentum)
+    same_entries("L = I w", &(law(&m, &r) * &w), &momentum)
 }
 
 fn triangle(law: impl Fn(&Fraction, &Vector) -> Matrix) -> Outcome {
@@ -102,7 +65,7 @@ fn parallel_axes(factor: i64) -> Outcome {
     let from = |position: &Vector| position - &away;
     let about = points.iter().fold(Matrix::zeros(), |sum, p| sum + point_mass(&p.mass, &from(&p.centre)));
     let shift = point_mass(&body.mass, &from(&body.centre)).map(|x| x * Fraction::from(factor));
-    same_matrices("the tensor about d", &about, &(body.inertia + shift))
+    same_entries("the tensor about d", &about, &(body.inertia + shift))
 }
 
 fn parts(law: impl Fn(&[MassMoments<Fraction>], &Vector) -> MassMoments<Fraction>) -> Outcome {
@@ -110,15 +73,15 @@ fn parts(law: impl Fn(&[MassMoments<Fraction>], &Vector) -> MassMoments<Fraction
     let together = law(&all, &vector("d"));
     let pair = law(&all[1..], &Vector::zeros());
     let in_steps = law(&[pair, all[0].clone()], &Vector::zeros());
-    same_vectors("centre", &together.centre, &in_steps.centre)?;
-    same_matrices("inertia", &together.inertia, &in_steps.inertia)?;
+    same_entries("centre", &together.centre, &in_steps.centre)?;
+    same_entries("inertia", &together.inertia, &in_steps.inertia)?;
     // Two points turn about their centre as one with their reduced mass at their distance.
     let (light, heavy) = (&all[1], &all[2]);
     let reduced = &light.mass * &heavy.mass / (&light.mass + &heavy.mass);
     let dumbbell = law(&all[1..], &Vector::zeros()).inertia;
-    same_matrices("two points", &dumbbell, &point_mass(&reduced, &(&light.centre - &heavy.centre)))?;
+    same_entries("two points", &dumbbell, &point_mass(&reduced, &(&light.centre - &heavy.centre)))?;
     // And one part alone stays what it is.
     let [m] = variables(["m"]);
     let alone = MassMoments { mass: m.clone(), centre: vector("r"), inertia: scalar(&m) };
-    same_matrices("one part alone", &law(&[alone], &vector("d")).inertia, &scalar(&m))
+    same_entries("one part alone", &law(&[alone], &vector("d")).inertia, &scalar(&m))
 }

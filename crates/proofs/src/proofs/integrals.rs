@@ -1,81 +1,41 @@
 //! The integrals of the closed form: Gauss's mean, Carlson's integrals by duplication and by their series,
 //! and Legendre's integrals as Carlson writes them.
 //!
-//! Two integrals are equal if a change of variable takes one integrand and its range to the other; each claim is
-//! about integrands, and no check is about the ranges. The roots in them are symbols, tied by their squares or by their derivatives.
+//! Two integrals are equal if a change of variable takes one integrand and its range to the other; each claim
+//! is about integrands, and no check is about the ranges. The roots in them are symbols, tied by their
+//! squares or by their derivatives.
 
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
-use crate::proof::{Mutant, Outcome, Proof, Residue, positive, same, same_under, vanishes};
+use crate::proof::{Outcome, positive, same, same_under, vanishes};
 use crate::proofs::klein::{Change, Motion, motion};
-use crate::symbols::variables;
+use crate::symbols::{square, variables};
 use num_traits::One;
 
-pub(super) const PROOFS: &[Proof] = &[
-    Proof {
-        name: "gauss-mean",
-        part: "exact",
-        statement: "By u = (t - a b/t)/2, which rises with t, the integrand 1/sqrt((t² + a²)(t² + b²)) becomes that of the \
-                    arithmetic and the geometric mean; for a = b = m it is 1/m by the angle of t = m tan; by t = k' tan that of 1 \
-                    and k' becomes Legendre's. For all a and b; the limits of the integrals are no part of it.",
-        check: || gauss(-1, 2),
-        mutants: &[
-            Mutant { change: "a plus in the change of variable", check: || gauss(1, 2) },
-            Mutant { change: "a third of the sum for the mean", check: || gauss(-1, 3) },
-        ],
-    },
-    Proof {
-        name: "last-mean",
-        part: "exact",
-        statement: "Of two numbers with mean m, difference d and geometric mean g, the next mean is m - d²/(16 m), but for (m - \
-                    g)²/(4 m), g being the root of m² - d²/4.",
-        check: || last_mean(16),
-        mutants: &[Mutant { change: "twice as much taken off", check: || last_mean(8) }],
-    },
-    Proof {
-        name: "carlson-duplication",
-        part: "exact",
-        statement: "With s = t + XY + YZ + ZX, where X² = t + x and so on, ds/sqrt((s+x)(s+y)(s+z)) is half of dt/(XYZ), and the \
-                    integrands of R_D before and after differ by the derivative of 3/(Z (Y+Z) (Z+X)). Scaling and limits of the \
-                    integrals are no part of it.",
-        check: || duplication(1, 3),
-        mutants: &[
-            Mutant { change: "a product of roots the other way", check: || duplication(-1, 3) },
-            Mutant { change: "another term taken off", check: || duplication(1, 2) },
-        ],
-    },
-    Proof {
-        name: "carlson-series",
-        part: "exact",
-        statement: "The sums for R_F and R_D near three equal numbers, as the book prints them, are through the seventh order the \
-                    binomial series of the integrands, integrated term by term.",
-        check: || carlson_series(24, 26),
-        mutants: &[
-            Mutant { change: "a coefficient of R_F", check: || carlson_series(22, 26) },
-            Mutant { change: "a coefficient of R_D", check: || carlson_series(24, 28) },
-        ],
-    },
-    Proof {
-        name: "legendre-by-carlson",
-        part: "exact",
-        statement: "By t = s²/sin² - 1 Legendre's integrand becomes that of s R_F(1 - s², 1 - m s², 1), and its derivative by m that \
-                    of s³ R_D(1 - s², 1, 1 - m s²)/6; cn/dn, k' sn/dn and k'/dn are the functions of what is left to the quarter \
-                    period; and the squares of the theta zero's functions are tied by the complementary modulus. The limits are no \
-                    part of it.",
-        check: || legendre(1, 6),
-        mutants: &[
-            Mutant { change: "the parameter's sign", check: || legendre(-1, 6) },
-            Mutant { change: "a third for the sixth", check: || legendre(1, 3) },
-        ],
-    },
-];
-
-fn tied(rules: Vec<(&str, Polynomial)>) -> Result<Relations, Residue> {
-    let rules = rules.into_iter().map(|(name, square)| (name.into(), square)).collect();
-    Relations::new(rules).map_err(|rule| Residue::Missing { claim: rule.to_string() })
-}
-
-fn square(name: &str) -> Polynomial {
-    Polynomial::variable(name).pow(2)
+proofs! {
+    "exact" {
+        "gauss-mean": gauss(-1, 2),
+            "By u = (t - a b/t)/2, which rises with t, the integrand 1/sqrt((t² + a²)(t² + b²)) becomes that of the arithmetic and the geometric mean; for a = b = m it is 1/m by the angle of t = m tan; \
+            by t = k' tan that of 1 and k' becomes Legendre's. For all a and b; the limits of the integrals are no part of it.";
+            but "a plus in the change of variable": gauss(1, 2),
+            but "a third of the sum for the mean": gauss(-1, 3),
+        "last-mean": last_mean(16),
+            "Of two numbers with mean m, difference d and geometric mean g, the next mean is m - d²/(16 m), but for (m - g)²/(4 m), g being the root of m² - d²/4.";
+            but "twice as much taken off": last_mean(8),
+        "carlson-duplication": duplication(1, 3),
+            "With s = t + XY + YZ + ZX, where X² = t + x and so on, ds/sqrt((s+x)(s+y)(s+z)) is half of dt/(XYZ), and the integrands of R_D before and after differ by the derivative of 3/(Z (Y+Z) (Z+X)). \
+            Scaling and limits of the integrals are no part of it.";
+            but "a product of roots the other way": duplication(-1, 3),
+            but "another term taken off": duplication(1, 2),
+        "carlson-series": carlson_series(24, 26),
+            "The sums for R_F and R_D near three equal numbers, as the book prints them, are through the seventh order the binomial series of the integrands, integrated term by term.";
+            but "a coefficient of R_F": carlson_series(22, 26),
+            but "a coefficient of R_D": carlson_series(24, 28),
+        "legendre-by-carlson": legendre(1, 6),
+            "By t = s²/sin² - 1 Legendre's integrand becomes that of s R_F(1 - s², 1 - m s², 1), and its derivative by m that of s³ R_D(1 - s², 1, 1 - m s²)/6; cn/dn, k' sn/dn and k'/dn are the functions \
+            of what is left to the quarter period; and the squares of the theta zero's functions are tied by the complementary modulus. The limits are no part of it.";
+            but "the parameter's sign": legendre(-1, 6),
+            but "a third for the sixth": legendre(1, 3),
+    }
 }
 
 fn gauss(sign: i64, halves: i64) -> Outcome {
@@ -104,7 +64,7 @@ fn last_mean(over: i64) -> Outcome {
     // g is the geometric mean of the two: the root of m² - d²/4.
     let [m, g, d] = variables(["m", "g", "d"]);
     let four = Polynomial::from(4);
-    let relations = tied(vec![("d", (square("m") - square("g")) * four)])?;
+    let relations = Relations::new(vec![("d", (square("m") - square("g")) * four)])?;
     let taken = &m - d.pow(2) / (&m * Fraction::from(over));
     let next = (&m + &g) / Fraction::from(2);
     same_under(&relations, "the next mean", &(taken - next), &((&m - &g).pow(2) / (&m * Fraction::from(4))))
@@ -214,7 +174,7 @@ fn legendre(sign: i64, over: i64) -> Outcome {
     let [s, m, sin, cos, rate] = variables(["s", "m", "sin", "cos", "Delta"]);
     let (one, two) = (Fraction::one(), Fraction::from(2));
     let parameter = Polynomial::variable("m");
-    let relations = tied(vec![
+    let relations = Relations::new(vec![
         ("cos", Polynomial::one() - square("sin")),
         ("Delta", Polynomial::one() - &parameter * square("sin")),
     ])?;
@@ -235,7 +195,7 @@ fn legendre(sign: i64, over: i64) -> Outcome {
     same_under(&relations, "its derivative", &second, &by_parameter.of(&(&one / &rate)))?;
     // What is left to the quarter period: cn/dn, k' sn/dn and k'/dn are its three functions.
     let [sn, cn, dn, kp] = variables(["sn", "cn", "dn", "kp"]);
-    let jacobi = tied(vec![
+    let jacobi = Relations::new(vec![
         ("cn", Polynomial::one() - square("sn")),
         ("dn", Polynomial::one() - &parameter * square("sn")),
         ("kp", Polynomial::one() - parameter),

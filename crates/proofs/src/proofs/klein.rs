@@ -5,76 +5,37 @@
 //! the moments, so that nothing is divided by `p`.
 
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
-use crate::proof::{Mutant, Outcome, Proof, Residue, same_under, vanishes};
-use crate::symbols::{Vector, diagonal, variables};
+use crate::proof::{Outcome, Residue, same_entries_under, same_under, vanishes};
+use crate::symbols::{Vector, diagonal, pure, quaternion, square, variables};
 use nalgebra::Quaternion;
 use num_traits::{One, Zero};
 use tumbling::attitude::{product, rate};
 use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::dynamics::observe::energy;
 
-pub(super) const PROOFS: &[Proof] = &[
-    Proof {
-        name: "klein-momentum",
-        part: "exact",
-        statement: "The quaternion conj(a) (a + b j), with the expressions of the closed form for a conj(a) and conj(a) b, takes the \
-                    momentum to the first axis; and the spin obeys Euler's equations, with the energy and momentum of the closed \
-                    form. For every body, about either axis, in either sense.",
-        check: || both(|sense| momentum(sense, Change::None)),
-        mutants: &[
-            Mutant {
-                change: "the zero on the other side",
-                check: || both(|sense| momentum(sense, Change::Zero)),
-            },
-            Mutant {
-                change: "a sign in Euler's equations",
-                check: || both(|sense| momentum(sense, Change::Spin)),
-            },
-        ],
-    },
-    Proof {
-        name: "klein-attitude",
-        part: "exact",
-        statement: "That quaternion, turned about the momentum at the steady drift and the rate that the closed form gives the angle \
-                    of a, satisfies q' = q w/2. For every body, about either axis, in either sense. That a theta function's angle \
-                    has this rate is no part of it.",
-        check: || both(|sense| attitude(sense, Change::None)),
-        mutants: &[
-            Mutant {
-                change: "the zero on the other side",
-                check: || both(|sense| attitude(sense, Change::Zero)),
-            },
-            Mutant {
-                change: "the theta function's angle reversed",
-                check: || both(|sense| attitude(sense, Change::Angle)),
-            },
-        ],
-    },
-    Proof {
-        name: "limit-coin",
-        part: "exact",
-        statement: "With p = 0 and dn = 1, where the middle moment equals the one across: the rate is the symmetric top's, the two \
-                    amplitudes across are equal, and |a|² is constant.",
-        check: || coin(1),
-        mutants: &[Mutant { change: "the rate reversed", check: || coin(-1) }],
-    },
-    Proof {
-        name: "limit-separatrix",
-        part: "exact",
-        statement: "With modulus one and dn = cn: both change at one rate, L² = 2 E I2, and where cn is zero the turn about the \
-                    momentum has the rate L/I2.",
-        check: || separatrix(1),
-        mutants: &[Mutant { change: "cn and dn opposite", check: || separatrix(-1) }],
-    },
-    Proof {
-        name: "limit-steady",
-        part: "exact",
-        statement: "With no wobble, h = 0 and dn = 1: b is zero, and the turn about the momentum has the rate of the spin about the \
-                    circled axis.",
-        check: || steady(Change::None),
-        mutants: &[Mutant { change: "the spin the other way", check: || steady(Change::Spin) }],
-    },
-];
+proofs! {
+    "exact" {
+        "klein-momentum": both(|sense| momentum(sense, Change::None)),
+            "The quaternion conj(a) (a + b j), with the expressions of the closed form for a conj(a) and conj(a) b, takes the momentum to the first axis; and the spin obeys Euler's equations, with the \
+            energy and momentum of the closed form. For every body, about either axis, in either sense.";
+            but "the zero on the other side": both(|sense| momentum(sense, Change::Zero)),
+            but "a sign in Euler's equations": both(|sense| momentum(sense, Change::Spin)),
+        "klein-attitude": both(|sense| attitude(sense, Change::None)),
+            "That quaternion, turned about the momentum at the steady drift and the rate that the closed form gives the angle of a, satisfies q' = q w/2. For every body, about either axis, in either \
+            sense. That a theta function's angle has this rate is no part of it.";
+            but "the zero on the other side": both(|sense| attitude(sense, Change::Zero)),
+            but "the theta function's angle reversed": both(|sense| attitude(sense, Change::Angle)),
+        "limit-coin": coin(1),
+            "With p = 0 and dn = 1, where the middle moment equals the one across: the rate is the symmetric top's, the two amplitudes across are equal, and |a|² is constant.";
+            but "the rate reversed": coin(-1),
+        "limit-separatrix": separatrix(1),
+            "With modulus one and dn = cn: both change at one rate, L² = 2 E I2, and where cn is zero the turn about the momentum has the rate L/I2.";
+            but "cn and dn opposite": separatrix(-1),
+        "limit-steady": steady(Change::None),
+            "With no wobble, h = 0 and dn = 1: b is zero, and the turn about the momentum has the rate of the spin about the circled axis.";
+            but "the spin the other way": steady(Change::Spin),
+    }
+}
 
 /// What a mutant changes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -86,7 +47,7 @@ pub(crate) enum Change {
 }
 
 /// Both orders of the axes: cyclic or not.
-fn both(check: impl Fn(i64) -> Outcome) -> Outcome {
+pub(super) fn both(check: impl Fn(i64) -> Outcome) -> Outcome {
     check(1)?;
     check(-1)
 }
@@ -113,23 +74,13 @@ pub(crate) struct Motion {
 
 /// What ties the symbols: moments in either order by `tau`.
 fn relations() -> Result<Relations, Residue> {
-    let [x1, x3, p, q, h, sn] =
-        ["x1", "x3", "p", "q", "h", "sn"].map(|name| Polynomial::variable(name).pow(2));
-    let tau = Polynomial::variable("tau");
-    let one = Polynomial::one;
+    let [x1, x3, p, q, h, sn] = ["x1", "x3", "p", "q", "h", "sn"].map(square);
+    let (tau, one) = (Polynomial::variable("tau"), Polynomial::one);
     let modulus = &h * &p;
-    let rules = vec![
-        ("cn".into(), one() - &sn),
-        ("dn".into(), one() - &modulus * &sn),
-        ("kp".into(), one() - modulus),
-        ("e".into(), x3 + h * &x1 * &q),
-        ("x2".into(), &x1 + &tau * &p),
-        ("x3".into(), x1 + tau * (&p + &q)),
-        ("r".into(), p + q),
-        ("sigma".into(), one()),
-        ("tau".into(), one()),
-    ];
-    Relations::new(rules).map_err(|rule| Residue::Missing { claim: rule.to_string() })
+    let mut rules = vec![("cn", one() - &sn), ("dn", one() - &modulus * &sn), ("kp", one() - modulus)];
+    rules.extend([("e", x3 + h * &x1 * &q), ("x2", &x1 + &tau * &p), ("x3", x1 + tau * (&p + &q))]);
+    rules.extend([("r", p + q), ("sigma", one()), ("tau", one())]);
+    Ok(Relations::new(rules)?)
 }
 
 /// `sense` is 1 where across, middle and circled follow each other in cyclic order, otherwise -1.
@@ -200,33 +151,22 @@ impl Motion {
     }
 }
 
-fn first_axis() -> Quaternion<Fraction> {
-    let [zero, one] = [Fraction::zero(), Fraction::one()];
-    Quaternion::new(zero.clone(), one, zero.clone(), zero)
-}
-
 fn momentum(sense: i64, change: Change) -> Outcome {
     let motion = motion(sense, change)?;
     let (omega, moments) = (motion.arranged(&motion.omega, sense), motion.arranged(&motion.moments, sense));
     let moved = omega.map(|x| motion.time.of(&x));
     let expected = angular_acceleration(&moments, &omega, &Vector::zeros());
-    for k in 0..3 {
-        same_under(&motion.relations, "w'", &moved[k], &expected[k])?;
-    }
+    same_entries_under(&motion.relations, "w'", &moved, &expected)?;
     let momentum = diagonal(&moments) * &omega;
     let twice = energy(&omega, &momentum) * Fraction::from(2);
     same_under(&motion.relations, "2E", &twice, &motion.twice_energy)?;
     same_under(&motion.relations, "L²", &momentum.dot(&momentum), &motion.momentum.pow(2))?;
     // conj(q) i q, for q of length |a|.
     let q = motion.quaternion();
-    let v = -q.coords.xyz();
-    let back = Quaternion::new(q.coords.w.clone(), v.x.clone(), v.y.clone(), v.z.clone());
-    let seen = product(&product(&back, &first_axis()), &q).coords.xyz();
+    let back = quaternion(q.coords.w.clone(), &-q.coords.xyz());
+    let seen = product(&product(&back, &pure(&Vector::x())), &q).coords.xyz();
     let scale = &motion.size * Fraction::variable("sigma") / &motion.momentum;
-    for k in 0..3 {
-        same_under(&motion.relations, "the momentum", &seen[k], &(&momentum[k] * &scale))?;
-    }
-    Ok(())
+    same_entries_under(&motion.relations, "the momentum", &seen, &momentum.map(|x| x * &scale))
 }
 
 fn attitude(sense: i64, change: Change) -> Outcome {
@@ -234,14 +174,11 @@ fn attitude(sense: i64, change: Change) -> Outcome {
     let omega = motion.arranged(&motion.omega, sense);
     let q = motion.quaternion();
     let lengthens = motion.time.of(&motion.size) / (&motion.size * Fraction::from(2));
-    let turned = product(&first_axis(), &q);
+    let turned = product(&pure(&Vector::x()), &q);
     let half = &motion.turning / Fraction::from(2);
     let expected = rate(&q, &omega);
-    for k in 0..4 {
-        let moved = motion.time.of(&q.coords[k]) - &q.coords[k] * &lengthens + &turned.coords[k] * &half;
-        same_under(&motion.relations, "q'", &moved, &expected.coords[k])?;
-    }
-    Ok(())
+    let moved = q.coords.map(|x| motion.time.of(&x) - x * &lengthens) + turned.coords.map(|x| x * &half);
+    same_entries_under(&motion.relations, "q'", &moved, &expected.coords)
 }
 
 /// The expression with numbers or symbols put for some of its symbols.
@@ -254,18 +191,10 @@ fn coin(direction: i64) -> Outcome {
     let [x1, q, one] = [Fraction::variable("x1"), Fraction::variable("q"), Fraction::one()];
     let values = [("p", Fraction::zero()), ("x2", x1), ("r", q), ("dn", one.clone())];
     let limit = |x: &Fraction| put(x, &values);
-    let ties = {
-        let x1 = Polynomial::variable("x1").pow(2);
-        let (tau, q) = (Polynomial::variable("tau"), Polynomial::variable("q").pow(2));
-        let h = Polynomial::variable("h").pow(2);
-        let rules = vec![
-            ("e".into(), Polynomial::variable("x3").pow(2) + h * &x1 * &q),
-            ("x3".into(), x1 + tau * q),
-            ("sigma".into(), Polynomial::one()),
-            ("tau".into(), Polynomial::one()),
-        ];
-        Relations::new(rules).map_err(|rule| Residue::Missing { claim: rule.to_string() })?
-    };
+    let [x1, x3, q, h] = ["x1", "x3", "q", "h"].map(square);
+    let mut ties = vec![("e", x3 + h * &x1 * &q), ("x3", x1 + Polynomial::variable("tau") * q)];
+    ties.extend([("sigma", Polynomial::one()), ("tau", Polynomial::one())]);
+    let ties = Relations::new(ties)?;
     let [i1, _, i3] = motion.moments.each_ref().map(limit);
     let top = (&i3 - &i1) * limit(&motion.omega[2]) / &i1 * Fraction::from(direction);
     // As the first two axes follow each other, the spin circles the third the way that sn and cn exchange.

@@ -1,15 +1,16 @@
 //! Every stepping method's order and the laws it keeps, tested: its own step, run on power series with exact
 //! fractions from two starts.
 //!
-//! A method that falls short of its order, or breaks a law, for these two bodies does so. That another has its
-//! order and its laws for these is a test, as in floats but without rounding; it says nothing of other bodies.
-//! The numbers are chosen so that spin, momentum and attitude have lengths without a root.
+//! A method that falls short of its order, or breaks a law, for these two bodies does so. That another has
+//! its order and its laws for these is a test, as in floats but without rounding; it says nothing of other
+//! bodies. The numbers are chosen so that spin, momentum and attitude have lengths without a root.
 
-use crate::number::{Fraction, Rational, Series};
+use crate::number::{Rational, Series};
 use crate::proof::{Mutant, Outcome, Proof, Residue, breaks, same};
-use crate::proofs::order::exact;
+use crate::proofs::order::{components, exact};
 use nalgebra::{Quaternion, Vector3};
 use num_traits::Zero;
+use std::ops::RangeInclusive;
 use tumbling::attitude;
 use tumbling::step::{Method, State, System};
 
@@ -18,12 +19,6 @@ type Number = Series<Rational>;
 /// The methods whose constants are no fractions, and are given with 27 digits. What is left over of a law
 /// that they keep has 18 zeros behind the point; what is left over of one that they break has not.
 const ROUNDED: &[Method] = &[Method::Gauss4, Method::Gauss6, Method::RotationSplitting6];
-
-/// How many powers beyond its order a law is followed.
-const BEYOND: usize = 4;
-
-/// Fewer where constants have many digits, which make long fractions.
-const BEYOND_ROUNDED: usize = 2;
 
 macro_rules! methods {
     ($($name:literal $method:ident,)*) => {
@@ -83,12 +78,9 @@ methods! {
     "turned-runge-kutta-4" TurnedRungeKutta4,
 }
 
-fn number(n: i64, d: i64) -> Number {
-    Series::constant(Rational::new(n, d))
-}
-
 /// Moments, spin with a length that is a fraction and momentum with one, and a unit attitude.
 fn cases() -> [(System<Number>, State<Number>); 2] {
+    let number = |n: i64, d: i64| Number::constant(Rational::new(n, d));
     let vector = |x: [i64; 3], d: i64| Vector3::from(x.map(|n| number(n, d)));
     let case = |moments: Vector3<Number>, omega: Vector3<Number>, q: [i64; 4], length: i64| {
         let momentum = moments.component_mul(&omega);
@@ -103,37 +95,27 @@ fn cases() -> [(System<Number>, State<Number>); 2] {
     ]
 }
 
-/// What may be left over of a law that holds: nothing, or what rounded constants leave.
-fn slack(method: Method) -> Rational {
-    let billionth = || Rational::new(1, 1_000_000_000);
-    if ROUNDED.contains(&method) { billionth() * billionth() } else { Rational::zero() }
+/// The highest power of the step through which the laws of a method are followed.
+fn last_power(method: Method) -> usize {
+    method.info().order as usize + if ROUNDED.contains(&method) { 2 } else { 4 }
 }
 
-fn same_series(
-    claim: &str,
-    a: &Number,
-    b: &Number,
-    powers: std::ops::RangeInclusive<usize>,
-    slack: &Rational,
-) -> Outcome {
-    for power in powers {
+/// That these series agree in these powers, but for what the rounded constants of the method leave.
+fn alike(claim: &str, method: Method, a: &[Number], b: &[Number], powers: RangeInclusive<usize>) -> Outcome {
+    let billionth = Rational::new(1, 1_000_000_000);
+    let slack = if ROUNDED.contains(&method) { billionth.clone() * billionth } else { Rational::zero() };
+    for (power, (a, b)) in powers.flat_map(|power| a.iter().zip(b).map(move |pair| (power, pair))) {
         let claim = format!("{claim}, power {power} of the step");
-        match a.coefficient(power).zip(b.coefficient(power)) {
-            Some((x, y)) if near(&x, &y, slack) => {}
-            Some((x, y)) => same(&claim, &Fraction::from(x), &Fraction::from(y))?,
-            None => return Err(Residue::Missing { claim }),
+        let Some((x, y)) = a.coefficient(power).zip(b.coefficient(power)) else {
+            return Err(Residue::Missing { claim });
+        };
+        let off = x.clone() - y.clone();
+        let near = off.clone() * off < slack.clone() * slack.clone();
+        if !near {
+            same(&claim, &x.into(), &y.into())?;
         }
     }
     Ok(())
-}
-
-fn beyond(method: Method) -> usize {
-    if ROUNDED.contains(&method) { BEYOND_ROUNDED } else { BEYOND }
-}
-
-fn near(x: &Rational, y: &Rational, slack: &Rational) -> bool {
-    let off = x.clone() - y.clone();
-    !slack.is_zero() && off.clone() * off < slack.clone() * slack.clone()
 }
 
 fn step(
@@ -148,61 +130,48 @@ fn step(
 fn holds(method: Method, more: usize) -> Outcome {
     let order = method.info().order as usize + more;
     for (system, start) in &cases() {
-        let h = Number::step(order + 1);
-        let end = step(method, system, start, &h)?;
-        let truth = exact(start, order + 1, |motion| system.rate(motion));
-        let all =
-            |m: &State<Number>| m.attitude.coords.iter().chain(&m.momentum).cloned().collect::<Vec<_>>();
-        let agree = |powers: std::ops::RangeInclusive<usize>| {
-            all(&end)
-                .iter()
-                .zip(all(&truth))
-                .try_for_each(|(a, b)| same_series("the motion", a, &b, powers.clone(), &slack(method)))
-        };
+        let end = components(&step(method, system, start, &Number::step(order + 1))?);
+        let truth = components(&exact(start, order + 1, |motion| system.rate(motion)));
+        let agree = |powers| alike("the motion", method, &end, &truth, powers);
         agree(0..=order)?;
         breaks("the next power does not agree", agree(order + 1..=order + 1))?;
     }
     laws(method)
 }
 
-/// Twice the energy of a motion.
-fn energy(system: &System<Number>, motion: &State<Number>) -> Number {
-    motion.momentum.dot(&system.omega(&motion.momentum))
+/// What a method may keep: twice the energy, the square of the momentum, the momentum in the world times the
+/// square of the length of the other motion's attitude, and that of its own.
+fn quantities(system: &System<Number>, m: &State<Number>, other: &State<Number>) -> [Vec<Number>; 4] {
+    let square = |m: &State<Number>| m.attitude.coords.dot(&m.attitude.coords);
+    let world = attitude::rotation_matrix(&m.attitude) * &m.momentum;
+    [
+        vec![m.momentum.dot(&system.omega(&m.momentum))],
+        vec![m.momentum.dot(&m.momentum)],
+        world.iter().map(|x| x * square(other)).collect(),
+        vec![square(m)],
+    ]
 }
 
 fn laws(method: Method) -> Outcome {
-    let keeps = method.info().conserved;
-    let order = method.info().order as usize + beyond(method);
+    let (keeps, last) = (method.info().conserved, last_power(method));
+    let names = ["energy", "momentum", "momentum in the world", "attitude's length", "way back"];
     let said = [keeps.energy, keeps.momentum, keeps.direction, keeps.unit, keeps.reversible];
     // What one body keeps by chance the other must break.
     let mut kept = [true; 5];
     for (system, start) in &cases() {
-        let h = Number::step(order);
+        let h = Number::step(last);
         let end = step(method, system, start, &h)?;
-        let back = step(method, system, &end, &-h)?;
-        let square = |m: &State<Number>| m.attitude.coords.dot(&m.attitude.coords);
-        let world = |m: &State<Number>| attitude::rotation_matrix(&m.attitude) * &m.momentum;
-        let stretched = world(start).map(|x| x * square(&end));
-        let alike = |claim: &str, a: &[Number], b: &[Number]| {
-            a.iter().zip(b).try_for_each(|(a, b)| same_series(claim, a, b, 0..=order, &slack(method)))
-        };
-        let all =
-            |m: &State<Number>| m.attitude.coords.iter().chain(&m.momentum).cloned().collect::<Vec<_>>();
-        let found = [
-            alike("the energy", &[energy(system, &end)], &[energy(system, start)]),
-            alike("the momentum", &[end.momentum.dot(&end.momentum)], &[start.momentum.dot(&start.momentum)]),
-            alike("the momentum in the world", world(&end).as_slice(), stretched.as_slice()),
-            alike("the attitude's length", &[square(&end)], &[square(start)]),
-            alike("the way back", &all(&back), &all(start)),
-        ];
-        for (k, found) in found.into_iter().enumerate() {
+        let back = components(&step(method, system, &end, &-h)?);
+        let (before, after) = (quantities(system, start, &end), quantities(system, &end, start));
+        let pairs = after.into_iter().chain([back]).zip(before.into_iter().chain([components(start)]));
+        for (k, (after, before)) in pairs.enumerate() {
+            let found = alike(names[k], method, &after, &before, 0..=last);
             kept[k] &= found.is_ok();
             if said[k] {
                 found?;
             }
         }
     }
-    let names = ["energy", "momentum", "direction", "length", "way back"];
     match (0..5).find(|&k| kept[k] && !said[k]) {
         Some(k) => Err(Residue::Missing { claim: format!("{} said to be broken is kept", names[k]) }),
         None => Ok(()),
@@ -210,25 +179,13 @@ fn laws(method: Method) -> Outcome {
 }
 
 fn keeps_another(method: Method) -> Outcome {
-    let order = method.info().order as usize + beyond(method);
     let [(system, start), (other, _)] = &cases();
-    let end = step(method, system, start, &Number::step(order))?;
-    same_series(
-        "the energy of another body",
-        &energy(other, &end),
-        &energy(other, start),
-        0..=order,
-        &slack(method),
-    )?;
-    // A spin that stays in the body keeps any body's energy.
-    let world = |m: &State<Number>| attitude::rotation_matrix(&m.attitude) * &m.momentum;
-    let square = end.attitude.coords.dot(&end.attitude.coords);
-    let stretched = world(start).map(|x| x * square.clone());
-    let ended = world(&end);
-    ended
-        .iter()
-        .zip(&stretched)
-        .try_for_each(|(a, b)| same_series("the momentum in the world", a, b, 0..=order, &slack(method)))
+    let end = step(method, system, start, &Number::step(last_power(method)))?;
+    let (before, after) = (quantities(other, start, &end), quantities(other, &end, start));
+    // A spin that stays in the body keeps any body's energy, but not the momentum in the world.
+    [0, 2].into_iter().try_for_each(|k| {
+        alike("a law of another body", method, &after[k], &before[k], 0..=last_power(method))
+    })
 }
 
 #[cfg(test)]

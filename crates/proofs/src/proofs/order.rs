@@ -1,7 +1,7 @@
 //! The order of an integrator: its step as a power series in the step size, against the exact motion's.
 
 use crate::number::{Fraction, Series};
-use crate::proof::{Mutant, Outcome, Proof, Residue, breaks, same};
+use crate::proof::{Outcome, Residue, breaks, same};
 use crate::symbols::{Matrix, diagonal, vector};
 use nalgebra::{Matrix3, Quaternion, Vector3};
 use num_traits::{One, Zero};
@@ -9,50 +9,31 @@ use tumbling::number::Field;
 use tumbling::step::{Engine, Rate, State, rk4};
 use tumbling::{attitude, dynamics::euler};
 
-pub(super) const PROOFS: &[Proof] = &[
-    Proof {
-        name: "order-of-rk4",
-        part: "step",
-        statement: "One step of the Runge-Kutta method from the attitude 1 agrees with the exact motion of every free body through \
-                    h⁴, in every component of attitude and momentum, and not through h⁵: its order is 4 and no more.",
-        check: || order_is(4, runge_kutta),
-        mutants: &[
-            Mutant { change: "said to be 5", check: || order_is(5, runge_kutta) },
-            Mutant { change: "said to be 3", check: || order_is(3, runge_kutta) },
-            Mutant {
-                change: "the step a hundredth longer",
-                check: || {
-                    order_is(4, |start, h, law| {
-                        runge_kutta(start, &(h.clone() * Series::constant(Fraction::ratio(101, 100))), law)
-                    })
-                },
-            },
-            Mutant {
-                change: "a single slope, as in Euler's method",
-                check: || {
+proofs! {
+    "step" {
+        "order-of-rk4": order_is(4, runge_kutta),
+            "One step of the Runge-Kutta method from the attitude 1 agrees with the exact motion of every free body through h⁴, in every component of attitude and momentum, and not through h⁵: its order \
+            is 4 and no more.";
+            but "said to be 5": order_is(5, runge_kutta),
+            but "said to be 3": order_is(3, runge_kutta),
+            but "the step a hundredth longer": order_is(4, |start, h, law| runge_kutta(start, &(h.clone() * Series::constant(Fraction::ratio(101, 100))), law)),
+            but "a single slope, as in Euler's method": {
                     order_is(4, |start, h, law| {
                         // With the slope frozen, all four stages are the first.
                         let slope = law(start);
                         rk4(start, h.clone(), |_| slope.clone(), State::plus)
                     })
                 },
-            },
-        ],
-    },
-    Proof {
-        name: "the-engine-s-law",
-        part: "step",
-        statement: "The law that the right engine integrates, with the momentum in the world, gives the same attitude and momentum \
-                    to h⁴ as that in the body, from the attitude 1, for every free body.",
-        check: || same_motion(Engine::Turned),
-        mutants: &[Mutant { change: "the frozen tensor", check: || same_motion(Engine::Frozen) }],
-    },
-];
+        "the-engine-s-law": same_motion(Engine::Turned),
+            "The law that the right engine integrates, with the momentum in the world, gives the same attitude and momentum to h⁴ as that in the body, from the attitude 1, for every free body.";
+            but "the frozen tensor": same_motion(Engine::Frozen),
+    }
+}
 
 type Number = Series<Fraction>;
-type Law = fn(&State<Number>) -> Rate<Number>;
+type RateLaw = fn(&State<Number>) -> Rate<Number>;
 
-fn runge_kutta(start: &State<Number>, h: &Number, law: Law) -> State<Number> {
+fn runge_kutta(start: &State<Number>, h: &Number, law: RateLaw) -> State<Number> {
     rk4(start, h.clone(), law, State::plus)
 }
 
@@ -112,12 +93,13 @@ pub(super) fn exact<T: Field>(
     State { attitude, momentum }
 }
 
+/// Attitude and momentum.
+pub(super) fn components<T: Field>(m: &State<Series<T>>) -> Vec<Series<T>> {
+    m.attitude.coords.iter().chain(&m.momentum).cloned().collect()
+}
+
 /// That two motions agree in every component at the given power of the step.
 fn agree(a: &State<Number>, b: &State<Number>, power: usize) -> Outcome {
-    let components = |m: &State<Number>| {
-        let all: Vec<Number> = m.attitude.coords.iter().chain(m.momentum.iter()).cloned().collect();
-        all
-    };
     for (x, y) in components(a).iter().zip(components(b)) {
         let claim = format!("the power {power} of the step");
         match x.coefficient(power).zip(y.coefficient(power)) {
@@ -128,7 +110,7 @@ fn agree(a: &State<Number>, b: &State<Number>, power: usize) -> Outcome {
     Ok(())
 }
 
-fn order_is(order: usize, step: impl Fn(&State<Number>, &Number, Law) -> State<Number>) -> Outcome {
+fn order_is(order: usize, step: impl Fn(&State<Number>, &Number, RateLaw) -> State<Number>) -> Outcome {
     let (start, h) = (start(), Number::step(order + 1));
     let (stepped, truth) = (step(&start, &h, law), exact(&start, order + 1, law));
     for power in 0..=order {

@@ -1,74 +1,40 @@
-//! The derivatives of the motion by its start and by the tensor, by the formulas of the sensitivities, written
-//! here a second time: each obeys the library's laws to first order, and begins as it must.
+//! The derivatives of the motion by its start and by the tensor, by the formulas of the sensitivities,
+//! written here a second time: each obeys the library's laws to first order, and begins as it must.
 
 use crate::number::{Derivation, Fraction, Relations};
-use crate::proof::{Mutant, Outcome, Proof, same, same_under, same_vectors};
-use crate::proofs::klein::{Change, motion};
-use crate::symbols::{Matrix, Vector, diagonal, variables, vector};
+use crate::proof::{Outcome, same, same_entries, same_entries_under, same_under};
+use crate::proofs::klein::{Change, both, motion};
+use crate::symbols::{Matrix, Vector, changing, diagonal, pure, symmetric, variables, vector};
 use nalgebra::Quaternion;
 use num_traits::{One, Zero};
 use tumbling::attitude::{product, rate};
 use tumbling::dynamics::euler::{angular_acceleration, tensor_times_acceleration};
 
-pub(super) const PROOFS: &[Proof] = &[
-    Proof {
-        name: "variational-equations",
-        part: "exact",
-        statement: "Euler's equations to first order are W_a' = k_a (W_b w_c + w_b W_c), and what a change of a moment or of a \
-                    product of inertia adds at a fixed spin is the formula stated here. For every body.",
-        check: || variations(1),
-        mutants: &[Mutant { change: "a minus between the products", check: || variations(-1) }],
-    },
-    Proof {
-        name: "sensitivity-of-the-spin",
-        part: "exact",
-        statement: "The closed form's derivatives by its two constants and by the moments, with the rate stated here of the \
-                    derivative of Jacobi's argument at a fixed angle, obey Euler's equations to first order. For every body, about \
-                    either axis, in either sense.",
-        check: || both(|sense| columns(sense, 1)),
-        mutants: &[Mutant {
-            change: "that derivative growing the other way",
-            check: || both(|sense| columns(sense, -1)),
-        }],
-    },
-    Proof {
-        name: "sensitivity-at-the-start",
-        part: "exact",
-        statement: "At the start those derivatives, put together for the three components of the spin and for a moment by the \
-                    formulas stated here, are one for a component by itself and zero for all else.",
-        check: || at_the_start(1),
-        mutants: &[Mutant { change: "the phase shifted the other way", check: || at_the_start(-1) }],
-    },
-    Proof {
-        name: "sensitivity-of-the-attitude",
-        part: "exact",
-        statement: "A small turn e of the attitude changes as e' = w - omega x e with the change w of the spin; so e x M and the change of the \
-                    momentum turn with the room, e . M has the rate w . M, and with the change of the energy this gives e.",
-        check: || attitude(1),
-        mutants: &[Mutant { change: "e carried along the other way", check: || attitude(-1) }],
-    },
-    Proof {
-        name: "sensitivity-by-products",
-        part: "exact",
-        statement: "A product of inertia turns two principal axes about the third by itself over the difference of their moments: the spin \
-                    turned so obeys Euler's equations with the changed tensor to first order.",
-        check: || products(1),
-        mutants: &[Mutant { change: "turned the other way", check: || products(-1) }],
-    },
-];
-
-fn both(check: impl Fn(i64) -> Outcome) -> Outcome {
-    check(1)?;
-    check(-1)
+proofs! {
+    "exact" {
+        "variational-equations": variations(1),
+            "Euler's equations to first order are W_a' = k_a (W_b w_c + w_b W_c), and what a change of a moment or of a product of inertia adds at a fixed spin is the formula stated here. For every body.";
+            but "a minus between the products": variations(-1),
+        "sensitivity-of-the-spin": both(|sense| columns(sense, 1)),
+            "The closed form's derivatives by its two constants and by the moments, with the rate stated here of the derivative of Jacobi's argument at a fixed angle, obey Euler's equations to first \
+            order. For every body, about either axis, in either sense.";
+            but "that derivative growing the other way": both(|sense| columns(sense, -1)),
+        "sensitivity-at-the-start": at_the_start(1),
+            "At the start those derivatives, put together for the three components of the spin and for a moment by the formulas stated here, are one for a component by itself and zero for all else.";
+            but "the phase shifted the other way": at_the_start(-1),
+        "sensitivity-of-the-attitude": attitude(1),
+            "A small turn e of the attitude changes as e' = w - omega x e with the change w of the spin; so e x M and the change of the momentum turn with the room, e . M has the rate w . M, and with the \
+            change of the energy this gives e.";
+            but "e carried along the other way": attitude(-1),
+        "sensitivity-by-products": products(1),
+            "A product of inertia turns two principal axes about the third by itself over the difference of their moments: the spin turned so obeys Euler's equations with the changed tensor to first \
+            order.";
+            but "turned the other way": products(-1),
+    }
 }
 
 fn free(moments: &Vector, omega: &Vector) -> Vector {
     angular_acceleration(moments, omega, &Vector::zeros())
-}
-
-/// The derivative by symbols that change at these rates.
-fn along(names: &Vector, rates: &Vector) -> Derivation {
-    (0..3).fold(Derivation::default(), |all, k| all.and(&names[k].to_string(), rates[k].clone()))
 }
 
 /// What a change of the tensor adds to the acceleration at a fixed spin, times the moments.
@@ -89,14 +55,14 @@ fn entry(k: usize, product: bool) -> Matrix {
 
 fn variations(sign: i64) -> Outcome {
     let (moments, omega, change) = (vector("I"), vector("omega"), vector("W"));
-    let moved = free(&moments, &omega).map(|x| along(&omega, &change).of(&x));
+    let moved = free(&moments, &omega).map(|x| changing(Derivation::default(), "omega", &change).of(&x));
     let sign = Fraction::from(sign);
     let factor = |a: usize| (&moments[(a + 1) % 3] - &moments[(a + 2) % 3]) / &moments[a];
     let law = Vector::from_fn(|a, _| {
         let (b, c) = ((a + 1) % 3, (a + 2) % 3);
         factor(a) * (&change[b] * &omega[c] + &omega[b] * &change[c] * &sign)
     });
-    same_vectors("W'", &moved, &law)?;
+    same_entries("W'", &moved, &law)?;
     let over = moments.map(|x| Fraction::one() / x);
     for c in 0..3 {
         let (a, b) = ((c + 1) % 3, (c + 2) % 3);
@@ -105,13 +71,13 @@ fn variations(sign: i64) -> Outcome {
         stated[c] = -(factor(c) * &over[c] * &omega[a] * &omega[b]);
         stated[b] = &over[b] * &omega[c] * &omega[a];
         stated[a] = -(&over[a] * &omega[b] * &omega[c]);
-        same_vectors("by a moment", &found, &stated)?;
+        same_entries("by a moment", &found, &stated)?;
         let found = forced(&moments, &omega, &entry(c, true)).component_mul(&over);
         let excess = (&moments[a] + &moments[b] - &moments[c]) * &over[a] * &over[b];
         stated[a] = &excess * &omega[a] * &omega[c];
         stated[b] = -(&excess * &omega[b] * &omega[c]);
         stated[c] = &over[c] * (&omega[b] - &omega[a]) * (&omega[b] + &omega[a]);
-        same_vectors("by a product", &found, &stated)?;
+        same_entries("by a product", &found, &stated)?;
     }
     Ok(())
 }
@@ -145,10 +111,8 @@ fn columns(sense: i64, sign: i64) -> Outcome {
     let expected = free(&motion.arranged(&motion.moments, sense), &omega);
     for name in ["Q", "h", "x1", "p", "q"] {
         let by = by_parameter(name, &motion.rate);
-        for k in 0..3 {
-            let (moved, law) = (time.of(&by.of(&omega[k])), by.of(&expected[k]));
-            same_under(&motion.relations, &format!("by {name}, component {}", k + 1), &moved, &law)?;
-        }
+        let (moved, law) = (omega.map(|x| time.of(&by.of(&x))), expected.map(|x| by.of(&x)));
+        same_entries_under(&motion.relations, &format!("by {name}"), &moved, &law)?;
     }
     Ok(())
 }
@@ -202,7 +166,6 @@ fn attitude(sign: i64) -> Outcome {
     let (moments, omega, w, e) = (vector("I"), vector("omega"), vector("W"), vector("e"));
     let [real, x, y, z] = variables(["q0", "q1", "q2", "q3"]);
     let q = Quaternion::new(real, x, y, z);
-    let pure = |v: &Vector| Quaternion::new(Fraction::zero(), v.x.clone(), v.y.clone(), v.z.clone());
     let half = |q: &Quaternion<Fraction>| q.coords.map(|x| x / Fraction::from(2));
     // Of the attitude q (1 + e/2), by both ways.
     let carried = omega.cross(&e) * Fraction::from(sign);
@@ -210,20 +173,15 @@ fn attitude(sign: i64) -> Outcome {
     let changed = Quaternion::from_vector(half(&product(&q, &pure(&e))));
     let one_way = rate(&changed, &omega).coords + rate(&q, &w).coords;
     let other = half(&product(&rate(&q, &omega), &pure(&e))) + half(&product(&q, &pure(&falls)));
-    for k in 0..4 {
-        same("q'", &one_way[k], &other[k])?;
-    }
+    same_entries("q'", &one_way, &other)?;
     // The momentum, its change for a changed tensor too, and their rates.
-    let change = Matrix::from_fn(|i, j| {
-        let axes = ["x", "y", "z"];
-        Fraction::variable(&format!("d{}{}", axes[i.min(j)], axes[i.max(j)]))
-    });
+    let change = symmetric("d");
     let momentum = diagonal(&moments) * &omega;
     let moved = diagonal(&moments) * &w + &change * &omega;
     let moved_rate = moved.cross(&omega) + momentum.cross(&w);
     let seen = e.cross(&momentum) + &moved;
     let rate_of_seen = falls.cross(&momentum) + e.cross(&momentum.cross(&omega)) + moved_rate;
-    same_vectors("in the room", &rate_of_seen, &-omega.cross(&seen))?;
+    same_entries("in the room", &rate_of_seen, &-omega.cross(&seen))?;
     let along = falls.dot(&momentum) + e.dot(&momentum.cross(&omega));
     same("e . M", &along, &w.dot(&momentum))?;
     // The change of twice the energy, with the spin's rates by Euler's equations to first order.
@@ -234,12 +192,12 @@ fn attitude(sign: i64) -> Outcome {
         + omega.dot(&(&change * &acceleration)) * Fraction::from(2);
     same("the energy", &twice, &Fraction::zero())?;
     let found = momentum.cross(&e.cross(&momentum)) + &momentum * e.dot(&momentum);
-    same_vectors("e", &found, &(&e * momentum.dot(&momentum)))
+    same_entries("e", &found, &(&e * momentum.dot(&momentum)))
 }
 
 /// The rate of the change of the spin.
 fn moved_rate_of_spin(moments: &Vector, change: &Matrix, omega: &Vector, w: &Vector) -> Vector {
-    let by_spin = free(moments, omega).map(|x| along(omega, w).of(&x));
+    let by_spin = free(moments, omega).map(|x| changing(Derivation::default(), "omega", w).of(&x));
     by_spin + forced(moments, omega, change).component_div(moments)
 }
 
@@ -252,7 +210,7 @@ fn products(sign: i64) -> Outcome {
         let turned = axis.cross(&omega);
         let moved = axis.cross(&free(&moments, &omega));
         let law = moved_rate_of_spin(&moments, &entry(k, true), &omega, &turned);
-        same_vectors("w'", &moved, &law)?;
+        same_entries("w'", &moved, &law)?;
     }
     Ok(())
 }

@@ -1,68 +1,38 @@
 //! Spin about each principal axis: steady, and for every body stable about two axes and not about the third.
 
 use crate::number::Fraction;
-use crate::proof::{Mutant, Outcome, Proof, positive, same, same_vectors};
+use crate::proof::{Outcome, positive, same, same_entries};
 use crate::symbols::{Vector, ordered_moments, vector};
 use num_traits::Zero;
 use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::dynamics::stability::rate_squared;
 
-pub(super) const PROOFS: &[Proof] = &[
-    Proof {
-        name: "steady-spins",
-        part: "stability",
-        statement: "Without torque Euler's equations leave a spin about a principal axis as it is, for every body and every axis.",
-        check: || steady(angular_acceleration),
-        mutants: &[Mutant {
-            change: "w1 w1 for w2 w3 in the second equation",
-            check: || {
+proofs! {
+    "stability" {
+        "steady-spins": steady(angular_acceleration),
+            "Without torque Euler's equations leave a spin about a principal axis as it is, for every body and every axis.";
+            but "w1 w1 for w2 w3 in the second equation": {
                 steady(|i, w, t| {
                     let mut rate = angular_acceleration(i, w, t);
                     rate.y = (&i.z - &i.x) * &w.x * &w.x / i.y.clone();
                     rate
                 })
             },
-        }],
-    },
-    Proof {
-        name: "rates-of-the-wobble",
-        part: "stability",
-        statement: "Linearised about each axis, Euler's equations leave the spin itself alone and drive the two small \
-                    components by each other, so that their second rate is the library's rate squared times themselves.",
-        check: || linearised(rate_squared),
-        mutants: &[
-            Mutant { change: "the sign", check: || linearised(|w, i, a, b| -rate_squared(w, i, a, b)) },
-            Mutant {
-                change: "divided by the wrong moment",
-                check: || linearised(|w, i, a, b| rate_squared(w, i, a, b) * a.clone() / i.clone()),
-            },
-        ],
-    },
-    Proof {
-        name: "the-middle-axis",
-        part: "stability",
-        statement: "For every I1 < I2 < I3 the library's rate squared of the linearised wobble is positive about the middle axis and \
-                    negative about the other two: with I2 = I1 + a and I3 = I1 + a + b all coefficients have one sign.",
-        check: || middle(rate_squared, 1),
-        mutants: &[
-            Mutant { change: "the sign", check: || middle(|w, i, a, b| -rate_squared(w, i, a, b), 1) },
-            Mutant {
-                change: "the smallest axis taken for the middle one",
-                check: || middle(rate_squared, 0),
-            },
-        ],
-    },
-    Proof {
-        name: "equal-moments",
-        part: "stability",
-        statement: "About either of two axes with equal moments the rate is zero: neither growth nor swing; about the third it swings.",
-        check: || equal(rate_squared),
-        mutants: &[Mutant {
-            change: "w² added",
-            check: || equal(|w, i, a, b| rate_squared(w, i, a, b) + w.pow(2)),
-        }],
-    },
-];
+        "rates-of-the-wobble": linearised(rate_squared),
+            "Linearised about each axis, Euler's equations leave the spin itself alone and drive the two small components by each other, so that their second rate is the library's rate squared times \
+            themselves.";
+            but "the sign": linearised(|w, i, a, b| -rate_squared(w, i, a, b)),
+            but "divided by the wrong moment": linearised(|w, i, a, b| rate_squared(w, i, a, b) * a.clone() / i.clone()),
+        "the-middle-axis": middle(rate_squared, 1),
+            "For every I1 < I2 < I3 the library's rate squared of the linearised wobble is positive about the middle axis and negative about the other two: with I2 = I1 + a and I3 = I1 + a + b all \
+            coefficients have one sign.";
+            but "the sign": middle(|w, i, a, b| -rate_squared(w, i, a, b), 1),
+            but "the smallest axis taken for the middle one": middle(rate_squared, 0),
+        "equal-moments": equal(rate_squared),
+            "About either of two axes with equal moments the rate is zero: neither growth nor swing; about the third it swings.";
+            but "w² added": equal(|w, i, a, b| rate_squared(w, i, a, b) + w.pow(2)),
+    }
+}
 
 type RateLaw<'a> = &'a dyn Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Fraction;
 
@@ -73,7 +43,7 @@ fn spin_about(axis: usize) -> Vector {
 fn steady(law: impl Fn(&Vector, &Vector, &Vector) -> Vector) -> Outcome {
     for axis in 0..3 {
         let rate = law(&vector("I"), &spin_about(axis), &Vector::zeros());
-        same_vectors(&format!("w' about axis {}", axis + 1), &rate, &Vector::zeros())?;
+        same_entries(&format!("w' about axis {}", axis + 1), &rate, &Vector::zeros())?;
     }
     Ok(())
 }

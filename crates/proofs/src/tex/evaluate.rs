@@ -5,8 +5,7 @@ use super::tree::{Node, Relation, Statement, is_value};
 use super::value::{Meaningless, Value};
 use crate::number::{Fraction, Rational};
 use crate::proof::vanishes;
-use crate::symbols::{Matrix, Vector};
-use nalgebra::Quaternion;
+use crate::symbols::{Matrix, Vector, quaternion};
 use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
@@ -91,9 +90,7 @@ fn tuple(parts: Vec<Value>) -> Result<Value, Meaningless> {
         [Value::Scalar(x), Value::Scalar(y), Value::Scalar(z)] => {
             Ok(Vector::new(x.clone(), y.clone(), z.clone()).into())
         }
-        [Value::Scalar(w), Value::Vector(v)] => {
-            Ok(Quaternion::new(w.clone(), v.x.clone(), v.y.clone(), v.z.clone()).into())
-        }
+        [Value::Scalar(w), Value::Vector(v)] => Ok(quaternion(w.clone(), v).into()),
         _ => {
             Err("only two or three numbers, or a number and a vector, stand in brackets with commas"
                 .to_owned())
@@ -114,19 +111,6 @@ impl Statement {
                 .map_err(|problem| format!("`{}` and `{}`: {problem}", left.text, right.text))?;
         }
         Ok(())
-    }
-
-    /// Whether two of its sides that should be equal are clearly not where all names are numbers, some of
-    /// them rounded.
-    pub(crate) fn is_off(&self, point: &Scope) -> bool {
-        self.pairs().filter(|(_, relation, _)| *relation == Relation::Equal).any(|(left, _, right)| {
-            let sides = [left, right].map(|side| match point.value(&side.tree) {
-                Ok(Value::Scalar(x)) => x.at(&[]).to_f64(),
-                _ => f64::NAN,
-            });
-            let [a, b] = sides;
-            (a - b).abs() > 1e-6 * (1.0 + a.abs() + b.abs())
-        })
     }
 
     /// Proves each number that something is set equal to, for these values of the variables: its decimals are
@@ -180,20 +164,6 @@ impl Statement {
         }
         let it = scope.value(&Node::Name(Scope::IT.to_owned()))?;
         scope.equal(scope.value(&self.left.tree)?, it)
-    }
-
-    /// Whether each side is worth what the same side of `other` is.
-    pub(crate) fn same_sides(&self, other: &Self, scope: &Scope) -> bool {
-        let sides = |s: &Self| {
-            let others = s.others.iter().map(|(_, side)| side);
-            std::iter::once(&s.left).chain(others).map(|side| scope.value(&side.tree)).collect::<Vec<_>>()
-        };
-        let relations = |s: &Self| s.others.iter().map(|(relation, _)| *relation).collect::<Vec<_>>();
-        let same = |(a, b): (Result<Value, String>, Result<Value, String>)| match (a, b) {
-            (Ok(a), Ok(b)) => scope.equal(a, b).is_ok(),
-            _ => false,
-        };
-        relations(self) == relations(other) && sides(self).into_iter().zip(sides(other)).all(same)
     }
 }
 

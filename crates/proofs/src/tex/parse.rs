@@ -6,31 +6,9 @@ mod names;
 use super::error::TexError;
 use super::token::{Kind, Token, tokens};
 use super::tree::{Node, Relation, Side, Statement};
-use std::ops::Range;
 
 /// No deeper brackets are read, so that no text can exhaust the stack.
 const DEEPEST: usize = 32;
-
-/// What can be altered in an equation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum SiteKind {
-    Number,
-    Name,
-    Index,
-    /// With its `^`.
-    Power,
-    Sign,
-    /// `\cdot` or `\times`.
-    Operator,
-    Relation,
-}
-
-/// A place in the source that can be altered.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) struct Site {
-    pub(crate) kind: SiteKind,
-    pub(crate) range: Range<usize>,
-}
 
 /// Reads one piece of maths: equations, inequalities and bare expressions, one or several, with commas,
 /// `\qquad` or the rows of an `aligned` between them, a mark of the sentence at the end.
@@ -42,15 +20,8 @@ pub(crate) struct Site {
 /// # Errors
 /// What is not read, and where.
 pub fn parse(tex: &str) -> Result<Vec<Statement>, TexError> {
-    parse_with_sites(tex).map(|(statements, _)| statements)
-}
-
-/// The same, with the places that can be altered.
-pub(crate) fn parse_with_sites(tex: &str) -> Result<(Vec<Statement>, Vec<Site>), TexError> {
     let tokens = tokens(tex)?;
-    let mut parser = Parser { tokens, next: 0, end: tex.len(), depth: 0, sites: Vec::new() };
-    let statements = parser.document()?;
-    Ok((statements, parser.sites))
+    Parser { tokens, next: 0, end: tex.len(), depth: 0 }.document()
 }
 
 struct Parser<'a> {
@@ -58,7 +29,6 @@ struct Parser<'a> {
     next: usize,
     end: usize,
     depth: usize,
-    sites: Vec<Site>,
 }
 
 impl<'a> Parser<'a> {
@@ -74,11 +44,6 @@ impl<'a> Parser<'a> {
         self.peek().map_or(self.end, |token| token.at)
     }
 
-    /// Where the last part ended.
-    fn behind(&self) -> usize {
-        self.next.checked_sub(1).and_then(|last| self.tokens.get(last)).map_or(0, Token::end)
-    }
-
     fn error<T>(&self, expected: &'static str) -> Result<T, TexError> {
         Err(TexError::new(self.at(), expected))
     }
@@ -91,11 +56,6 @@ impl<'a> Parser<'a> {
 
     fn need(&mut self, text: &str, expected: &'static str) -> Result<(), TexError> {
         if self.take(text) { Ok(()) } else { self.error(expected) }
-    }
-
-    fn site(&mut self, kind: SiteKind, start: usize) {
-        let range = start..self.behind();
-        self.sites.push(Site { kind, range });
     }
 
     /// The parts from one to the next, without spaces.
@@ -170,9 +130,7 @@ impl<'a> Parser<'a> {
                 r"\ge" | r"\geq" => Relation::AtLeast,
                 _ => break,
             };
-            let start = self.at();
             self.next += 1;
-            self.site(SiteKind::Relation, start);
             if aligned {
                 self.take("&");
             }
@@ -185,21 +143,18 @@ impl<'a> Parser<'a> {
     }
 
     fn side(&mut self) -> Result<Side, TexError> {
-        let (from, start) = (self.next, self.at());
+        let from = self.next;
         let tree = self.sum()?;
-        Ok(Side { tree, text: self.written(from), range: start..self.behind() })
+        Ok(Side { tree, text: self.written(from) })
     }
 
     fn sum(&mut self) -> Result<Node, TexError> {
         let mut sum: Option<Node> = None;
         loop {
-            let start = self.at();
             let plus = self.take("+");
             let minus = !plus && self.take("-");
-            if plus || minus {
-                self.site(SiteKind::Sign, start);
-            } else if let Some(sum) = sum {
-                return Ok(sum);
+            if let (Some(sum), false) = (&sum, plus || minus) {
+                return Ok(sum.clone());
             }
             let term = self.product()?;
             sum = Some(match (sum, minus) {
@@ -215,7 +170,6 @@ impl<'a> Parser<'a> {
         let mut product = self.term()?;
         let mut crossed = false;
         loop {
-            let start = self.at();
             let cross = self.peek_text() == r"\times";
             if crossed && (cross || self.peek_text() == r"\cdot") {
                 return self.error("brackets that say which product comes first");
@@ -224,7 +178,6 @@ impl<'a> Parser<'a> {
                 return Ok(product);
             }
             self.next += 1;
-            self.site(SiteKind::Operator, start);
             let term = self.term()?;
             let make = if cross { Node::Cross } else { Node::Dot };
             product = make(Box::new(product), Box::new(term));

@@ -1,9 +1,8 @@
 //! What the names in an equation mean.
 
 use super::value::Value;
-use crate::number::{Fraction, Monomial, Polynomial, Rational, Relations, Symbol};
+use crate::number::{Fraction, Monomial, Polynomial, Relations};
 use num_traits::Signed;
-use std::collections::{BTreeMap, BTreeSet};
 
 /// What each name means, what ties the variables, and which of them are above zero.
 #[derive(Debug, Clone, Default)]
@@ -23,6 +22,18 @@ impl Scope {
     pub fn with(mut self, name: &str, value: impl Into<Value>) -> Self {
         self.names.push((name.to_owned(), value.into()));
         self
+    }
+
+    /// With these numbers.
+    #[must_use]
+    pub fn with_all<const N: usize>(self, names: [(&str, Fraction); N]) -> Self {
+        names.into_iter().fold(self, |scope, (name, x)| scope.with(name, x))
+    }
+
+    /// With the components of a vector, each under the name with its number from one on.
+    #[must_use]
+    pub fn with_each<'a>(self, name: &str, values: impl IntoIterator<Item = &'a Fraction>) -> Self {
+        (1..).zip(values).fold(self, |scope, (n, x)| scope.with(&format!("{name}_{n}"), x.clone()))
     }
 
     /// With one more piece for `\sum` to run over, where these names mean this.
@@ -49,40 +60,6 @@ impl Scope {
     /// What a name means.
     pub(crate) fn meaning(&self, name: &str) -> Option<&Value> {
         self.names.iter().rev().find(|(known, _)| known == name).map(|(_, value)| value)
-    }
-
-    /// The same at one point: free variables are fractions, and tied ones the roots that their squares have
-    /// there, as floats. `None` if there is more than numbers, or no such point.
-    pub(crate) fn near_a_point(&self) -> Option<Self> {
-        let numbers = self.names.iter().map(|(name, value)| match value {
-            Value::Scalar(x) => Some((name, x)),
-            _ => None,
-        });
-        let numbers = numbers.collect::<Option<Vec<_>>>().filter(|_| self.pieces.is_empty())?;
-        let point = [-1, 1].into_iter().find_map(|sign| self.point(&numbers, sign))?;
-        let names = numbers.into_iter().map(|(name, x)| {
-            let at_point = x.evaluate(|symbol| point.get(symbol).cloned());
-            let at_point = at_point.unwrap_or_else(|| Rational::new(0, 0));
-            (name.clone(), Value::Scalar(at_point.into()))
-        });
-        Some(Self { names: names.collect(), ..Self::default() })
-    }
-
-    /// Values of all variables; the roots of one with this sign.
-    fn point(&self, numbers: &[(&String, &Fraction)], sign: i64) -> Option<BTreeMap<Symbol, Rational>> {
-        let squares = self.relations.squares();
-        let mut symbols: BTreeSet<_> = numbers.iter().flat_map(|(_, x)| x.symbols()).collect();
-        symbols.extend(squares.iter().flat_map(|(_, square)| square.symbols()));
-        symbols.retain(|symbol| squares.iter().all(|(tied, _)| tied != symbol));
-        let free = symbols.into_iter().zip(1..).map(|(symbol, k)| (symbol, Rational::new(k, k + 6)));
-        let mut point: BTreeMap<_, _> = free.collect();
-        // No right side holds an earlier symbol.
-        for (symbol, square) in squares.iter().rev() {
-            let square = square.evaluate(|symbol| point.get(symbol).cloned())?.to_f64();
-            let root = if square == 1.0 { sign as f64 } else { square.sqrt() };
-            point.insert(symbol.clone(), Rational::of_f64(root));
-        }
-        point.values().all(|value| !value.is_undefined()).then_some(point)
     }
 
     /// The names of a piece put over the others.

@@ -27,12 +27,6 @@ pub(crate) struct Token<'a> {
     pub(crate) at: usize,
 }
 
-impl Token<'_> {
-    pub(crate) fn end(&self) -> usize {
-        self.at + self.text.len()
-    }
-}
-
 const SPACING: [&str; 11] =
     [r"\,", r"\;", r"\:", r"\!", r"\ ", r"\quad", r"\left", r"\right", r"\bigl", r"\bigr", r"\allowbreak"];
 
@@ -99,54 +93,4 @@ fn group_end(rest: &str, command: usize, at: usize) -> Result<usize, TexError> {
     }
     let end = rest[command..].find('}').map(|n| command + n + 1);
     end.ok_or_else(|| TexError::new(at + rest.len(), "a closing brace"))
-}
-
-const RELATIONS: [&str; 30] = [
-    "=",
-    "<",
-    ">",
-    r"\le",
-    r"\leq",
-    r"\ge",
-    r"\geq",
-    r"\ne",
-    r"\neq",
-    r"\not",
-    r"\approx",
-    r"\propto",
-    r"\to",
-    r"\mapsto",
-    r"\equiv",
-    r"\cong",
-    r"\parallel",
-    r"\perp",
-    r"\gg",
-    r"\ll",
-    r"\sim",
-    r"\simeq",
-    r"\doteq",
-    r"\in",
-    r"\implies",
-    r"\iff",
-    r"\Rightarrow",
-    r"\rightarrow",
-    r"\lt",
-    r"\gt",
-];
-
-/// Whether a piece of maths states something, having an equals sign, an inequality or another relation in it;
-/// a lone symbol or number does not.
-///
-/// ```
-/// use tumbling_proofs::tex::states_something;
-/// assert!(states_something(r"I_1 \le I_2"));
-/// assert!(!states_something(r"\boldsymbol{\omega}"));
-/// ```
-#[must_use]
-pub fn states_something(tex: &str) -> bool {
-    match tokens(tex) {
-        Ok(tokens) => tokens.iter().any(|token| RELATIONS.contains(&token.text)),
-        // What cannot be cut up is to be looked at, not passed over.
-        Err(_) => RELATIONS.iter().any(|sign| tex.contains(sign)),
-    }
 }

@@ -1,7 +1,6 @@
 //! What an equation says, as a tree.
 
 use crate::number::Rational;
-use std::ops::Range;
 
 /// An expression.
 #[derive(Debug, Clone, PartialEq)]
@@ -89,8 +88,6 @@ pub struct Side {
     pub tree: Node,
     /// How it is written, without spaces.
     pub text: String,
-    /// Where it stands in the source, in bytes.
-    pub range: Range<usize>,
 }
 
 /// An equation or inequality, or a chain of them, or a bare expression.

@@ -1,7 +1,7 @@
 //! What an expression is worth: a number, a vector, a matrix or a quaternion, in symbols.
 
 use crate::number::{Fraction, Relations};
-use crate::symbols::{Matrix, Vector, adjugate, diagonal};
+use crate::symbols::{Matrix, Vector, diagonal, inverse, quaternion};
 use nalgebra::Quaternion;
 
 /// The worth of an expression.
@@ -221,12 +221,6 @@ fn bearable(x: &Fraction, n: u32) -> bool {
     })
 }
 
-/// By cofactors.
-fn inverse(m: &Matrix) -> Matrix {
-    let (adjugate, determinant) = adjugate(m);
-    adjugate.map(|x| x / &determinant)
-}
-
 /// The product of quaternions by their scalar and vector parts: `(a, u)(b, v) = (ab - u.v, av + bu + u x v)`.
 /// The library multiplies component by component; this is the other way, so that one checks the other.
 fn hamilton(p: &Quaternion<Fraction>, q: &Quaternion<Fraction>) -> Quaternion<Fraction> {
@@ -234,5 +228,5 @@ fn hamilton(p: &Quaternion<Fraction>, q: &Quaternion<Fraction>) -> Quaternion<Fr
     let ((a, u), (b, v)) = (parts(p), parts(q));
     let scalar = &a * &b - u.dot(&v);
     let vector = u.cross(&v) + v.map(|x| x * &a) + u.map(|x| x * &b);
-    Quaternion::new(scalar, vector.x.clone(), vector.y.clone(), vector.z.clone())
+    quaternion(scalar, &vector)
 }

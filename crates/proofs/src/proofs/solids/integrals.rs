@@ -5,9 +5,9 @@ use super::{
     hollow_sphere_moments, plate_moments, rod_moments, tube_moments,
 };
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
-use crate::proof::{Outcome, not_negative, same, same_matrices, same_vectors};
+use crate::proof::{Outcome, Residue, not_negative, same, same_entries};
 use crate::region::{Region, Sums};
-use crate::symbols::{Matrix, Vector, diagonal, variables};
+use crate::symbols::{Matrix, Vector, diagonal, square, variables};
 use nalgebra::Vector3;
 use num_traits::{One, Zero};
 use tumbling::inertia::point_mass;
@@ -24,16 +24,16 @@ fn half(p: &Polynomial) -> Polynomial {
 /// That a body evenly filled with mass `m` has this mass, centre and inertia.
 fn has_moments(solid: &Sums, body: &MassMoments<Fraction>) -> Outcome {
     let density = &body.mass / &solid.volume;
-    same_vectors("centre", &body.centre, &solid.first.map(|x| x / solid.volume.clone()))?;
+    same_entries("centre", &body.centre, &solid.first.map(|x| x / solid.volume.clone()))?;
     let about_origin = &body.inertia + point_mass(&body.mass, &body.centre);
-    same_matrices("inertia", &about_origin, &solid.inertia.map(|x| x * density.clone()))
+    same_entries("inertia", &about_origin, &solid.inertia.map(|x| x * density.clone()))
 }
 
 fn centred(mass: &Fraction, moments: &Vector) -> MassMoments<Fraction> {
     MassMoments { mass: mass.clone(), centre: Vector::zeros(), inertia: diagonal(moments) }
 }
 
-fn box_sums() -> Result<Sums, crate::proof::Residue> {
+fn box_sums() -> Result<Sums, Residue> {
     let mut region = Region::new(Vector::from(variables(["x", "y", "z"])), Relations::none());
     for (name, edge) in [("x", "a"), ("y", "b"), ("z", "c")] {
         let half = half(&symbol(edge));
@@ -49,15 +49,10 @@ pub(super) fn cuboid(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) ->
 
 /// The part of an ellipsoid with semi-axes `axes` between the relative heights `from` and `to`, its middle
 /// raised by `lift`. At the relative height `t` each section is an ellipse smaller by `k`, `k² = 1 - t²`.
-fn ellipsoid_part(axes: &Vector, lift: &Fraction, from: i64, to: i64) -> Result<Sums, crate::proof::Residue> {
+fn ellipsoid_part(axes: &Vector, lift: &Fraction, from: i64, to: i64) -> Result<Sums, Residue> {
     let [rho, k, cos, sin, t] = variables(["rho", "k", "cos", "sin", "t"]);
-    let t_squared = symbol("t").pow(2);
-    let circles = vec![
-        ("cos".into(), Polynomial::one() - symbol("sin").pow(2)),
-        ("k".into(), Polynomial::one() - t_squared),
-    ];
-    let relations =
-        Relations::new(circles).map_err(|rule| crate::proof::Residue::Missing { claim: rule.to_string() })?;
+    let one = Polynomial::one;
+    let relations = Relations::new(vec![("cos", one() - square("sin")), ("k", one() - square("t"))])?;
     let across = &rho * &k;
     let position =
         Vector3::new(&axes.x * &across * cos, &axes.y * &across * sin, &axes.z * &t + lift.clone());
@@ -69,7 +64,7 @@ fn ellipsoid_part(axes: &Vector, lift: &Fraction, from: i64, to: i64) -> Result<
         .sums()
 }
 
-fn ball_sums(radius: &Fraction) -> Result<Sums, crate::proof::Residue> {
+fn ball_sums(radius: &Fraction) -> Result<Sums, Residue> {
     ellipsoid_part(&Vector::repeat(radius.clone()), &Fraction::zero(), -1, 1)
 }
 
@@ -92,7 +87,7 @@ pub(super) fn hollow_sphere(law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vec
 }
 
 /// A cylinder of the given radius about z, between two heights.
-fn cylinder_part(radius: &str, from: &Polynomial, to: &Polynomial) -> Result<Sums, crate::proof::Residue> {
+fn cylinder_part(radius: &str, from: &Polynomial, to: &Polynomial) -> Result<Sums, Residue> {
     let [rho, cos, sin, z] = variables(["rho", "cos", "sin", "z"]);
     Region::new(Vector3::new(&rho * &cos, rho * sin, z), Relations::circle("cos", "sin"))
         .between("rho", &Polynomial::zero(), &symbol(radius))
@@ -101,7 +96,7 @@ fn cylinder_part(radius: &str, from: &Polynomial, to: &Polynomial) -> Result<Sum
         .sums()
 }
 
-fn cylinder_sums(radius: &str, height: &str) -> Result<Sums, crate::proof::Residue> {
+fn cylinder_sums(radius: &str, height: &str) -> Result<Sums, Residue> {
     let half = half(&symbol(height));
     cylinder_part(radius, &-half.clone(), &half)
 }
@@ -154,9 +149,9 @@ pub(super) fn thin(
 ) -> Outcome {
     let [m, a, b, c, r] = variables(["m", "a", "b", "c", "r"]);
     let cuboid = box_sums()?;
-    same_matrices("rod", &diagonal(&rod(&m, &c)), &limit(&cuboid, &["a", "b"]))?;
-    same_matrices("plate", &diagonal(&plate(&m, &a, &b)), &limit(&cuboid, &["c"]))?;
-    same_matrices("disk", &diagonal(&disk(&m, &r)), &limit(&cylinder_sums("r", "h")?, &["h"]))
+    same_entries("rod", &diagonal(&rod(&m, &c)), &limit(&cuboid, &["a", "b"]))?;
+    same_entries("plate", &diagonal(&plate(&m, &a, &b)), &limit(&cuboid, &["c"]))?;
+    same_entries("disk", &diagonal(&disk(&m, &r)), &limit(&cylinder_sums("r", "h")?, &["h"]))
 }
 
 /// Four corners, the first at the origin or anywhere.
@@ -207,8 +202,8 @@ pub(super) fn mesh_of_a_box(
     let volume = &a * &b * &c;
     same("volume", &found.mass, &volume)?;
     let middle = Vector::from_fn(|i, _| &at[i] + &(edges[i] / &Fraction::from(2)));
-    same_vectors("centre", &found.centre, &middle)?;
-    same_matrices("inertia", &found.inertia, &diagonal(&law(&volume, &a, &b, &c)))
+    same_entries("centre", &found.centre, &middle)?;
+    same_entries("inertia", &found.inertia, &diagonal(&law(&volume, &a, &b, &c)))
 }
 
 pub(super) fn mesh_of_a_tetrahedron(base: [usize; 3]) -> Outcome {
@@ -223,8 +218,8 @@ pub(super) fn mesh_of_a_tetrahedron(base: [usize; 3]) -> Outcome {
     let volume = corners[1].cross(&corners[2]).dot(&corners[3]) / Fraction::from(6);
     same("mass", &found.mass, &volume)?;
     let expected = tetrahedron_moments(&volume, &corners);
-    same_vectors("centre", &found.centre, &expected.centre)?;
-    same_matrices("inertia", &found.inertia, &expected.inertia)
+    same_entries("centre", &found.centre, &expected.centre)?;
+    same_entries("inertia", &found.inertia, &expected.inertia)
 }
 
 pub(super) fn triangle_inequality(

@@ -1,6 +1,6 @@
 //! What stands side by side: numbers, names, brackets, fractions, and their powers.
 
-use super::{Parser, SiteKind, TexError};
+use super::{Parser, TexError};
 use crate::number::Rational;
 use crate::tex::token::Kind;
 use crate::tex::tree::Node;
@@ -15,7 +15,6 @@ const FRACTIONS: [&str; 3] = [r"\frac", r"\tfrac", r"\dfrac"];
 impl Parser<'_> {
     pub(super) fn power(&mut self) -> Result<Node, TexError> {
         let base = self.factor()?;
-        let start = self.at();
         if !self.take("^") {
             return Ok(base);
         }
@@ -45,7 +44,6 @@ impl Parser<'_> {
         if braces {
             self.need("}", "a closing brace")?;
         }
-        self.site(SiteKind::Power, start);
         if matches!(self.peek_text(), "^" | "_") {
             return self.error("brackets, not a second exponent or an index after one");
         }
@@ -69,7 +67,6 @@ impl Parser<'_> {
             (Kind::Number, text) => {
                 let Some(value) = Rational::of_decimal(text) else { return self.error("a number") };
                 self.next += 1;
-                self.site(SiteKind::Number, token.at);
                 Ok(Node::Number(value))
             }
             (Kind::Mark, "(") => self.deeper(Self::bracket),
@@ -90,11 +87,7 @@ impl Parser<'_> {
             }
             (Kind::Command, text) if FUNCTIONS.contains(&text) => self.function(),
             (Kind::Command, r"\operatorname") => self.operator(),
-            (Kind::Letter | Kind::Text | Kind::Command, _) => {
-                let name = self.name()?;
-                self.site(SiteKind::Name, token.at);
-                Ok(Node::Name(name))
-            }
+            (Kind::Letter | Kind::Text | Kind::Command, _) => Ok(Node::Name(self.name()?)),
             _ => self.error(expected),
         }
     }

@@ -1,35 +1,10 @@
 //! Names, with all that belongs to them.
 
-use super::{Parser, Site, SiteKind, TexError};
+use super::{Parser, TexError};
 use crate::tex::token::Kind;
 use crate::tex::tree::Node;
 
-const GREEK: [&str; 24] = [
-    r"\alpha",
-    r"\beta",
-    r"\gamma",
-    r"\delta",
-    r"\epsilon",
-    r"\zeta",
-    r"\eta",
-    r"\theta",
-    r"\iota",
-    r"\kappa",
-    r"\lambda",
-    r"\mu",
-    r"\nu",
-    r"\xi",
-    r"\pi",
-    r"\rho",
-    r"\sigma",
-    r"\tau",
-    r"\upsilon",
-    r"\phi",
-    r"\chi",
-    r"\psi",
-    r"\omega",
-    r"\Omega",
-];
+const GREEK: &str = r"\alpha \beta \gamma \delta \epsilon \zeta \eta \theta \iota \kappa \lambda \mu \nu \xi \pi \rho \sigma \tau \upsilon \phi \chi \psi \omega \Omega";
 
 /// What is set over or around a name.
 const DRESSES: [&str; 4] = [r"\mathbf", r"\boldsymbol", r"\dot", r"\ddot"];
@@ -37,7 +12,6 @@ const DRESSES: [&str; 4] = [r"\mathbf", r"\boldsymbol", r"\dot", r"\ddot"];
 impl Parser<'_> {
     /// A function of a name is a name of its own.
     pub(super) fn function(&mut self) -> Result<Node, TexError> {
-        let start = self.at();
         let function = self.peek_text();
         self.next += 1;
         let bracket = self.take("(");
@@ -45,13 +19,11 @@ impl Parser<'_> {
         if bracket {
             self.need(")", "a closing bracket: only functions of a name are read")?;
         }
-        self.site(SiteKind::Name, start);
         Ok(Node::Name(format!("{function}({argument})")))
     }
 
     /// A function by its name in upright letters, with primes, of a name or by itself.
     pub(super) fn operator(&mut self) -> Result<Node, TexError> {
-        let start = self.at();
         self.next += 1;
         self.need("{", "the letters of a function")?;
         let from = self.next;
@@ -67,7 +39,6 @@ impl Parser<'_> {
             function = format!("{function}({})", self.name()?);
             self.need(")", "a closing bracket: only functions of a name are read")?;
         }
-        self.site(SiteKind::Name, start);
         Ok(Node::Name(function))
     }
 
@@ -78,10 +49,7 @@ impl Parser<'_> {
             name += "'";
         }
         if self.take("_") {
-            let start = self.at();
             let index = self.index()?;
-            let range = start..self.behind();
-            self.sites.push(Site { kind: SiteKind::Index, range });
             name = if index.chars().count() == 1 {
                 format!("{name}_{index}")
             } else {
@@ -95,7 +63,9 @@ impl Parser<'_> {
         let Some(token) = self.peek() else { return self.error("a name") };
         let readable = match token.kind {
             Kind::Letter | Kind::Text => true,
-            Kind::Command => GREEK.contains(&token.text) || DRESSES.contains(&token.text),
+            Kind::Command => {
+                GREEK.split(' ').any(|letter| letter == token.text) || DRESSES.contains(&token.text)
+            }
             _ => false,
         };
         if !readable {

@@ -1,5 +1,5 @@
-(* Made by `cargo run -- certificates`: the claims of crates/proofs, with both sides as the library's functions
-   compute them. *)
+(* Numbers of the book that no fraction gives, from a formula or an integral: each rounds to the digits that the
+   book prints, and not to the next ones. *)
 Require Import Tumbling.tactics Tumbling.decide.
 From Coquelicot Require Import Coquelicot.
 

@@ -1,0 +1,70 @@
+//! What a check finds: nothing, or what is left over.
+
+use crate::number::{Circular, Fraction};
+use std::fmt;
+
+/// Nothing left over, or what is.
+pub type Outcome = Result<(), Residue>;
+
+/// What is left over of a claim that does not hold.
+#[derive(Debug, Clone)]
+pub enum Residue {
+    /// An identity that is none: the difference of its sides is not zero.
+    NotZero {
+        /// The claim, in a few words.
+        claim: String,
+        /// Left side minus right side.
+        left: Fraction,
+    },
+    /// A quantity claimed to have one sign for all positive values, whose coefficients do not show it.
+    NotOneSign {
+        /// The claim, in a few words.
+        claim: String,
+        /// The quantity.
+        quantity: Fraction,
+    },
+    /// A division by zero on the way: nothing is proven.
+    Undefined {
+        /// The claim, in a few words.
+        claim: String,
+    },
+    /// Something claimed to fail, or to be found, that did not or was not.
+    Missing {
+        /// The claim, in a few words.
+        claim: String,
+    },
+}
+
+/// More terms than these are counted, not shown.
+const SHOWN: usize = 8;
+
+fn shortened(x: &Fraction) -> String {
+    let count = x.numerator().len();
+    if count <= SHOWN {
+        return x.to_string();
+    }
+    let few: Vec<_> = x.to_string().split_inclusive([' ']).take(6 * SHOWN).map(str::to_owned).collect();
+    format!("{}... ({count} terms)", few.concat())
+}
+
+impl fmt::Display for Residue {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NotZero { claim, left } => write!(f, "{claim}: leaves {}", shortened(left)),
+            Self::NotOneSign { claim, quantity } => {
+                write!(f, "{claim}: mixed signs in {}", shortened(quantity))
+            }
+            Self::Undefined { claim } => write!(f, "{claim}: divides by zero"),
+            Self::Missing { claim } => write!(f, "{claim}: not so"),
+        }
+    }
+}
+
+impl std::error::Error for Residue {}
+
+/// Relations that are none leave nothing to be proven.
+impl From<Circular> for Residue {
+    fn from(rule: Circular) -> Self {
+        Self::Missing { claim: rule.to_string() }
+    }
+}
