@@ -4,7 +4,7 @@ use super::adaptive::AdaptiveRun;
 use super::fixed_rate::fixed_rate;
 use crate::attitude;
 use crate::body::{Body, State};
-use crate::error::{Error, Refusal, finite, positive};
+use crate::error::{Error, Refusal, Subject, finite, positive};
 use crate::number::{Analytic, Ring};
 use crate::step::method::Method;
 use crate::step::system::System;
