@@ -8,6 +8,7 @@ use tumbling_judge::Verdict;
 
 /// How a record is judged.
 #[derive(Debug, Args)]
+#[group(skip)]
 pub(crate) struct Arguments {
     #[command(flatten)]
     record: tumbling_judge::Arguments,
