@@ -137,8 +137,7 @@ fn claims(entries: &[Entry]) -> Vec<Claim> {
 fn has_content(claim: &Claim) -> bool {
     let [left, right] = [&claim.left, &claim.right].map(|side| side.expression());
     let numbers = left.as_number().is_some() && right.as_number().is_some();
-    let above = matches!(claim.kind, Assertion::Above);
-    !numbers && (above || shape::of(&left) != shape::of(&right))
+    !numbers && (matches!(claim.kind, Assertion::Above) || shape::of(&left) != shape::of(&right))
 }
 
 /// Text as a comment of Coq may hold it.

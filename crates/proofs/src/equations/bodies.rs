@@ -51,8 +51,7 @@ fn of_points(places: &[Vector; 3]) -> Scope {
     }
     scope = with_components(scope, "L", &momentum);
     scope = with_components(scope, r"\omega", &omega);
-    scope = with_entries(scope, "I", &tensor);
-    scope = scope.with_each("I", &tensor.diagonal());
+    scope = with_entries(scope, "I", &tensor).with_each("I", &tensor.diagonal());
     scope
         .with("I", tensor)
         .with(r"\mathbf{L}", momentum)

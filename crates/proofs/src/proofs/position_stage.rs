@@ -114,15 +114,18 @@ fn spin(change: impl Fn(&(Fraction, [[Fraction; 3]; 2])) -> [Fraction; 3]) -> Ou
 fn real([turn, bend]: [i64; 2]) -> Outcome {
     let hundredths = |n: i64| Fraction::ratio(n, 100);
     let [x, y, z, rest] = variables(["x1", "x2", "x3", "x4"]);
-    let all = &x + &y + &z + rest;
-    for signs in 0..8 {
-        let signed = |i: usize| Fraction::from(if signs >> i & 1 == 1 { -1 } else { 1 });
-        let added = [0, 1, 2].map(|i| [&x, &y, &z][i] * hundredths(turn).pow(2) * signed(i) / &all);
-        let pace = conserving_pace(added.clone(), |n| Fraction::ratio(1, n.into()));
+    let (all, limit) = (&x + &y + &z + rest, hundredths(turn).pow(2));
+    let pace_of = |added: [Fraction; 3]| conserving_pace(added, |n| Fraction::ratio(1, n.into()));
+    let [a, b, c] = variables(["u1", "u2", "u3"]);
+    let pace = pace_of([a.clone(), b.clone(), c.clone()]);
+    same("the pace with two exchanged", &pace, &pace_of([b.clone(), a.clone(), c.clone()]))?;
+    same("the pace with two others exchanged", &pace, &pace_of([a, c, b]))?;
+    // So the first root stands for all three, and the other two may change places.
+    for signs in [[1, 1, 1], [1, 1, -1], [1, -1, -1], [-1, 1, 1], [-1, 1, -1], [-1, -1, -1]] {
+        let added = [0, 1, 2].map(|i| [&x, &y, &z][i] * &limit * Fraction::from(signs[i]) / &all);
+        let pace = pace_of(added.clone());
         positive("the pace less 9/10", &(&pace - hundredths(90)))?;
-        for under in added {
-            positive("what is under a root less 4/5", &(&pace + under - hundredths(80)))?;
-        }
+        positive("what is under a root less 4/5", &(pace + &added[0] - hundredths(80)))?;
     }
     // Only the product of the three bends counts, of either sign.
     for sign in [1, -1] {
