@@ -381,10 +381,7 @@ fn cast<T: Analytic + FromPrimitive>(what: Subject, v: &Vector3<f64>) -> Result<
 }
 
 /// The vector in another number type, each component to that type's rounding.
-fn cast_exactly<T: Analytic + FromPrimitive>(
-    what: Subject,
-    v: &Vector3<f64>,
-) -> Result<Vector3<T>, Error> {
+fn cast_exactly<T: Analytic + FromPrimitive>(what: Subject, v: &Vector3<f64>) -> Result<Vector3<T>, Error> {
     v.iter().try_for_each(|&x| cast::<T>(what, &Vector3::repeat(x)).map(drop))?;
     cast(what, v)
 }

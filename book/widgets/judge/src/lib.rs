@@ -1,6 +1,6 @@
 //! The judge of engines on a page: a record comes in by pieces, a verdict goes out as text.
 
-#[path = "../../../src/chapters.rs"]
+#[path = "../../../src/site/chapters.rs"]
 mod chapters;
 
 use exchange::{Numbers, Text};
