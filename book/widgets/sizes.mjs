@@ -8,7 +8,7 @@ import path from "node:path";
 import { gzipSync } from "node:zlib";
 
 const MOST = { "two-arrows": 8_000 };
-const MOST_TOGETHER = 320_000; // without the judge, which reads files of any kind and size
+const MOST_TOGETHER = 340_000; // without the judge, which reads files of any kind and size; each has the words of all errors
 const [folder, ...names] = process.argv.slice(2);
 
 let together = 0;

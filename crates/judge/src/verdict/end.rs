@@ -51,7 +51,8 @@ pub(crate) fn verdict(
     if let Some(diagnosis) = &mut diagnosis {
         end.weigh_drift(diagnosis);
         end.contradict(diagnosis);
-        let kept = outcome == Outcome::Passed && laws.iter().all(|law| law.growth.rank() == 0);
+        let kept = matches!(outcome, Outcome::Passed | Outcome::TooShort)
+            && laws.iter().all(|law| law.growth.rank() == 0);
         diagnosis.advice = Advice::of(&diagnosis.confidence, &diagnosis.best.rule, diagnosis.single, kept);
         diagnosis.in_units_of(unit);
         diagnosis.name_engines(trial.known.said.engine.as_deref());
