@@ -169,15 +169,20 @@ impl<T: Analytic + Copy> Law<T> {
 
     fn bound(&self) -> f64 {
         let world = self.world[..self.count].iter().map(|one| {
-            let sizes = one.vector.map(|x| x.size());
-            let rows = one.acceleration.map(|x| x.size()) * sizes;
-            largest(rows.as_slice())
+            let [vector, acceleration] = [one.vector.as_slice(), one.acceleration.as_slice()].map(largest);
+            // The body may turn any of its axes onto the vector, which is shorter than twice its largest component.
+            2.0 * vector * acceleration
         });
         let periodic = self.periodic.iter().flatten();
         largest(&self.constant)
             + periodic.map(|one| largest(one.cosine.as_slice()) + largest(one.sine.as_slice())).sum::<f64>()
             + world.sum::<f64>()
             + self.gradient.map_or(0.0, |gradient| gradient.strength.size())
+    }
+
+    /// A bound of the torques that do not grow with the spin, N m.
+    pub(super) fn torque_size(&self) -> f64 {
+        self.torque_bound * largest(self.moments.as_slice())
     }
 
     /// The fastest rate at which losses alone would have the momentum decay, 1/s.

@@ -68,12 +68,14 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
         if *budget == 0 {
             return Err(run.unfinished("all its steps are taken"));
         }
-        *budget -= 1;
-        match self {
+        let before = run.steps + run.rejected;
+        let done = match self {
             Self::Series(series) => series.advance(run),
             Self::Pair(pair) => pair.advance(run),
             Self::Collocation(steps) => steps.advance(run),
-        }
+        };
+        *budget = budget.saturating_sub((run.steps + run.rejected - before).max(1));
+        done
     }
 
     /// After some steps held back by losses: solves for those that are damping, once the motion is slow.

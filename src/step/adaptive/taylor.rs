@@ -177,6 +177,9 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
         let gained = self.gained();
         let held = largest(run.state.momentum.as_slice()) + largest(&gained) / unit;
         let (least, scale) = (smallest::<T>() / run.tolerance, held.max(smallest::<T>() / run.tolerance));
+        // Where torques cancel, as in a body that hangs at rest, what is left of them is their rounding.
+        let rounding = self.law.torque_size() * unit * 8.0 * T::rounding() / run.tolerance;
+        let scale = scale.max(rounding);
         let weights = [0, 1, 2].map(|i| ratio(self.law.moments[i].size() / unit, scale).min(f64::MAX));
         let left = remaining.abs() / unit;
         let attitude = run.state.attitude.coords.as_slice();
