@@ -21,25 +21,27 @@ pub(crate) fn solid(
     rotation: &Matrix3<f64>,
     mark: Option<&Vector3<f64>>,
 ) {
-    let mut items: Vec<(f64, &Surface, Option<usize>)> = Vec::new();
+    let mut items: Vec<(f64, usize, Option<usize>)> = Vec::new();
     let depth = |p: &Vector3<f64>| (rotation * p).dot(&view.toward());
-    for surface in surfaces {
+    for (part, surface) in surfaces.iter().enumerate() {
         if surface.convex {
-            items.push((depth(&middle(&surface.vertices)), surface, None));
+            items.push((depth(&middle(&surface.vertices)), part, None));
             continue;
         }
         for (number, face) in surface.faces.iter().enumerate() {
             let corners: Vec<_> = face.iter().map(|&i| surface.vertices[i]).collect();
             if faces_viewer(view, &(rotation * normal(surface, face))) {
-                items.push((depth(&middle(&corners)), surface, Some(number)));
+                items.push((depth(&middle(&corners)), part, Some(number)));
             }
         }
     }
     items.sort_by(|a, b| a.0.total_cmp(&b.0));
-    for (_, surface, face) in items {
-        let places: Vec<P> = surface.vertices.iter().map(|p| view.at(&(rotation * p))).collect();
+    let seen = |surface: &Surface| surface.vertices.iter().map(|p| view.at(&(rotation * p))).collect();
+    let places: Vec<Vec<P>> = surfaces.iter().map(seen).collect();
+    for (_, part, face) in items {
+        let (surface, places) = (&surfaces[part], &places[part]);
         match face {
-            None => convex(canvas, view, surface, &places, rotation, mark),
+            None => convex(canvas, view, surface, places, rotation, mark),
             Some(face) => {
                 let corners: Vec<P> = surface.faces[face].iter().map(|&i| places[i]).collect();
                 canvas.area(&corners, Fill::new(Ink::Surface), Some(Pen::new(Ink::Text, 0.5).opacity(0.5)));

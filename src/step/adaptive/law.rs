@@ -170,7 +170,7 @@ impl<T: Analytic + Copy> Law<T> {
     fn bound(&self) -> f64 {
         let world = self.world[..self.count].iter().map(|one| {
             let [vector, acceleration] = [one.vector.as_slice(), one.acceleration.as_slice()].map(largest);
-            // The body may turn any of its axes onto the vector, which is shorter than twice its largest component.
+            // Any axis may turn onto the vector, which is shorter than twice its largest component.
             2.0 * vector * acceleration
         });
         let periodic = self.periodic.iter().flatten();

@@ -147,6 +147,16 @@ fn order(tolerance: f64) -> usize {
 }
 
 impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
+    /// Whether the momentum has digits, and what it is measured by. A body at rest has none, so that which a
+    /// torque gives it counts; one that drag brought to rest has no digits below the least. Where torques
+    /// cancel, as in a body that hangs at rest, what is left of them is their rounding.
+    fn scale(&self, run: &Run<T>, unit: f64) -> (bool, f64) {
+        let least = smallest::<T>() / run.tolerance;
+        let held = largest(run.state.momentum.as_slice()) + largest(&self.gained()) / unit;
+        let rounding = self.law.torque_size() * unit * 8.0 * T::rounding() / run.tolerance;
+        (held > least, held.max(least).max(rounding))
+    }
+
     /// One step tried, shorter until its error is below the tolerance.
     pub(super) fn advance(&mut self, run: &mut Run<T>) -> Result<(), Error> {
         let remaining = run.duration - run.time;
@@ -172,14 +182,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
         if !core::mem::take(&mut self.ready) {
             self.begin(run, &run.state, run.time);
         }
-        // What the momentum is measured by: a body at rest has none, so that which a torque gives it counts;
-        // one that drag brought to rest has no digits below the least.
-        let gained = self.gained();
-        let held = largest(run.state.momentum.as_slice()) + largest(&gained) / unit;
-        let (least, scale) = (smallest::<T>() / run.tolerance, held.max(smallest::<T>() / run.tolerance));
-        // Where torques cancel, as in a body that hangs at rest, what is left of them is their rounding.
-        let rounding = self.law.torque_size() * unit * 8.0 * T::rounding() / run.tolerance;
-        let scale = scale.max(rounding);
+        let (moves, scale) = self.scale(run, unit);
         let weights = [0, 1, 2].map(|i| ratio(self.law.moments[i].size() / unit, scale).min(f64::MAX));
         let left = remaining.abs() / unit;
         let attitude = run.state.attitude.coords.as_slice();
@@ -197,7 +200,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
             let until = if last { run.duration } else { run.time + h };
             let (end, error) = self.end(run, derivatives, Run::number(signed), until, scale);
             if error <= run.tolerance.max(32.0 * T::rounding()) {
-                run.count_stiffness(if held > least { decay * h.abs() } else { 0.0 });
+                run.count_stiffness(if moves { decay * h.abs() } else { 0.0 });
                 if let Some(flips) = &mut run.flips {
                     let spin = self.series.spin(flips.axis());
                     flips.find(&spin[..=self.series.order], signed, run.time, unit);

@@ -17,8 +17,8 @@ pub fn change_of_spin<T: Field>((below, [tangents, slip]): &(T, [[T; 3]; 2])) ->
 
 /// The turn of a free body and the change of its spin, which keep energy and momentum exactly, whatever
 /// `pace` and whatever one number in `weights` is, where the three roots are real and `below` is not zero:
-/// proven of this function (`crates/proofs/src/proofs/position_stage.rs`). Both hold within bounds that a turn of
-/// half a radian, the longest of a part of a step, keeps to.
+/// proven of this function (`crates/proofs/src/proofs/position_stage.rs`). Both hold within bounds that a
+/// turn of half a radian, the longest of a part of a step, keeps to.
 ///
 /// - `coupling`: `(I_j - I_k) / I_i` for the principal moments `I`, so that `omega_i' = coupling_i omega_j
 ///   omega_k`.
