@@ -32,7 +32,7 @@ impl Plan<'_> {
             Cost { once: driven.trials, state: all / states as f64 }
         };
         match &self.strategy {
-            Strategy::Nothing if outputs.flips => Cost { once: ELLIPTIC, state: 90.0 },
+            Strategy::Nothing if outputs.flips => Cost { once: ELLIPTIC, state: 132.0 },
             Strategy::Nothing | Strategy::Constant { .. } => Cost { once: 1900.0, state: 85.0 },
             Strategy::Rotation { .. } => Cost { once: 2200.0, state: 405.0 },
             Strategy::SymmetricTop(_) if outputs.attitude => Cost { once: 2900.0, state: 930.0 },
