@@ -3,7 +3,7 @@
 use crate::site::paths;
 use std::fs;
 
-/// The versions that a reader is told, each with its name: `Rust 1.95`.
+/// The versions that the pages name, each with its name: `Rust 1.95`.
 ///
 /// # Errors
 /// A manifest that cannot be read, or that lacks one of them.

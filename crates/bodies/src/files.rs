@@ -29,7 +29,7 @@ pub fn read_text(path: &Path) -> Result<String, Error> {
     })
 }
 
-/// The bytes of a regular file that has at most so many.
+/// The bytes of a regular file, up to a limit of size.
 pub(crate) fn read(path: &Path, most: u64) -> Result<Vec<u8>, Error> {
     let unreadable = |error: std::io::Error| Error::new(format!("it cannot be read ({error})"));
     let read = || {

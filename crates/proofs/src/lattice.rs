@@ -93,7 +93,7 @@ impl Pairs {
         self.0[r.rem_euclid(PERIOD) as usize][s.rem_euclid(PERIOD) as usize]
     }
 
-    /// This and so many times the other.
+    /// The sum of this and a multiple of the other.
     pub(crate) fn plus(&self, times: i64, other: &Self) -> Self {
         Self(std::array::from_fn(|r| std::array::from_fn(|s| self.0[r][s] + times * other.0[r][s])))
     }

@@ -103,7 +103,7 @@ pub(crate) struct Sums {
 }
 
 impl Sums {
-    /// This and so many times the other.
+    /// The sum of this and a multiple of the other.
     fn plus(self, times: i64, other: &Self) -> Self {
         let times = |x: &Fraction| x * Fraction::from(times);
         Self {
