@@ -69,7 +69,7 @@ fn strategy_to(accuracy: f64, body: &Principal, scene: &Scene) -> Result<Strateg
         let control = StepControl::Tolerance(first_tolerance(accuracy));
         (Chosen { control, difference: 0.0, steps: 0 }, 0.0)
     } else {
-        // Where damping is that fast, each step is a collocation, and MOST_STEPS of them take too long to try.
+        // Where damping is that fast, each step is a collocation; MOST_STEPS of them take too long to try.
         let most = if rates.are_stiff(end) { MOST_STEPS / 20 } else { MOST_STEPS };
         first_right(&trial, &candidates(&rates, accuracy, scene), most)?
     };
