@@ -140,7 +140,9 @@ pub fn checked(attitude: UnitQuaternion<f64>) -> Result<UnitQuaternion<f64>, Err
     let q = attitude.quaternion();
     let norm = finite(Subject::AttitudeLength, q.norm())?;
     if (norm - 1.0).abs() > UNIT_TOLERANCE {
-        return Err(Refusal::NotUnit { norm, tolerance: UNIT_TOLERANCE }.into());
+        return Err(
+            Refusal::NotUnit { what: Subject::Attitude, length: norm, tolerance: UNIT_TOLERANCE }.into()
+        );
     }
     let drifted = (norm - 1.0).abs() > 2.0 * f64::EPSILON;
     Ok(if drifted { UnitQuaternion::new_unchecked(q / norm) } else { attitude })

@@ -9,7 +9,7 @@ pub(crate) use state::along;
 pub use state::{Rate, State};
 
 use crate::attitude;
-use crate::error::{Error, Refusal, Subject, finite_vector};
+use crate::error::{Error, Refusal, Subject, finite_vector, representable};
 use crate::inertia::{Inertia, length, omega_world, product};
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
@@ -72,10 +72,7 @@ impl Body {
         let omega = body.omega_body();
         // With room for the rounding of a turn, so that they are finite along all axes.
         for (what, vector) in [(Subject::AngularMomentum, momentum_world), (Subject::Spin, &omega)] {
-            let value = length(vector) * (1.0 + 1e-12);
-            if !value.is_finite() {
-                return Err(Refusal::OutOfRange { what, value }.into());
-            }
+            representable(what, &[length(vector) * (1.0 + 1e-12)])?;
         }
         if omega == Vector3::zeros() && *momentum_world != Vector3::zeros() {
             return Err(Refusal::OutOfRange { what: Subject::Spin, value: 0.0 }.into());
@@ -94,14 +91,14 @@ impl Body {
     ) -> Result<Self, Error> {
         finite_vector(Subject::Spin, omega_body)?;
         let momentum = product(&attitude::matrix(attitude)?, &product(&inertia.matrix(), omega_body));
-        let gone = (momentum == Vector3::zeros() && *omega_body != Vector3::zeros()).then_some(&0.0);
-        if let Some(&value) = momentum.iter().find(|x| !x.is_finite()).or(gone) {
-            return Err(Refusal::OutOfRange { what: Subject::AngularMomentum, value }.into());
+        representable(Subject::AngularMomentum, momentum.as_slice())?;
+        if momentum == Vector3::zeros() && *omega_body != Vector3::zeros() {
+            return Err(Refusal::OutOfRange { what: Subject::AngularMomentum, value: 0.0 }.into());
         }
         Self::new(inertia, attitude, &momentum)
     }
 
-    /// The same body with another attitude and momentum in world axes; its inverse is not computed again.
+    /// This body with another attitude and momentum in world axes; its inverse is not computed again.
     pub(crate) fn with(
         &self,
         attitude: UnitQuaternion<f64>,
@@ -165,7 +162,7 @@ impl Body {
         State { attitude: self.attitude.into_inner(), momentum: self.momentum_body() }
     }
 
-    /// The same body in another state; its inverse is not computed again.
+    /// This body in another state; its inverse is not computed again.
     pub(crate) fn with_state(&self, state: &State<f64>) -> Result<Self, Error> {
         let attitude = attitude::checked(UnitQuaternion::new_unchecked(state.attitude))?;
         self.with(attitude, &product(&attitude::rotation_matrix(attitude.quaternion()), &state.momentum))

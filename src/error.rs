@@ -1,14 +1,10 @@
 //! Why a value was refused.
 
-mod mesh_refusal;
 mod refusal;
 mod subject;
-mod tensor_refusal;
 
-pub(crate) use mesh_refusal::MeshRefusal;
 pub(crate) use refusal::Refusal;
 pub use subject::Subject;
-pub(crate) use tensor_refusal::TensorRefusal;
 
 use alloc::boxed::Box;
 use core::fmt;
@@ -58,15 +54,9 @@ struct Margin(f64);
 
 impl fmt::Display for Margin {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let text = alloc::format!("{:.2e}", self.0);
-        let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
-        let digits =
-            if digits.contains('.') { digits.trim_end_matches('0').trim_end_matches('.') } else { digits };
+        let rounded = alloc::format!("{:.2e}", self.0).parse().unwrap_or(self.0);
         let plain = (1e-3..1e3).contains(&self.0.abs()) || self.0 == 0.0;
-        match alloc::format!("{digits}e{power}").parse::<f64>() {
-            Ok(rounded) if plain => write!(f, "{rounded}"),
-            _ => write!(f, "{digits}e{power}"),
-        }
+        if plain { write!(f, "{rounded}") } else { write!(f, "{rounded:e}") }
     }
 }
 
@@ -90,7 +80,7 @@ impl Error {
         Refusal::OutOfRange { what: Subject::Other(what), value }.into()
     }
 
-    /// The same as the error of part `index` (from 0) of a whole.
+    /// As the error of part `index` (from 0) of a whole.
     pub(crate) fn of_part(self, index: usize) -> Self {
         Refusal::Part { index, source: Box::new(self) }.into()
     }
@@ -99,18 +89,6 @@ impl Error {
 impl From<Refusal> for Error {
     fn from(refusal: Refusal) -> Self {
         Self { refusal }
-    }
-}
-
-impl From<TensorRefusal> for Error {
-    fn from(refusal: TensorRefusal) -> Self {
-        Refusal::Tensor(refusal).into()
-    }
-}
-
-impl From<MeshRefusal> for Error {
-    fn from(refusal: MeshRefusal) -> Self {
-        Refusal::Mesh(refusal).into()
     }
 }
 
@@ -130,9 +108,7 @@ impl fmt::Display for Error {
 impl core::error::Error for Error {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match &self.refusal {
-            Refusal::Part { source, .. } | Refusal::Tensor(TensorRefusal::OffCentre { source, .. }) => {
-                Some(source.as_ref())
-            }
+            Refusal::Part { source, .. } => Some(source.as_ref()),
             _ => None,
         }
     }
@@ -156,4 +132,12 @@ pub(crate) fn not_negative(what: Subject, value: f64) -> Result<f64, Error> {
 /// `vector` if its three components are finite.
 pub(crate) fn finite_vector(what: Subject, vector: &nalgebra::Vector3<f64>) -> Result<(), Error> {
     vector.iter().try_for_each(|&x| finite(what, x).map(drop))
+}
+
+/// That the numbers of a result are finite.
+pub(crate) fn representable(what: Subject, values: &[f64]) -> Result<(), Error> {
+    match values.iter().find(|x| !x.is_finite()) {
+        Some(&value) => Err(Refusal::OutOfRange { what, value }.into()),
+        None => Ok(()),
+    }
 }

@@ -49,7 +49,7 @@ pub use top::{LagrangeTop, TopRegime};
 
 use crate::body::Body;
 use crate::dynamics::invariants::{Kind, classify};
-use crate::error::{Error, Refusal, Subject, finite, finite_vector};
+use crate::error::{Error, Refusal, Subject, finite, finite_vector, representable};
 use crate::inertia::{Axis, Frame, PrincipalMoments};
 use crate::number::power_of_two::times_power_of_two;
 use elementary::{Precession, Turn, scaled};
@@ -156,9 +156,9 @@ impl FreeMotion {
     /// A smallest moment that is zero to rounding, or as [`new`](Self::new).
     pub fn of(body: &Body) -> Result<Self, Error> {
         let (moments, to_body) = body.inertia().along_principal_axes()?;
-        let frame = to_body.map_or(Frame::SAME, |to_body| Frame::new(to_body.into_inner()));
+        let frame = to_body.map_or(Frame::BODY, |to_body| Frame::new(to_body.into_inner()));
         let motion = Self::new(moments, &spin_along(body, moments, &frame)?)?;
-        if frame != Frame::SAME {
+        if !frame.is_body() {
             motion.law.has_room_for(mount::ROOM_TO_TURN, motion.exponent)?;
         }
         let mount = Mount::new(frame, body.attitude(), body.omega_body());
@@ -166,7 +166,7 @@ impl FreeMotion {
         Ok(Self { mount: Some(Mount { body, ..mount }), ..motion })
     }
 
-    /// The same motion from this attitude (body to world) at time 0.
+    /// This motion from another attitude (body to world) at time 0.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
@@ -185,7 +185,7 @@ impl FreeMotion {
         let attitude = crate::attitude::checked(attitude)?;
         let Some(mount) = self.mount else {
             let same = attitude == UnitQuaternion::identity();
-            let mount = (!same).then(|| Mount::new(Frame::SAME, attitude, self.start));
+            let mount = (!same).then(|| Mount::new(Frame::BODY, attitude, self.start));
             return Ok(Self { mount, ..self });
         };
         // The momentum turns with the body.
@@ -316,12 +316,8 @@ impl FreeMotion {
     pub fn next_flip(&self, t: f64) -> Result<Option<f64>, Error> {
         finite(Subject::Time, t)?;
         let Some((clock, exponent)) = self.clock_of_flips() else { return Ok(None) };
-        match clock.next_after(t, exponent)? {
-            Some(value) if !value.is_finite() => {
-                Err(Refusal::OutOfRange { what: Subject::NextFlip, value }.into())
-            }
-            time => Ok(time),
-        }
+        let next = clock.next_after(t, exponent)?;
+        representable(Subject::NextFlip, next.as_slice()).map(|()| next)
     }
 
     /// All instants after `from` and up to `to` at which the spin along the middle axis changes sign, in
@@ -357,16 +353,6 @@ impl FreeMotion {
         match &self.law {
             Law::Elliptic(motion) => Some((motion.clock(), self.exponent)),
             Law::AtRest | Law::Steady(_) | Law::Symmetric(_) => None,
-        }
-    }
-
-    /// A scaled time in seconds.
-    fn seconds(&self, what: Subject, time: f64) -> Result<f64, Error> {
-        let value = times_power_of_two(time, -self.exponent);
-        if value.is_finite() && value > 0.0 {
-            Ok(value)
-        } else {
-            Err(Refusal::OutOfRange { what, value }.into())
         }
     }
 }

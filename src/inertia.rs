@@ -3,7 +3,6 @@
 //! The products of inertia carry the sign that makes `L = I w` hold: `Ixy = -sum(m x y)`. Some books
 //! write the sum without the minus and the minus in the matrix; the matrix is the same.
 
-mod display;
 mod frame;
 mod inverse;
 mod moments;
@@ -14,14 +13,13 @@ mod principal;
 mod serial;
 
 use crate::number::functions::atan2;
-use alloc::boxed::Box;
 pub(crate) use frame::Frame;
 pub use moments::PrincipalMoments;
 pub(crate) use moments::ascending;
 pub(crate) use principal::moments_of;
 pub use principal::{Axis, PrincipalAxes};
 
-use crate::error::{Error, Refusal, Subject, TensorRefusal, finite_vector, positive};
+use crate::error::{Error, Refusal, Subject, finite_vector, representable};
 use crate::number::Ring;
 use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::{exponent, times_power_of_two};
@@ -186,40 +184,7 @@ impl Inertia {
     pub fn about_axis(&self, direction: &Vector3<f64>) -> Result<f64, Error> {
         let n = unit(Subject::Axis, direction)?;
         let moment = n.dot(&(self.tensor * n));
-        if moment.is_finite() {
-            Ok(moment)
-        } else {
-            Err(Refusal::OutOfRange { what: Subject::MomentAboutAxis, value: moment }.into())
-        }
-    }
-
-    /// The tensor about the centre of mass, given that this one is about a point from which the centre is
-    /// `offset` (m) away: the parallel-axis theorem backwards; forth goes
-    /// [`MassProperties::about`](crate::MassProperties::about).
-    ///
-    /// # Errors
-    /// A mass that is not finite and positive, an offset that is not finite, or a tensor that cannot be that
-    /// body's about that point, since what remains about the centre is impossible by more than the rounding
-    /// of the tensor given, or not above that rounding: it has no digit left.
-    pub fn shifted_to_centre(&self, mass: f64, offset: &Vector3<f64>) -> Result<Self, Error> {
-        positive(Subject::Mass, mass)?;
-        finite_vector(Subject::Offset, offset)?;
-        self.at_centre(&symmetrized(&(self.tensor - point_mass(&mass, offset)))).map_err(|error| {
-            let source = Box::new(error);
-            TensorRefusal::OffCentre { mass, distance: length(offset), source }.into()
-        })
-    }
-
-    /// What is left of this tensor about the centre of mass, which carries this one's rounding. What is
-    /// impossible by no more than that goes to the nearest that a body can have.
-    fn at_centre(&self, shifted: &Matrix3<f64>) -> Result<Self, Error> {
-        Self::rounded(shifted, self.tensor.amax())?;
-        let (value, least) = (shifted.diagonal().max(), possible::rounding(self.tensor.amax()));
-        if value <= least {
-            let (what, meaning) = (Subject::LargestMoment, "the rounding of the tensor given");
-            return Err(Refusal::TooSmall { what, value, least, meaning }.into());
-        }
-        Self::within(shifted, 2.0 * least / value).map(|(tensor, _)| tensor)
+        representable(Subject::MomentAboutAxis, &[moment]).map(|()| moment)
     }
 
     /// The tensor in axes turned by `attitude`: if that takes body to world, the world's `R I R^T`.
@@ -251,7 +216,7 @@ impl TryFrom<Matrix3<f64>> for Inertia {
     type Error = Error;
 
     fn try_from(tensor: Matrix3<f64>) -> Result<Self, Error> {
-        Self::rounded(&tensor, 0.0)
+        Self::rounded(&tensor)
     }
 }
 
@@ -268,12 +233,11 @@ fn is_diagonal(m: &Matrix3<f64>) -> bool {
 
 /// That a computed tensor is finite and did not vanish: `what` names one of its entries.
 fn in_range(what: Subject, tensor: &Matrix3<f64>) -> Result<(), Error> {
-    let off = tensor.iter().find(|x| !x.is_finite());
-    let gone = tensor.diagonal().iter().all(|&x| x == 0.0).then_some(&0.0);
-    match off.or(gone) {
-        Some(&value) => Err(Refusal::OutOfRange { what, value }.into()),
-        None => Ok(()),
+    representable(what, tensor.as_slice())?;
+    if tensor.diagonal() == Vector3::zeros() {
+        return Err(Refusal::OutOfRange { what, value: 0.0 }.into());
     }
+    Ok(())
 }
 
 /// `matrix * vector`, infinite only where the result is beyond `f64`.

@@ -35,7 +35,7 @@ pub trait Ring:
     #[must_use]
     #[inline]
     fn integer(n: u32) -> Self {
-        // The compiler knows which type it is, and leaves one of the two ways.
+        // The compiler knows which type it is, and keeps one of the two branches.
         if let Some(float) = (&f64::from(n) as &dyn Any).downcast_ref::<Self>() {
             return float.clone();
         }

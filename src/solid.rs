@@ -50,7 +50,9 @@ pub use tetrahedron::{Tetrahedron, tetrahedron_moments};
 use crate::error::{Error, Refusal, Subject, not_negative, positive};
 use crate::number::extended::Extended;
 use crate::number::{Field, Ring};
+use core::f64::consts::PI;
 use nalgebra::{Matrix3, Vector3};
+use num_traits::Zero as _;
 
 /// A shape filled evenly with mass.
 pub trait Solid {
@@ -94,7 +96,7 @@ fn centred<S: Shape<N>, const N: usize>(mass: f64, sizes: [f64; N]) -> Result<Ma
     centred_at::<S, N>(Vector3::zeros(), mass, sizes)
 }
 
-/// The same with its centre elsewhere.
+/// The properties of a shape with these sizes and this centre.
 fn centred_at<S: Shape<N>, const N: usize>(
     centre: Vector3<Extended>,
     mass: f64,
@@ -118,4 +120,10 @@ fn ordered(inner: f64, outer: f64) -> Result<(), Error> {
 
 fn square<T: Ring>(x: &T) -> T {
     x.clone() * x.clone()
+}
+
+/// The sums of the squares of the sizes across each axis.
+fn across<T: Ring>(sizes: [&T; 3]) -> Vector3<T> {
+    let [aa, bb, cc] = sizes.map(square);
+    Vector3::new(bb.clone() + cc.clone(), cc + aa.clone(), aa + bb)
 }

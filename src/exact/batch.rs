@@ -12,7 +12,7 @@ use crate::number::Lane;
 use alloc::vec::Vec;
 use core::marker::PhantomData;
 use group::Group;
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::Vector3;
 
 /// Many bodies in free motion, answered together: as many at once as the number type has [lanes](Lane).
 ///
@@ -46,12 +46,17 @@ use nalgebra::{UnitQuaternion, Vector3};
 ///     assert_eq!(Ok(instant), motions[body].at(times[time]));
 /// })?;
 /// spins.each(&times, |time, body, omega| assert_eq!(Ok(omega), motions[body].omega(times[time])))?;
-/// assert!(spins.bytes() < both.bytes());
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Batch<T, A = Instant> {
-    kinds: Kinds<T>,
+    direct: Group<T, DirectSpin<T>, DirectAttitude<T>>,
+    complementary: Group<T, ComplementarySpin<T>, ComplementaryAttitude<T>>,
+    tops: Group<T, TopSpin<T>, Turn<T>>,
+    steady: Group<T, SteadySpin<T>, Turn<T>>,
+    alone: Vec<(usize, FreeMotion)>,
+    /// As they were given.
+    starts: Vec<Instant>,
     answer: PhantomData<A>,
 }
 
@@ -62,14 +67,6 @@ pub trait Answer {
 
     /// From what a body does at an instant; the attitude is any where none is needed.
     fn of(instant: Instant) -> Self;
-
-    /// That of one body alone.
-    ///
-    /// # Errors
-    /// A time that is not finite.
-    fn alone(motion: &FreeMotion, t: f64) -> Result<Self, Error>
-    where
-        Self: Sized;
 }
 
 impl Answer for Instant {
@@ -78,10 +75,6 @@ impl Answer for Instant {
     #[inline(always)]
     fn of(instant: Instant) -> Self {
         instant
-    }
-
-    fn alone(motion: &FreeMotion, t: f64) -> Result<Self, Error> {
-        motion.at(t)
     }
 }
 
@@ -92,23 +85,34 @@ impl Answer for Vector3<f64> {
     fn of(instant: Instant) -> Self {
         instant.omega
     }
-
-    fn alone(motion: &FreeMotion, t: f64) -> Result<Self, Error> {
-        motion.omega(t)
-    }
 }
 
 impl<T: Lane, A: Answer> Batch<T, A> {
     /// Prepares these motions; the index of a body is its place among them.
     #[must_use]
     pub fn new(motions: &[FreeMotion]) -> Self {
-        Self { kinds: Kinds::new(motions, A::ATTITUDE), answer: PhantomData }
-    }
-
-    /// The memory it holds, bytes.
-    #[must_use]
-    pub fn bytes(&self) -> usize {
-        self.kinds.bytes()
+        fn elliptic(motion: &FreeMotion) -> Option<&EllipticMotion> {
+            if let Law::Elliptic(elliptic) = &motion.law { Some(elliptic) } else { None }
+        }
+        fn alone(motion: &FreeMotion) -> bool {
+            elliptic(motion).is_some_and(|e| e.direct().is_none() && e.complementary().is_none())
+        }
+        Self {
+            direct: Group::new(motions, A::ATTITUDE, |motion| elliptic(motion)?.direct()),
+            complementary: Group::new(motions, A::ATTITUDE, |motion| elliptic(motion)?.complementary()),
+            tops: Group::new(motions, A::ATTITUDE, |motion| match &motion.law {
+                Law::Symmetric(top) => Some((&top.spin, &top.about_momentum)),
+                _ => None,
+            }),
+            steady: Group::new(motions, A::ATTITUDE, |motion| match &motion.law {
+                Law::AtRest => Some((&motion.start, &Turn::NONE)),
+                Law::Steady(turn) => Some((&motion.start, turn)),
+                _ => None,
+            }),
+            alone: motions.iter().copied().enumerate().filter(|(_, motion)| alone(motion)).collect(),
+            starts: motions.iter().map(FreeMotion::first).collect(),
+            answer: PhantomData,
+        }
     }
 
     /// The answer for every body at each of `times`: `put` gets the index of the time, that of the body, and
@@ -120,78 +124,16 @@ impl<T: Lane, A: Answer> Batch<T, A> {
         for &t in times {
             finite(Subject::Time, t)?;
         }
-        let first = |body| A::of(self.kinds.first(body));
-        self.kinds.direct.each(times, &first, &mut put);
-        self.kinds.complementary.each(times, &first, &mut put);
-        self.kinds.tops.each(times, &first, &mut put);
-        self.kinds.steady.each(times, &first, &mut put);
-        for (body, motion) in &self.kinds.alone {
+        let first = |body| A::of(self.starts[body]);
+        self.direct.each(times, &first, &mut put);
+        self.complementary.each(times, &first, &mut put);
+        self.tops.each(times, &first, &mut put);
+        self.steady.each(times, &first, &mut put);
+        for (body, motion) in &self.alone {
             for (k, &t) in times.iter().enumerate() {
-                put(k, *body, A::alone(motion, t)?);
+                put(k, *body, A::of(motion.at(t)?));
             }
         }
         Ok(())
-    }
-}
-
-/// Bodies sorted by their kind of motion.
-#[derive(Debug, Clone)]
-struct Kinds<T> {
-    direct: Group<T, DirectSpin<T>, DirectAttitude<T>>,
-    complementary: Group<T, ComplementarySpin<T>, ComplementaryAttitude<T>>,
-    tops: Group<T, TopSpin<T>, Turn<T>>,
-    steady: Group<T, SteadySpin<T>, Turn<T>>,
-    alone: Vec<(usize, FreeMotion)>,
-    /// As they were given.
-    starts: Vec<Vector3<f64>>,
-    /// Empty if all are the identity, or not requested.
-    attitudes: Vec<UnitQuaternion<f64>>,
-}
-
-impl<T: Lane> Kinds<T> {
-    /// `attitudes` if they are requested.
-    fn new(motions: &[FreeMotion], attitudes: bool) -> Self {
-        fn elliptic(motion: &FreeMotion) -> Option<&EllipticMotion> {
-            if let Law::Elliptic(elliptic) = &motion.law { Some(elliptic) } else { None }
-        }
-        fn alone(motion: &FreeMotion) -> bool {
-            elliptic(motion).is_some_and(|e| e.direct().is_none() && e.complementary().is_none())
-        }
-        let starts = |motion: &FreeMotion| motion.first().attitude;
-        let identity = UnitQuaternion::identity();
-        let turned = attitudes && motions.iter().any(|motion| starts(motion) != identity);
-        Self {
-            direct: Group::new(motions, attitudes, |motion| elliptic(motion)?.direct()),
-            complementary: Group::new(motions, attitudes, |motion| elliptic(motion)?.complementary()),
-            tops: Group::new(motions, attitudes, |motion| match &motion.law {
-                Law::Symmetric(top) => Some((&top.spin, &top.about_momentum)),
-                _ => None,
-            }),
-            steady: Group::new(motions, attitudes, |motion| match &motion.law {
-                Law::AtRest => Some((&motion.start, &Turn::NONE)),
-                Law::Steady(turn) => Some((&motion.start, turn)),
-                _ => None,
-            }),
-            alone: motions.iter().copied().enumerate().filter(|(_, motion)| alone(motion)).collect(),
-            starts: motions.iter().map(|motion| motion.first().omega).collect(),
-            attitudes: if turned { motions.iter().map(starts).collect() } else { Vec::new() },
-        }
-    }
-
-    fn bytes(&self) -> usize {
-        self.direct.bytes()
-            + self.complementary.bytes()
-            + self.tops.bytes()
-            + self.steady.bytes()
-            + self.alone.len() * size_of::<(usize, FreeMotion)>()
-            + self.starts.len() * size_of::<Vector3<f64>>()
-            + self.attitudes.len() * size_of::<UnitQuaternion<f64>>()
-    }
-
-    fn first(&self, body: usize) -> Instant {
-        Instant {
-            omega: self.starts.get(body).copied().unwrap_or_default(),
-            attitude: self.attitudes.get(body).copied().unwrap_or_else(UnitQuaternion::identity),
-        }
     }
 }

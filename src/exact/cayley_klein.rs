@@ -33,7 +33,7 @@ pub(crate) fn times<T: Lane>(x: [T; 2], y: [T; 2]) -> [T; 2] {
 }
 
 #[inline(always)]
-fn conjugate<T: Lane>(x: [T; 2]) -> [T; 2] {
+pub(crate) fn conjugate<T: Lane>(x: [T; 2]) -> [T; 2] {
     [x[0], -x[1]]
 }
 
@@ -65,12 +65,12 @@ impl<T: Lane> Pair<T> {
             times(conjugate(a0), self.b),
             times(b0, conjugate(self.a)),
         ];
-        let over = splat::<T>(1.0) / self.length();
+        let inverse = splat::<T>(1.0) / self.length();
         [
-            (dot[0][0] + dot[1][0]) * over,
-            (dot[0][1] + dot[1][1]) * over,
-            (dot[2][0] - dot[3][0]) * over,
-            (dot[2][1] - dot[3][1]) * over,
+            (dot[0][0] + dot[1][0]) * inverse,
+            (dot[0][1] + dot[1][1]) * inverse,
+            (dot[2][0] - dot[3][0]) * inverse,
+            (dot[2][1] - dot[3][1]) * inverse,
         ]
     }
 }
@@ -241,7 +241,7 @@ impl<T: Lane> ComplementaryPair<T> {
     /// From `e = exp(-|x|)`, `p exp(|x|)`, the sign of `x`, and that of `b` after an odd number of half
     /// turns.
     #[inline(always)]
-    pub(crate) fn raw(&self, e: T, rise: T, side: T, turn: T) -> Pair<T> {
+    pub(crate) fn raw(&self, e: T, rise: T, sign: T, turn: T) -> Pair<T> {
         let r = self.nome * rise;
         let r2 = r * r;
         // Sums with equal signs, and alternating.
@@ -259,10 +259,10 @@ impl<T: Lane> ComplementaryPair<T> {
             [up(&self.rising[0]), up(&self.rising[1])];
         let [(cos_down, cos_down_alternating), (sin_down, sin_down_alternating)] =
             [down(&self.falling[0]), down(&self.falling[1])];
-        let real = turn * self.amplitude * side * (cos_up_alternating - cos_down_alternating);
+        let real = turn * self.amplitude * sign * (cos_up_alternating - cos_down_alternating);
         let imaginary = -turn * self.amplitude * self.sense * (sin_up_alternating + sin_down_alternating);
         Pair {
-            a: [cos_up + cos_down, side * self.sense * (sin_down - sin_up)],
+            a: [cos_up + cos_down, sign * self.sense * (sin_down - sin_up)],
             b: in_sense(self.sense, real, imaginary),
         }
     }

@@ -177,7 +177,7 @@ impl Precession {
     }
 
     /// The turn since the start.
-    // Not inlined: the way of a steady spin is the shorter for it.
+    // Not inlined: a steady spin is faster without this code.
     #[inline(never)]
     pub(crate) fn attitude(&self, time: f64) -> Quaternion<f64> {
         self.spin.turn(&self.about_momentum, &time, time)

@@ -10,8 +10,6 @@ mod carlson;
 mod complementary;
 mod complete;
 mod direct;
-#[cfg(test)]
-mod tests;
 mod trig;
 
 pub(crate) use carlson::{rd, rf_of_roots};
@@ -23,3 +21,6 @@ pub(crate) use trig::sin_cos_of_turns;
 /// Below this ratio of the quarter periods `K'/K` the complementary nome is the smaller, and its series
 /// converges faster.
 pub(crate) const NOME_RATIO: f64 = 0.775;
+
+#[cfg(test)]
+mod tests;

@@ -41,10 +41,8 @@ pub(crate) struct EllipticMotion {
 enum Form {
     /// In the nome.
     Direct { spin: DirectSpin, attitude: DirectAttitude },
-    /// In the complementary nome.
+    /// In the complementary nome, which is zero on the separatrix: that motion does not return.
     Complementary { spin: ComplementarySpin, attitude: ComplementaryAttitude },
-    /// With a complementary nome of zero: the motion does not return.
-    Separatrix { spin: ComplementarySpin, attitude: ComplementaryAttitude },
 }
 
 /// What belongs to the whole motion rather than to an instant, in the same units.
@@ -71,10 +69,16 @@ impl EllipticMotion {
     pub(crate) fn regime(&self, per_second: impl Fn(f64) -> f64) -> Regime {
         let Constants { about, modulus, complement, rate, .. } = self.constants;
         let rate = per_second(rate.hi().abs());
-        match self.form {
-            Form::Separatrix { .. } => Regime::Separatrix { rate },
-            _ => Regime::Elliptic { about, modulus, complement, rate },
+        if self.returns() {
+            Regime::Elliptic { about, modulus, complement, rate }
+        } else {
+            Regime::Separatrix { rate }
         }
+    }
+
+    /// Not on the separatrix.
+    fn returns(&self) -> bool {
+        self.constants.quarter.hi().is_finite()
     }
 
     pub(crate) fn modulus(&self) -> f64 {
@@ -84,30 +88,30 @@ impl EllipticMotion {
     /// Half the spin's period, in scaled time.
     pub(crate) fn half_period(&self) -> Option<f64> {
         let Constants { rate, quarter, .. } = self.constants;
-        quarter.hi().is_finite().then(|| (quarter * 2.0 / rate.abs()).hi())
+        self.returns().then(|| (quarter * 2.0 / rate.abs()).hi())
     }
 
     pub(crate) fn clock(&self) -> Clock {
         let Constants { rate, quarter, argument, .. } = self.constants;
-        match self.form {
-            Form::Separatrix { .. } => Clock::Once(-argument / rate),
-            // (C36)
-            _ => Clock::Evenly { offset: argument / (quarter * 2.0), rate: rate / (quarter * 2.0) },
+        if !self.returns() {
+            return Clock::Once(-argument / rate);
         }
+        // (C36)
+        Clock::Evenly { offset: argument / (quarter * 2.0), rate: rate / (quarter * 2.0) }
     }
 
     /// Least and greatest angle between a principal axis and the momentum.
     pub(crate) fn angles(&self, axis: usize) -> [f64; 2] {
         let [across, middle, around] = self.constants.shares;
         let least = around * self.constants.complement;
-        let swing = |angle: f64| [angle, PI - angle];
+        let around_a_right_angle = |angle: f64| [angle, PI - angle];
         if axis == self.axes[0] {
-            swing(atan2(around, across))
+            around_a_right_angle(atan2(around, across))
         } else if axis == self.axes[1] {
-            swing(atan2(least, middle))
+            around_a_right_angle(atan2(least, middle))
         } else {
-            let [near, far] = [atan2(across, around), atan2(middle, least)];
-            if self.amplitudes[2] > 0.0 { [near, far] } else { [PI - far, PI - near] }
+            let [a, b] = [atan2(across, around), atan2(middle, least)];
+            if self.amplitudes[2] > 0.0 { [a, b] } else { [PI - b, PI - a] }
         }
     }
 
@@ -116,7 +120,7 @@ impl EllipticMotion {
         let half = self.half_period()?;
         let (drift, step) = match &self.form {
             Form::Direct { attitude, .. } => (attitude.drift, 0.0),
-            Form::Complementary { attitude, .. } | Form::Separatrix { attitude, .. } => {
+            Form::Complementary { attitude, .. } => {
                 (attitude.drift, attitude.step * self.constants.rate.hi().signum())
             }
         };
@@ -135,7 +139,9 @@ impl EllipticMotion {
     /// The constants that run in lanes: those of the complementary series, where the motion returns.
     pub(super) fn complementary(&self) -> Option<(&ComplementarySpin, &ComplementaryAttitude)> {
         match &self.form {
-            Form::Complementary { spin, attitude } if self.unscale.is_none() => Some((spin, attitude)),
+            Form::Complementary { spin, attitude } if self.unscale.is_none() && self.returns() => {
+                Some((spin, attitude))
+            }
             _ => None,
         }
     }
@@ -144,8 +150,7 @@ impl EllipticMotion {
     pub(crate) fn omega(&self, time: f64) -> Vector3<f64> {
         self.unscaled(match &self.form {
             Form::Direct { spin, .. } => spin.omega(&spin.phase(time)),
-            Form::Complementary { spin, .. } => spin.omega(&spin.phase(time)),
-            Form::Separatrix { spin, attitude } => without_return(spin, attitude, time).0,
+            Form::Complementary { spin, .. } => spin.omega(&spin.reduction.argument(time)),
         })
     }
 
@@ -153,8 +158,9 @@ impl EllipticMotion {
     pub(crate) fn attitude(&self, time: f64) -> Quaternion<f64> {
         match &self.form {
             Form::Direct { spin, attitude } => spin.turn(attitude, &spin.phase(time), time),
-            Form::Complementary { spin, attitude } => spin.turn(attitude, &spin.phase(time), time),
-            Form::Separatrix { spin, attitude } => without_return(spin, attitude, time).1,
+            Form::Complementary { spin, attitude } => {
+                spin.turn(attitude, &spin.reduction.argument(time), time)
+            }
         }
     }
 
@@ -162,8 +168,9 @@ impl EllipticMotion {
     pub(crate) fn at(&self, time: f64) -> (Vector3<f64>, Quaternion<f64>) {
         let (omega, turn) = match &self.form {
             Form::Direct { spin, attitude } => both(spin, attitude, spin.phase(time), time),
-            Form::Complementary { spin, attitude } => both(spin, attitude, spin.phase(time), time),
-            Form::Separatrix { spin, attitude } => without_return(spin, attitude, time),
+            Form::Complementary { spin, attitude } => {
+                both(spin, attitude, spin.reduction.argument(time), time)
+            }
         };
         (self.unscaled(omega), turn)
     }
@@ -184,14 +191,4 @@ fn both<K: Kernel<f64>>(
     time: f64,
 ) -> (Vector3<f64>, Quaternion<f64>) {
     (spin.omega(&phase), spin.turn(attitude, &phase, time))
-}
-
-// Not inlined: the separatrix is rare, and the way of all other motions is the shorter for it.
-#[inline(never)]
-fn without_return(
-    spin: &ComplementarySpin,
-    attitude: &ComplementaryAttitude,
-    time: f64,
-) -> (Vector3<f64>, Quaternion<f64>) {
-    both(spin, attitude, spin.reduction.without_return(time), time)
 }

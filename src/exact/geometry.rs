@@ -1,10 +1,11 @@
 //! What can be read off a motion: the body at a time, its energy, its period, its angles to the momentum, how
 //! far it twists.
 
+use super::period::seconds;
 use super::{FreeMotion, Law};
 use crate::body::Body;
 use crate::dynamics::observe::energy;
-use crate::error::{Error, Refusal, Subject};
+use crate::error::{Error, Refusal, Subject, representable};
 use crate::inertia::{Axis, Inertia, unit};
 use crate::number::functions::{atan2, hypot};
 use crate::number::power_of_two::times_power_of_two;
@@ -23,10 +24,7 @@ impl Law {
             }
             Self::Elliptic(motion) => motion.greatest,
         };
-        if (greatest * room).is_finite() {
-            return Ok(());
-        }
-        Err(Refusal::OutOfRange { what: Subject::GreatestSpin, value: greatest }.into())
+        representable(Subject::GreatestSpin, &[greatest * room])
     }
 }
 
@@ -93,7 +91,7 @@ impl FreeMotion {
             Law::Symmetric(top) => Some(1.0 / top.nutation_turns().abs()),
             Law::Elliptic(motion) => motion.half_period().map(|half| 2.0 * half),
         };
-        scaled.map(|time| self.seconds(Subject::Period, time)).transpose()
+        scaled.map(|time| seconds(Subject::Period, time, self.exponent)).transpose()
     }
 
     /// The least and greatest angle, radians, between a principal axis and the angular momentum, over all of
@@ -123,7 +121,7 @@ impl FreeMotion {
         let momentum = scaled(self.moments.vector(), self.moments.largest())
             .component_mul(&scaled(self.start, self.start.amax()));
         let share = unit(Subject::AngularMomentum, &momentum)?;
-        let swing = |along: f64, off: f64| {
+        let around_a_right_angle = |along: f64, off: f64| {
             let least = atan2(off, along);
             [least, PI - least]
         };
@@ -131,7 +129,7 @@ impl FreeMotion {
         Ok(match &self.law {
             Law::AtRest | Law::Steady(_) => [atan2(off(axis), share[axis]); 2],
             Law::Symmetric(top) if top.axis == axis => [atan2(off(axis), share[axis]); 2],
-            Law::Symmetric(top) => swing(off(top.axis), share[top.axis].abs()),
+            Law::Symmetric(top) => around_a_right_angle(off(top.axis), share[top.axis].abs()),
             Law::Elliptic(motion) => {
                 // Where the two are nearly the same, each is rounded on its own.
                 let [a, b] = motion.angles(axis);

@@ -1,10 +1,9 @@
 //! How principal axes are mounted in a body, and the body in the world.
 
-use crate::attitude::{product, rotate_inverse, unit};
+use crate::attitude::product;
 use crate::body::Body;
-use crate::error::{Error, Refusal, Subject};
+use crate::error::{Error, Subject, representable};
 use crate::inertia::{Frame, Inertia, PrincipalMoments};
-use crate::number::Lane;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// A start that is not along the principal axes and the world's.
@@ -31,15 +30,12 @@ pub(super) fn spin_along(
     moments: PrincipalMoments,
     frame: &Frame,
 ) -> Result<Vector3<f64>, Error> {
-    let omega = if *frame == Frame::SAME {
+    let omega = if frame.is_body() {
         body.momentum_body().component_div(&moments.vector())
     } else {
         frame.along(&body.omega_body())
     };
-    match omega.iter().find(|x| !x.is_finite()) {
-        Some(&value) => Err(Refusal::OutOfRange { what: Subject::GreatestSpin, value }.into()),
-        None => Ok(omega),
-    }
+    representable(Subject::GreatestSpin, omega.as_slice()).map(|()| omega)
 }
 
 impl Mount {
@@ -47,7 +43,7 @@ impl Mount {
         Self { frame, world: attitude * frame.to_body(), attitude, omega, body: None }
     }
 
-    // Not inlined: most motions have none, and the way without one is the shorter for it.
+    // Not inlined: most motions have none, and are faster without this code.
     #[inline(never)]
     pub(super) fn in_body(&self, omega: Vector3<f64>) -> Vector3<f64> {
         self.frame.in_body(omega)
@@ -55,25 +51,6 @@ impl Mount {
 
     #[inline(never)]
     pub(super) fn in_world(&self, turn: Quaternion<f64>) -> Quaternion<f64> {
-        in_world(&self.world, self.frame.body_to_principal(), turn)
+        self.frame.attitude_of_body(product(&self.world, &turn))
     }
-}
-
-/// The spin in body axes, from that along the principal axes and the quaternion that takes body axes to
-/// those.
-#[inline(always)]
-pub(super) fn in_body<T: Lane>(to_principal: Option<&Quaternion<T>>, omega: Vector3<T>) -> Vector3<T> {
-    to_principal.map_or(omega, |to_principal| rotate_inverse(to_principal, &omega))
-}
-
-/// The body's attitude in the world, from the turn of its principal axes since the start, where these stand
-/// in the world at the start, and the quaternion that takes body axes to them.
-#[inline(always)]
-pub(super) fn in_world<T: Lane>(
-    world: &Quaternion<T>,
-    to_principal: Option<&Quaternion<T>>,
-    turn: Quaternion<T>,
-) -> Quaternion<T> {
-    let turned = product(world, &turn);
-    unit(to_principal.map_or(turned, |to_principal| product(&turned, to_principal)))
 }

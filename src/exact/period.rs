@@ -16,6 +16,12 @@ pub(super) fn quarter_period(motion: &Asymmetric) -> DoubleDouble {
     quarter_period_from_root(motion.complement(0), motion.root_of_complement())
 }
 
+/// A length of time that is above zero, in scaled units, in seconds.
+pub(super) fn seconds(what: Subject, scaled: f64, exponent: i32) -> Result<f64, Error> {
+    let value = times_power_of_two(scaled, -exponent);
+    if value.is_finite() && value > 0.0 { Ok(value) } else { Err(Refusal::OutOfRange { what, value }.into()) }
+}
+
 /// The time between two flips of a free body, s: half the period of its spin in body axes.
 /// `None` where it never flips: a steady spin, two equal moments, or exactly on the separatrix.
 ///
@@ -50,9 +56,5 @@ pub fn time_between_flips(moments: PrincipalMoments, omega: &Vector3<f64>) -> Re
     }
     // (C36)
     let half_period = quarter_period(&motion) * 2.0 / motion.rate();
-    let time = times_power_of_two(half_period.hi(), -motion.clock);
-    if !time.is_finite() || time == 0.0 {
-        return Err(Refusal::OutOfRange { what: Subject::TimeBetweenFlips, value: time }.into());
-    }
-    Ok(Some(time))
+    seconds(Subject::TimeBetweenFlips, half_period.hi(), motion.clock).map(Some)
 }

@@ -1,7 +1,7 @@
 //! The path of the spin in the body, from what is conserved alone.
 
 use crate::dynamics::invariants::{Kind, classify};
-use crate::error::{Error, Refusal, Subject, finite_vector};
+use crate::error::{Error, Subject, finite_vector, representable};
 use crate::exact::time_between_flips;
 use crate::inertia::PrincipalMoments;
 use crate::number::functions::hypot;
@@ -45,8 +45,8 @@ impl Polhode {
                 let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
                 let across = hypot(omega[a], omega[b]);
                 let (mut least, mut greatest) = (still, still);
-                for side in [a, b] {
-                    (least[side], greatest[side]) = (0.0, across);
+                for across_axis in [a, b] {
+                    (least[across_axis], greatest[across_axis]) = (0.0, across);
                 }
                 let rate = omega[axis] * ((moments[axis] - moments[a]) / moments[a]);
                 let period = Some(core::f64::consts::TAU / rate.abs()).filter(|period| period.is_finite());
@@ -65,11 +65,8 @@ impl Polhode {
                 Self { least, greatest, period }
             }
         };
-        let spins = polhode.greatest.iter().map(|&size| (Subject::GreatestSpin, size));
-        let mut all = spins.chain(polhode.period.map(|period| (Subject::Period, period)));
-        match all.find(|(_, value)| !value.is_finite()) {
-            Some((what, value)) => Err(Refusal::OutOfRange { what, value }.into()),
-            None => Ok(polhode),
-        }
+        representable(Subject::GreatestSpin, polhode.greatest.as_slice())?;
+        representable(Subject::Period, polhode.period.as_slice())?;
+        Ok(polhode)
     }
 }

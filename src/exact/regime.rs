@@ -1,9 +1,6 @@
 //! Which kind of free motion it is, with the numbers that belong to that kind.
 
 use crate::inertia::Axis;
-use alloc::format;
-use alloc::string::ToString as _;
-use core::fmt;
 
 /// The kinds of free motion, each with its own constants.
 ///
@@ -62,32 +59,4 @@ pub enum Regime {
         /// How fast it leaves and returns, 1/s: as `exp(±rate t)`.
         rate: f64,
     },
-}
-
-/// As `elliptic motion about the axis of the largest moment, modulus 0.5`; a precision goes to each number.
-///
-/// ```
-/// use nalgebra::Vector3;
-/// use tumbling::{PrincipalMoments, exact::FreeMotion};
-/// let top = FreeMotion::new(PrincipalMoments::new(1.0, 1.0, 1.5)?, &Vector3::new(1.0, 0.0, 2.0))?;
-/// let said = "symmetric top, nutation 1.00 rad/s, precession 3.16 rad/s";
-/// assert_eq!(format!("{:.2}", top.regime()), said);
-/// # Ok::<(), tumbling::Error>(())
-/// ```
-impl fmt::Display for Regime {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let number = |x: f64| f.precision().map_or_else(|| x.to_string(), |digits| format!("{x:.digits$}"));
-        match *self {
-            Self::AtRest => f.write_str("at rest"),
-            Self::Steady { speed } => write!(f, "steady spin, {} rad/s", number(speed)),
-            Self::SymmetricTop { nutation, precession, .. } => {
-                let (nutation, precession) = (number(nutation), number(precession));
-                write!(f, "symmetric top, nutation {nutation} rad/s, precession {precession} rad/s")
-            }
-            Self::Elliptic { about, modulus, .. } => {
-                write!(f, "elliptic motion about the axis of the {about} moment, modulus {}", number(modulus))
-            }
-            Self::Separatrix { rate } => write!(f, "separatrix, rate {} 1/s", number(rate)),
-        }
-    }
 }

@@ -14,13 +14,12 @@
 mod elementary;
 mod needle;
 mod products;
-mod quadrature;
 mod series;
 
 use super::elementary::scaled;
 use super::elliptic_motion::EllipticMotion;
 use super::{FreeMotion, Law};
-use crate::error::{Error, Refusal, Subject, finite};
+use crate::error::{Error, Subject, finite, representable};
 use crate::number::Lane;
 use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::{exponent, times_power_of_two};
@@ -48,9 +47,8 @@ struct Derivatives {
     /// Coordinates along the axes at the start to those at the time.
     back: Matrix3<f64>,
     turn: Matrix3<f64>,
-    spin: Matrix3<f64>,
     turn_by_tensor: ByTensor,
-    spin_by_tensor: ByTensor,
+    spin: SpinDerivatives,
 }
 
 /// Up to this angle the power series in time are taken, rad; and up to this distance of Jacobi's argument
@@ -109,7 +107,7 @@ impl FreeMotion {
     /// move.
     pub fn state_transition(&self, t: f64) -> Result<Matrix6<f64>, Error> {
         let transition = self.transition_in_body(&self.derivatives(t, false)?);
-        all_finite(&transition).map(|()| transition)
+        representable(Subject::Derivative, transition.as_slice()).map(|()| transition)
     }
 
     /// The [`state_transition`](Self::state_transition) to time `t`, and the derivatives of attitude (rad, as
@@ -141,8 +139,10 @@ impl FreeMotion {
     /// As [`state_transition`](Self::state_transition).
     pub fn sensitivities(&self, t: f64) -> Result<(Matrix6<f64>, Matrix6<f64>), Error> {
         let found = self.derivatives(t, true)?;
-        let both = (self.transition_in_body(&found), self.by_tensor_in_body(&found));
-        all_finite(&both.0).and_then(|()| all_finite(&both.1)).map(|()| both)
+        let (transition, by_tensor) = (self.transition_in_body(&found), self.by_tensor_in_body(&found));
+        representable(Subject::Derivative, transition.as_slice())?;
+        representable(Subject::Derivative, by_tensor.as_slice())?;
+        Ok((transition, by_tensor))
     }
 
     fn transition_in_body(&self, found: &Derivatives) -> Matrix6<f64> {
@@ -151,7 +151,7 @@ impl FreeMotion {
         let mut transition = Matrix6::zeros();
         transition.fixed_view_mut::<3, 3>(0, 0).copy_from(&in_body(&found.back));
         transition.fixed_view_mut::<3, 3>(0, 3).copy_from(&in_body(&scaled_by(&found.turn, -self.exponent)));
-        transition.fixed_view_mut::<3, 3>(3, 3).copy_from(&in_body(&found.spin));
+        transition.fixed_view_mut::<3, 3>(3, 3).copy_from(&in_body(&found.spin.spin));
         transition
     }
 
@@ -170,7 +170,7 @@ impl FreeMotion {
         sensitivity.fixed_rows_mut::<3>(0).copy_from(&in_body(&found.turn_by_tensor, -heaviest));
         sensitivity
             .fixed_rows_mut::<3>(3)
-            .copy_from(&in_body(&found.spin_by_tensor, self.exponent - heaviest));
+            .copy_from(&in_body(&found.spin.by_tensor, self.exponent - heaviest));
         sensitivity
     }
 
@@ -184,7 +184,7 @@ impl FreeMotion {
         if angle <= SHORT {
             let request = Request { attitude: true, tensor };
             let argument = series::argument_rate(&moments, &omega) * time;
-            return Ok(span(&moments, &omega, time, [argument, angle], request).into());
+            return Ok(span(&moments, &omega, time, [argument, angle], request).1);
         }
         if let Some(found) = self.slow_turn(&moments, &omega, time, tensor) {
             return found;
@@ -290,13 +290,7 @@ fn with_turn(
         };
         turn_by_tensor.set_column(column, &turn(before, after, -0.5 * found.energy[column]));
     }
-    Derivatives {
-        back,
-        turn: Matrix3::from_columns(&columns),
-        spin: found.spin,
-        turn_by_tensor,
-        spin_by_tensor: found.by_tensor,
-    }
+    Derivatives { back, turn: Matrix3::from_columns(&columns), turn_by_tensor, spin: found }
 }
 
 impl Derivatives {
@@ -305,9 +299,12 @@ impl Derivatives {
         Self {
             back: Matrix3::identity(),
             turn: Matrix3::identity() * time,
-            spin: Matrix3::identity(),
             turn_by_tensor: ByTensor::zeros(),
-            spin_by_tensor: ByTensor::zeros(),
+            spin: SpinDerivatives {
+                spin: Matrix3::identity(),
+                by_tensor: ByTensor::zeros(),
+                energy: [0.0; 6],
+            },
         }
     }
 }
@@ -323,32 +320,12 @@ fn along_principal_axes(frame: &Matrix3<f64>) -> Matrix6<f64> {
     })
 }
 
-fn all_finite(matrix: &Matrix6<f64>) -> Result<(), Error> {
-    match matrix.as_slice().iter().find(|x| !x.is_finite()) {
-        Some(&value) => Err(Refusal::OutOfRange { what: Subject::Derivative, value }.into()),
-        None => Ok(()),
-    }
-}
-
 /// Every entry times `2^exponent`.
 fn scaled_by<const N: usize>(block: &SMatrix<f64, 3, N>, exponent: i32) -> SMatrix<f64, 3, N> {
     if (-1022..=1023).contains(&exponent) {
         return block * times_power_of_two(1.0, exponent);
     }
     block.map(|x| times_power_of_two(x, exponent))
-}
-
-impl From<series::Span> for SpinDerivatives {
-    fn from(span: series::Span) -> Self {
-        Self { spin: span.spin, by_tensor: span.spin_by_tensor, energy: span.energy }
-    }
-}
-
-impl From<series::Span> for Derivatives {
-    fn from(span: series::Span) -> Self {
-        let series::Span { back, turn, spin, turn_by_tensor, spin_by_tensor, .. } = span;
-        Self { back, turn, spin, turn_by_tensor, spin_by_tensor }
-    }
 }
 
 /// The derivatives near an integer number of half periods, after each of which the spin is that before it
@@ -363,8 +340,8 @@ fn near_return(
 ) -> SpinDerivatives {
     let halves = motion.half_periods(time);
     let request = Request { attitude: false, tensor };
-    let rest = span(moments, omega, halves.time, [halves.argument, 0.0], request);
-    let (end, mut found) = (rest.omega, SpinDerivatives::from(rest));
+    let (end, rest) = span(moments, omega, halves.time, [halves.argument, 0.0], request);
+    let mut found = rest.spin;
     if halves.count == 0.0 {
         return found;
     }

@@ -9,17 +9,16 @@ mod mounted;
 mod nutation;
 mod precession;
 mod prepare;
-#[cfg(test)]
-mod tests;
 
 pub use kind::TopRegime;
 
 use super::Instant;
 use super::elementary::Turn;
 use super::mount::spin_along;
+use super::period::seconds;
 use crate::attitude::{checked, product};
 use crate::body::Body;
-use crate::error::{Error, Refusal, Subject, finite, finite_vector, not_negative};
+use crate::error::{Error, Refusal, Subject, finite, finite_vector, not_negative, representable};
 use crate::inertia::{Frame, PrincipalMoments};
 use crate::number::double_double::DoubleDouble;
 use crate::number::functions::{atan2, hypot};
@@ -75,7 +74,6 @@ pub struct LagrangeTop {
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Constants {
     energy: f64,
-    momentum_up: f64,
     momentum_along: f64,
     lean: [f64; 2],
     regime: TopRegime,
@@ -191,7 +189,7 @@ impl LagrangeTop {
         let (moments, frame) = body.inertia().along_principal_axes()?;
         let start = Instant { omega: body.omega_body(), attitude: body.attitude() };
         let Some(frame) = frame else {
-            let omega = spin_along(body, moments, &Frame::SAME)?;
+            let omega = spin_along(body, moments, &Frame::BODY)?;
             return Ok(Self { start, ..Self::new(moments, body.attitude(), &omega, arm, weight)? });
         };
         let (turn, arm) = mounted::onto_arm(moments, &(frame.inverse() * arm))?;
@@ -221,10 +219,11 @@ impl LagrangeTop {
             Law::Nutation(nutation) => {
                 let ([[w, z], [x, y]], [first, second]) = nutation.at(time);
                 let q = Quaternion::new(w, x, y, z);
-                let over = 1.0 / q.norm();
+                let inverse = 1.0 / q.norm();
                 let scaled = |x: f64| times_power_of_two(x, self.exponent);
                 let omega = Vector3::new(scaled(first), scaled(second), self.along);
-                let attitude = UnitQuaternion::new_unchecked(self.mounted.frame.attitude_of_body(q * over));
+                let attitude =
+                    UnitQuaternion::new_unchecked(self.mounted.frame.attitude_of_body(q * inverse));
                 Instant { omega: self.mounted.frame.in_body(omega), attitude }
             }
         })
@@ -266,11 +265,7 @@ impl LagrangeTop {
         if scaled.is_infinite() || self.constants.regime == TopRegime::SteadyPrecession {
             return Ok(None);
         }
-        let value = times_power_of_two(scaled, -self.exponent);
-        if value.is_finite() && value > 0.0 {
-            return Ok(Some(value));
-        }
-        Err(Refusal::OutOfRange { what: Subject::Period, value }.into())
+        seconds(Subject::Period, scaled, self.exponent).map(Some)
     }
 
     /// How fast the axis goes round the vertical in the mean over a period, rad/s; counter-clockwise seen
@@ -305,12 +300,6 @@ impl LagrangeTop {
         self.constants.energy
     }
 
-    /// The momentum about the vertical, kg m²/s: constant.
-    #[must_use]
-    pub fn momentum_about_vertical(&self) -> f64 {
-        self.constants.momentum_up
-    }
-
     /// The momentum about the top's axis, taken from the fixed point to the centre of mass, kg m²/s:
     /// constant.
     #[must_use]
@@ -320,20 +309,18 @@ impl LagrangeTop {
 
     /// That no constant has left the range of `f64`.
     fn checked(self) -> Result<Self, Error> {
-        let Constants { energy, momentum_up, momentum_along, lean, .. } = self.constants;
-        let value = energy + momentum_up + momentum_along + lean[0] + lean[1] + self.precession_rate();
-        let numbers = match &self.law {
-            Law::Steady(_) => true,
-            Law::Nutation(nutation) => {
-                let room = times_power_of_two(4.0 * nutation.greatest_spin(), self.exponent);
-                nutation.is_finite() && room.is_finite()
+        let Constants { energy, momentum_along, lean, .. } = self.constants;
+        // With room for a turn.
+        let fastest = match &self.law {
+            Law::Steady(_) => 0.0,
+            Law::Nutation(nutation) if nutation.is_finite() => {
+                times_power_of_two(4.0 * nutation.greatest_spin(), self.exponent)
             }
+            Law::Nutation(_) => f64::INFINITY,
         };
-        if numbers && value.is_finite() && (self.along * 4.0).is_finite() {
-            return Ok(self);
-        }
-        let value = if value.is_finite() { f64::INFINITY } else { value };
-        Err(Refusal::OutOfRange { what: Subject::TopRate, value }.into())
+        let rates = [energy, momentum_along, self.precession_rate(), 4.0 * self.along, fastest];
+        representable(Subject::TopRate, &lean)?;
+        representable(Subject::TopRate, &rates).map(|()| self)
     }
 }
 
@@ -347,12 +334,9 @@ fn in_range(integrals: &Integrals, start: &Start, spin: &Vector3<f64>, pulled: b
         (Subject::TopTorque, pull, pulled),
     ] {
         let value = square.hi();
-        if (present || value != 0.0) && !(value.abs() >= SMALLEST && value.is_finite()) {
-            return Err(if value.is_finite() {
-                Refusal::Underflow { what, value, least: SMALLEST }.into()
-            } else {
-                Refusal::OutOfRange { what, value }.into()
-            });
+        representable(what, &[value])?;
+        if (present || value != 0.0) && value.abs() < SMALLEST {
+            return Err(Refusal::Underflow { what, value, least: SMALLEST }.into());
         }
     }
     Ok(())
@@ -360,8 +344,7 @@ fn in_range(integrals: &Integrals, start: &Start, spin: &Vector3<f64>, pulled: b
 
 impl Constants {
     fn new(mounted: &Mounted, integrals: &Integrals, law: &Law, power: i32) -> Self {
-        let Integrals { along, pull, across_squared, at_bottom, .. } = integrals;
-        let scaled = |x: DoubleDouble, times: f64| times_power_of_two(x.hi() * times, power);
+        let Integrals { along, pull, across_squared, .. } = integrals;
         let polar_spin = mounted.across / mounted.polar * along.hi();
         let twice = *across_squared + *pull * integrals.height() + *along * polar_spin;
         let energy = times_power_of_two(0.5 * mounted.across * twice.hi(), power);
@@ -371,8 +354,7 @@ impl Constants {
         let here = 2.0 * atan2(root(integrals.from_top), root(integrals.from_bottom));
         Self {
             energy: times_power_of_two(energy, power),
-            momentum_up: scaled(*at_bottom - *along, mounted.across),
-            momentum_along: scaled(*along, mounted.across),
+            momentum_along: times_power_of_two(along.hi() * mounted.across, power),
             lean: if steady { [here; 2] } else { [angle(1), angle(0)] },
             regime: TopRegime::new(integrals, steady, polar_spin),
         }
@@ -388,3 +370,6 @@ impl Nutation {
         hypot(factor, self.rate)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,27 +1,33 @@
 //! Where a body's principal axes lie in its own.
 
 use crate::attitude::{product, rotate_inverse, unit};
+use crate::number::{Gather, Lane};
+use alloc::vec::Vec;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-/// How principal axes are turned relative to the body's own.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Frame {
+/// How principal axes are turned relative to the body's own: of one body, or of those in the lanes of `T`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Frame<T = f64> {
     /// Takes coordinates along the body's axes to those along the principal axes, where these differ.
-    to_principal: Option<Quaternion<f64>>,
+    to_principal: Option<Quaternion<T>>,
+}
+
+impl PartialEq for Frame {
+    fn eq(&self, other: &Self) -> bool {
+        self.to_principal == other.to_principal
+    }
 }
 
 impl Frame {
-    /// The body's axes are principal.
-    pub(crate) const SAME: Self = Self { to_principal: None };
-
     /// From the turn that takes coordinates along the principal axes to those along the body's.
     pub(crate) fn new(to_body: Quaternion<f64>) -> Self {
         let differs = to_body != Quaternion::identity();
         Self { to_principal: differs.then(|| to_body.conjugate()) }
     }
 
-    pub(crate) fn body_to_principal(&self) -> Option<&Quaternion<f64>> {
-        self.to_principal.as_ref()
+    /// Whether the body's axes are principal.
+    pub(crate) fn is_body(&self) -> bool {
+        self.to_principal.is_none()
     }
 
     /// The turn that takes coordinates along the principal axes to those along the body's.
@@ -35,19 +41,9 @@ impl Frame {
         self.to_principal.map_or(*v, |q| rotate_inverse(&q.conjugate(), v))
     }
 
-    /// A vector along the principal axes in body axes.
-    pub(crate) fn in_body(&self, v: Vector3<f64>) -> Vector3<f64> {
-        self.to_principal.map_or(v, |q| rotate_inverse(&q, &v))
-    }
-
     /// The attitude of the principal axes, from that of the body.
     pub(crate) fn attitude_of_axes(&self, body: Quaternion<f64>) -> Quaternion<f64> {
         self.to_principal.map_or(body, |q| product(&body, &q.conjugate()))
-    }
-
-    /// The attitude of the body, from that of the principal axes.
-    pub(crate) fn attitude_of_body(&self, axes: Quaternion<f64>) -> Quaternion<f64> {
-        unit(self.to_principal.map_or(axes, |q| product(&axes, &q)))
     }
 
     /// A turn along the principal axes as one along the body's.
@@ -58,5 +54,28 @@ impl Frame {
     /// The frame in a body whose axes `outer` takes this one's to.
     pub(crate) fn within(&self, outer: &UnitQuaternion<f64>) -> Self {
         Self::new(unit(product(outer.quaternion(), self.to_body().quaternion())))
+    }
+}
+
+impl<T: Lane> Frame<T> {
+    /// Those of the bodies in the lanes, none of which has principal axes of its own.
+    pub(crate) fn of_lanes<'a>(frames: impl Iterator<Item = &'a Frame>) -> Self {
+        let turns: Vec<_> = frames.filter_map(|frame| frame.to_principal).collect();
+        Self { to_principal: Some(Quaternion::gather(&turns, |turn| turn)) }
+    }
+
+    /// The body's axes are principal.
+    pub(crate) const BODY: Self = Self { to_principal: None };
+
+    /// A vector along the principal axes in body axes.
+    #[inline(always)]
+    pub(crate) fn in_body(&self, v: Vector3<T>) -> Vector3<T> {
+        self.to_principal.as_ref().map_or(v, |q| rotate_inverse(q, &v))
+    }
+
+    /// The attitude of the body, from that of the principal axes.
+    #[inline(always)]
+    pub(crate) fn attitude_of_body(&self, axes: Quaternion<T>) -> Quaternion<T> {
+        unit(self.to_principal.as_ref().map_or(axes, |q| product(&axes, q)))
     }
 }

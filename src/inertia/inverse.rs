@@ -1,7 +1,7 @@
 //! The inverse tensor, which takes momentum to spin.
 
 use super::{Inertia, in_range, is_diagonal, moments_of};
-use crate::error::{Error, Subject, TensorRefusal};
+use crate::error::{Error, Refusal, Subject};
 use crate::number::double_double::{DoubleDouble, difference_of_products};
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
 use nalgebra::Matrix3;
@@ -26,7 +26,7 @@ impl Inertia {
         // The moments of a diagonal tensor are known exactly: only a true zero is singular there.
         let rounding = if diagonal { 0.0 } else { 2.0 * ulp(moments[2]) };
         if moments[0] <= rounding {
-            return Err(TensorRefusal::Singular { smallest: moments[0], largest: moments[2] }.into());
+            return Err(Refusal::Singular { smallest: moments[0], largest: moments[2] }.into());
         }
         let inverse = if diagonal {
             Matrix3::from_diagonal(&m.diagonal().map(|x| 1.0 / x))

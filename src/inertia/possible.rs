@@ -1,7 +1,7 @@
 //! Which tensors a body can have, to rounding, and the nearest of them.
 
 use super::{Inertia, PrincipalAxes, in_range, is_diagonal, moments_of, nearest, symmetrized, turned};
-use crate::error::{Error, ErrorKind, Refusal, Subject, TensorRefusal, finite, not_negative, positive};
+use crate::error::{Error, ErrorKind, Refusal, Subject, finite, not_negative, positive, representable};
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, Vector3};
 
@@ -9,7 +9,7 @@ use nalgebra::{Matrix3, Vector3};
 /// observed when flat plates, turned to three million attitudes and back, came out of `R I R^T` (16.5).
 const ROUNDING_ULPS: f64 = 32.0;
 
-/// The same for a diagonal tensor, whose moments come from a sum or two.
+/// What counts as rounding for a diagonal tensor, whose moments come from a sum or two.
 pub(super) const DIAGONAL_ROUNDING_ULPS: f64 = 4.0;
 
 /// How far relative to the largest entry a tensor may be from a possible one for the message to point at
@@ -29,52 +29,40 @@ const ENTRIES: [Subject; 9] = [
     Subject::Izz,
 ];
 
-/// What counts as rounding of a tensor whose largest entry is `largest`.
-pub(super) fn rounding(largest: f64) -> f64 {
-    ROUNDING_ULPS * ulp(largest)
-}
-
 impl Inertia {
     /// A tensor summed up by this library from real masses: possible by construction, to whatever rounding
     /// its sums have, so only its range is checked.
     pub(crate) fn of_masses(tensor: Matrix3<f64>) -> Result<Self, Error> {
         in_range(Subject::Moment, &tensor)?;
-        moments_in_range(&moments_of(&tensor))?;
+        representable(Subject::PrincipalMoment, moments_of(&tensor).as_slice())?;
         Ok(Self { tensor: symmetrized(&tensor) })
     }
 
-    /// The tensor with this matrix, computed from entries of the size of `origin`,
-    /// whose rounding it carries.
-    pub(super) fn rounded(tensor: &Matrix3<f64>, origin: f64) -> Result<Self, Error> {
+    /// The tensor with this matrix, whose entries may be off by rounding.
+    pub(super) fn rounded(tensor: &Matrix3<f64>) -> Result<Self, Error> {
         tensor.iter().zip(ENTRIES).try_for_each(|(&entry, what)| finite(what, entry).map(drop))?;
-        let tolerance = rounding(tensor.amax().max(origin));
+        let tolerance = ROUNDING_ULPS * ulp(tensor.amax());
         for (row, column) in [(0, 1), (0, 2), (1, 2)] {
             let (value, mirrored) = (tensor[(row, column)], tensor[(column, row)]);
             let difference = (value - mirrored).abs();
             if difference > tolerance {
                 let printed = difference <= PRINTED * tensor.amax();
-                return Err(
-                    TensorRefusal::Asymmetric { row, column, value, mirrored, tolerance, printed }.into()
-                );
+                return Err(Refusal::Asymmetric { row, column, value, mirrored, tolerance, printed }.into());
             }
         }
         let tensor = symmetrized(tensor);
         // Moments that were given are as exact as they stand; those of a turned tensor carry the rounding of
         // a turn.
-        let exact = is_diagonal(&tensor) && origin == 0.0;
+        let (ulps, tolerance) =
+            if is_diagonal(&tensor) { (DIAGONAL_ROUNDING_ULPS, 0.0) } else { (ROUNDING_ULPS, tolerance) };
         for axis in 0..3 {
-            not_below_zero(
-                ENTRIES[4 * axis],
-                tensor[(axis, axis)],
-                tensor.amax(),
-                if exact { 0.0 } else { tolerance },
-            )?;
+            not_below_zero(ENTRIES[4 * axis], tensor[(axis, axis)], tensor.amax(), tolerance)?;
         }
         positive(Subject::LargestMoment, tensor.diagonal().max())?;
-        let ulps = if is_diagonal(&tensor) { DIAGONAL_ROUNDING_ULPS } else { ROUNDING_ULPS };
         let moments = moments_of(&tensor);
-        moments_in_range(&moments)?;
-        physically_possible(&moments, (ulps * ulp(moments[2])).max(rounding(origin)))?;
+        // The largest can exceed every entry of the tensor.
+        representable(Subject::PrincipalMoment, moments.as_slice())?;
+        physically_possible(&moments, ulps * ulp(moments[2]))?;
         Ok(Self { tensor })
     }
 
@@ -107,7 +95,7 @@ impl Inertia {
     /// farther away than the tolerance or zero, or moments beyond `f64`.
     pub fn within(tensor: &Matrix3<f64>, relative_tolerance: f64) -> Result<(Self, f64), Error> {
         not_negative(Subject::RelativeTolerance, relative_tolerance)?;
-        let strict = Self::rounded(tensor, 0.0);
+        let strict = Self::rounded(tensor);
         if strict.as_ref().is_err_and(|error| error.kind() == ErrorKind::NotFinite) || tensor.amax() == 0.0 {
             return strict.map(|value| (value, 0.0));
         }
@@ -118,9 +106,9 @@ impl Inertia {
         if moments[2] <= 0.0 {
             return strict.map(|value| (value, 0.0));
         }
-        let far = |nearest: &Matrix3<f64>| (nearest - given).norm() / moments[2];
+        let distance = |nearest: &Matrix3<f64>| (nearest - given).norm() / moments[2];
         if let Ok(value) = strict {
-            return Ok((value, far(&symmetric)));
+            return Ok((value, distance(&symmetric)));
         }
         let adjusted = if is_diagonal(&symmetric) {
             Matrix3::from_diagonal(&nearest::possible(&symmetric.diagonal()))
@@ -129,7 +117,7 @@ impl Inertia {
             let frame = PrincipalAxes::of(&symmetric).frame();
             symmetrized(&(symmetric + turned(&frame, &Matrix3::from_diagonal(&change))))
         };
-        let moved = nearest::near_enough(far(&adjusted), relative_tolerance)?;
+        let moved = nearest::near_enough(distance(&adjusted), relative_tolerance)?;
         let value = Self::try_from(adjusted.map(|x| times_power_of_two(x, scale)))?;
         Ok((value, moved))
     }
@@ -142,13 +130,9 @@ pub(super) fn physically_possible(moments: &Vector3<f64>, tolerance: f64) -> Res
     let excess = (moments[2] - moments[1]) - moments[0];
     if excess > tolerance {
         let printed = excess <= PRINTED * moments[2];
-        return Err(TensorRefusal::TriangleInequality {
-            moments: (*moments).into(),
-            excess,
-            tolerance,
-            printed,
-        }
-        .into());
+        return Err(
+            Refusal::TriangleInequality { moments: (*moments).into(), excess, tolerance, printed }.into()
+        );
     }
     Ok(())
 }
@@ -157,13 +141,5 @@ fn not_below_zero(what: Subject, value: f64, largest: f64, tolerance: f64) -> Re
     if value >= -tolerance {
         return Ok(());
     }
-    Err(TensorRefusal::NegativeMoment { what, value, printed: -value <= PRINTED * largest }.into())
-}
-
-/// That the largest principal moment is a finite number: it can exceed every entry of the tensor.
-fn moments_in_range(moments: &Vector3<f64>) -> Result<(), Error> {
-    match moments.iter().find(|x| !x.is_finite()) {
-        Some(&value) => Err(Refusal::OutOfRange { what: Subject::PrincipalMoment, value }.into()),
-        None => Ok(()),
-    }
+    Err(Refusal::NegativeMoment { what, value, printed: -value <= PRINTED * largest }.into())
 }

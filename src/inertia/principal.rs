@@ -4,6 +4,7 @@ use super::{Inertia, PrincipalMoments, ascending, is_diagonal};
 use crate::error::Error;
 use crate::number::functions::hypot;
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
+use core::fmt;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
@@ -30,6 +31,16 @@ impl Axis {
             Self::Middle => 1,
             Self::Largest => 2,
         }
+    }
+}
+
+impl fmt::Display for Axis {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Smallest => "smallest",
+            Self::Middle => "middle",
+            Self::Largest => "largest",
+        })
     }
 }
 
@@ -74,7 +85,7 @@ impl PrincipalAxes {
         self.frame
     }
 
-    /// The same turn as [`frame`](Self::frame), as a unit quaternion.
+    /// The turn of [`frame`](Self::frame) as a unit quaternion.
     pub(crate) fn rotation(&self) -> UnitQuaternion<f64> {
         UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(self.frame))
     }

@@ -1,6 +1,6 @@
 //! Double-double numbers: an `f64` and what its rounding lost, about 106 bits together.
 //!
-//! For the few places where the answer is a small difference of large terms: the gap between spin
+//! For the few places where the answer is a small difference of large terms: the angle between spin
 //! and momentum near a principal axis, the inverse of a needle's tensor, the phase after a billion flips.
 //! The error-free sum and product are Knuth's and Dekker's, see [Dek71](crate::references).
 

@@ -4,7 +4,7 @@
 //! solids are run on this number, so that nothing overflows or vanishes on the way; only the result must
 //! fit an `f64`. While it does, every operation rounds exactly as `f64` does.
 
-use crate::error::{Error, Refusal, Subject};
+use crate::error::{Error, Refusal, Subject, representable};
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 use num_traits::{One, Zero};
@@ -33,7 +33,7 @@ impl Extended {
     /// As an `f64` that is finite.
     pub(crate) fn finite(self, what: Subject) -> Result<f64, Error> {
         let value = self.nearest();
-        if value.is_finite() { Ok(value) } else { Err(Refusal::OutOfRange { what, value }.into()) }
+        representable(what, &[value]).map(|()| value)
     }
 
     /// As an `f64` that has all its digits: a subnormal number has lost some, a vanished one all.
@@ -101,29 +101,16 @@ impl Div for Extended {
     }
 }
 
-impl AddAssign for Extended {
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
+macro_rules! assign {
+    ($($Trait:ident $function:ident $operator:tt),*) => {$(
+        impl $Trait for Extended {
+            fn $function(&mut self, other: Self) {
+                *self = *self $operator other;
+            }
+        }
+    )*};
 }
-
-impl SubAssign for Extended {
-    fn sub_assign(&mut self, other: Self) {
-        *self = *self - other;
-    }
-}
-
-impl MulAssign for Extended {
-    fn mul_assign(&mut self, other: Self) {
-        *self = *self * other;
-    }
-}
-
-impl DivAssign for Extended {
-    fn div_assign(&mut self, other: Self) {
-        *self = *self / other;
-    }
-}
+assign!(AddAssign add_assign +, SubAssign sub_assign -, MulAssign mul_assign *, DivAssign div_assign /);
 
 impl Zero for Extended {
     fn zero() -> Self {

@@ -16,16 +16,13 @@ mod reduction;
 mod root;
 mod trigonometric;
 
-#[cfg(test)]
-mod tests;
-
 pub(crate) use arc::atan2;
 pub(crate) use exponential::{cosh, exp, exp_and_exp_m1, sinh};
 pub(crate) use root::{hypot, powi};
 pub(crate) use trigonometric::{cos_sinc_of_root, sin_cos};
 
 /// The coefficients `sign^k / (first + step k)!` of a Taylor series.
-const fn inverse_factorials<const N: usize>(first: u32, step: u32, sign: f64) -> [f64; N] {
+pub(crate) const fn inverse_factorials<const N: usize>(first: u32, step: u32, sign: f64) -> [f64; N] {
     let (mut coefficients, mut k, mut numerator) = ([0.0; N], 0, 1.0);
     let (mut n, mut factorial, mut next) = (1, 1.0, first);
     while k < N {
@@ -48,3 +45,6 @@ fn polynomial<const N: usize>(coefficients: &[f64; N], x: f64) -> f64 {
     let (pairs, _) = coefficients.as_chunks::<2>();
     pairs.iter().rev().fold(0.0, |sum, [even, odd]| sum * square + (even + odd * x))
 }
+
+#[cfg(test)]
+mod tests;

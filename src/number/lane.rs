@@ -3,7 +3,7 @@
 use super::Field;
 use core::fmt::Debug;
 use core::ops::{Add, Mul, Sub};
-use nalgebra::Vector3;
+use nalgebra::{Quaternion, Vector3};
 use num_traits::Float;
 
 /// 2^52: from here on numbers have no fraction.
@@ -196,6 +196,13 @@ impl<T: Lane> Gather for Vector3<T> {
     type One = Vector3<f64>;
     fn gather<S>(from: &[S], of: impl Fn(&S) -> &Vector3<f64>) -> Self {
         [0, 1, 2].map(|n| T::gather(from, |s| &of(s)[n])).into()
+    }
+}
+
+impl<T: Lane> Gather for Quaternion<T> {
+    type One = Quaternion<f64>;
+    fn gather<S>(from: &[S], of: impl Fn(&S) -> &Quaternion<f64>) -> Self {
+        Quaternion::from_vector([0, 1, 2, 3].map(|n| T::gather(from, |s| &of(s).coords[n])).into())
     }
 }
 

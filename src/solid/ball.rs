@@ -1,11 +1,6 @@
 //! A ball, full or with a round hole in its middle, down to a thin shell.
 
-use super::{MassProperties, Shape, Solid, centred, ordered, square};
-use crate::error::{Error, Subject, positive};
-use crate::number::Field;
-use crate::number::extended::Extended;
-use core::f64::consts::PI;
-use nalgebra::Vector3;
+use super::*;
 
 /// A ball, centred at the origin.
 ///

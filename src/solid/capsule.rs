@@ -1,11 +1,6 @@
 //! A capsule: a cylinder capped by two half balls.
 
-use super::{MassProperties, Shape, Solid, centred, square};
-use crate::error::{Error, Subject, not_negative, positive};
-use crate::number::Field;
-use crate::number::extended::Extended;
-use core::f64::consts::PI;
-use nalgebra::Vector3;
+use super::*;
 
 /// A capsule with its axis along z, centred at the origin. A cylindrical part of length 0 leaves a ball.
 ///
@@ -53,7 +48,7 @@ impl Shape<2> for Capsule {
         let n = T::integer;
         let (middle, caps) = (n(3) * length.clone(), n(4) * radius.clone());
         let whole = middle.clone() + caps.clone();
-        let cylinder = super::Cylinder::moments(&(mass.clone() * middle / whole.clone()), [radius, length]);
+        let cylinder = Cylinder::moments(&(mass.clone() * middle / whole.clone()), [radius, length]);
         let caps = mass.clone() * caps / whole;
         let (rr, ll) = (square(radius), square(length));
         let lr = length.clone() * radius.clone();

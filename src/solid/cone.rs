@@ -1,12 +1,6 @@
 //! A full cone.
 
-use super::{MassProperties, Shape, Solid, centred_at, square};
-use crate::error::{Error, Subject, positive};
-use crate::number::Field;
-use crate::number::extended::Extended;
-use core::f64::consts::PI;
-use nalgebra::Vector3;
-use num_traits::Zero;
+use super::*;
 
 /// A full cone: its base in the plane z = 0 around the origin, its tip at `z = height`. Its centre of mass
 /// is a quarter of the way up.

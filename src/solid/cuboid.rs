@@ -1,10 +1,6 @@
 //! A box with three different edges: the book's first body.
 
-use super::{MassProperties, Shape, Solid, centred, square};
-use crate::error::{Error, Subject, positive};
-use crate::number::Field;
-use crate::number::extended::Extended;
-use nalgebra::Vector3;
+use super::*;
 
 /// A box with edges `a` along x, `b` along y and `c` along z, centred at the origin.
 ///
@@ -45,10 +41,8 @@ impl Shape<3> for Cuboid {
     /// let moments = Cuboid::moments(&12.0, [&2.0, &1.0, &3.0]);
     /// assert_eq!(moments, Vector3::new(10.0, 13.0, 5.0));
     /// ```
-    fn moments<T: Field>(mass: &T, [a, b, c]: [&T; 3]) -> Vector3<T> {
-        let twelfth = mass.clone() / T::integer(12);
-        let (aa, bb, cc) = (square(a), square(b), square(c));
-        Vector3::new(bb.clone() + cc.clone(), cc + aa.clone(), aa + bb) * twelfth
+    fn moments<T: Field>(mass: &T, sizes: [&T; 3]) -> Vector3<T> {
+        across(sizes) * (mass.clone() / T::integer(12))
     }
 }
 

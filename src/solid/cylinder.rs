@@ -1,11 +1,6 @@
 //! A cylinder, full or with a round hole along its axis.
 
-use super::{MassProperties, Shape, Solid, centred, ordered, square};
-use crate::error::{Error, Subject, positive};
-use crate::number::Field;
-use crate::number::extended::Extended;
-use core::f64::consts::PI;
-use nalgebra::Vector3;
+use super::*;
 
 /// A cylinder with its axis along z, centred at the origin.
 ///

@@ -1,11 +1,6 @@
 //! An ideal round disk, without thickness.
 
-use super::{MassProperties, Shape, Solid, centred, square};
-use crate::error::{Error, Subject, positive};
-use crate::number::Field;
-use crate::number::extended::Extended;
-use core::f64::consts::PI;
-use nalgebra::Vector3;
+use super::*;
 
 /// An ideal thin disk in the xy plane, centred at the origin.
 ///

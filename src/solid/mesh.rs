@@ -6,7 +6,7 @@
 
 use super::tetrahedron::{determinant, triple};
 use super::{MassMoments, MassProperties, Solid, shells, topology};
-use crate::error::{Error, MeshRefusal, Refusal, Subject, TensorRefusal, finite_vector, positive};
+use crate::error::{Error, Refusal, Subject, finite_vector, positive};
 use crate::inertia::moments_of;
 use crate::number::extended::Extended;
 use crate::number::power_of_two::ulp;
@@ -194,7 +194,7 @@ fn enclosed<'a>(
         return Ok(());
     }
     let sixth = |x: Extended| (x / Extended::from(6.0)).nearest();
-    Err(MeshRefusal::NoVolume { volume: sixth(six_volumes), tolerance: sixth(rounding) }.into())
+    Err(Refusal::NoVolume { volume: sixth(six_volumes), tolerance: sixth(rounding) }.into())
 }
 
 /// That some body could have this tensor, to the rounding of a sum of `count` terms: a surface that passes
@@ -211,7 +211,7 @@ fn possible(tensor: &Matrix3<Extended>, count: usize) -> Result<(), Error> {
     }
     let size = |x: f64| (Extended::from(x) * largest).nearest();
     let moments = moments.map(size).into();
-    Err(TensorRefusal::TriangleInequality {
+    Err(Refusal::TriangleInequality {
         moments,
         excess: size(excess),
         tolerance: size(tolerance),

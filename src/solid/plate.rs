@@ -1,10 +1,6 @@
 //! An ideal rectangular plate, without thickness.
 
-use super::{MassProperties, Shape, Solid, centred, square};
-use crate::error::{Error, Subject, positive};
-use crate::number::Field;
-use crate::number::extended::Extended;
-use nalgebra::Vector3;
+use super::*;
 
 /// An ideal thin plate in the xy plane, `a` along x and `b` along y, centred at the origin.
 ///

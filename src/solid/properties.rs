@@ -1,6 +1,6 @@
 //! What the rest of the library needs of a solid: mass, centre, inertia about the centre.
 
-use crate::error::{Error, Refusal, Subject, finite_vector, positive};
+use crate::error::{Error, Refusal, Subject, finite_vector, positive, representable};
 use crate::inertia::{Inertia, point_mass, turned};
 use crate::number::extended::Extended;
 use crate::number::{Field, Ring};
@@ -139,17 +139,15 @@ impl MassProperties {
         self.inertia
     }
 
-    /// The same body carried along by `offset` (m).
+    /// This body moved by `offset` (m).
     pub(super) fn moved(&self, offset: &Vector3<f64>) -> Result<Self, Error> {
         finite_vector(Subject::Offset, offset)?;
         let centre = self.centre + offset;
-        match centre.iter().find(|x| !x.is_finite()) {
-            Some(&value) => Err(Refusal::OutOfRange { what: Subject::CentreOfMass, value }.into()),
-            None => Ok(Self { centre, ..*self }),
-        }
+        representable(Subject::CentreOfMass, centre.as_slice())?;
+        Ok(Self { centre, ..*self })
     }
 
-    /// The same body turned about the origin: its centre goes round, its tensor becomes `R I R^T`.
+    /// This body turned about the origin: its centre goes round, its tensor becomes `R I R^T`.
     ///
     /// # Errors
     /// An attitude that is not finite or not of length 1, or a result that `f64` does not hold.

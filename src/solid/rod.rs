@@ -1,9 +1,6 @@
 //! An ideal rod, without thickness.
 
-use super::{MassProperties, Shape, Solid, centred, square};
-use crate::error::{Error, Subject, positive};
-use crate::number::Field;
-use nalgebra::Vector3;
+use super::*;
 
 /// An ideal thin rod along z, centred at the origin. Its moment about its own axis is zero, so that alone it
 /// has no [inverse](crate::Inertia::inverse); it may be part of a [`Compound`](super::Compound).

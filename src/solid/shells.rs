@@ -6,7 +6,7 @@
 //! triangle: [OS83](crate::references).
 
 use super::tetrahedron::triple;
-use crate::error::{Error, MeshRefusal};
+use crate::error::{Error, Refusal};
 use crate::number::extended::Extended;
 use crate::number::functions::atan2;
 use alloc::vec::Vec;
@@ -51,7 +51,7 @@ pub(super) fn check(
                 views += other.faces.len();
                 if views > MOST_VIEWS {
                     let shells = shells.len();
-                    return Err(MeshRefusal::TooManyShells { shells, most: MOST_VIEWS }.into());
+                    return Err(Refusal::TooManyShells { shells, most: MOST_VIEWS }.into());
                 }
                 for face in &other.faces {
                     match solid_angle(face.map(|v| point.sight(&vertices[v]))) {
@@ -62,7 +62,7 @@ pub(super) fn check(
             }
             // Refused only if neither 0 nor 1 whichever side rounding put the point on.
             if winding + doubt < -0.5 || winding - doubt > 1.5 {
-                return Err(MeshRefusal::MisplacedShell {
+                return Err(Refusal::MisplacedShell {
                     face: own.first,
                     volume: own.volume(vertices).nearest(),
                     winding: winding.round(),

@@ -1,7 +1,7 @@
 //! A tetrahedron: the solid that every other with flat faces is cut into.
 
 use super::{MassMoments, MassProperties, Solid};
-use crate::error::{Error, MeshRefusal, Subject, finite_vector, positive};
+use crate::error::{Error, Refusal, Subject, finite_vector, positive};
 use crate::inertia::point_mass;
 use crate::number::extended::Extended;
 use crate::number::{Field, Ring};
@@ -63,7 +63,7 @@ impl Tetrahedron {
             return Ok(Self { vertices });
         }
         let sixth = |x: Extended| (x / Extended::from(6.0)).nearest();
-        Err(MeshRefusal::NoVolume { volume: sixth(six_volume), tolerance: sixth(rounding) }.into())
+        Err(Refusal::NoVolume { volume: sixth(six_volume), tolerance: sixth(rounding) }.into())
     }
 }
 

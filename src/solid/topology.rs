@@ -1,6 +1,6 @@
 //! Whether a list of triangles is a closed surface with one side in and one side out, and of which shells.
 
-use crate::error::{Error, MeshRefusal};
+use crate::error::{Error, Refusal};
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 
@@ -24,13 +24,13 @@ pub(super) fn shells(faces: &[[usize; 3]], count: usize) -> Result<Vec<usize>, E
         let [a, b, c] = vertices;
         let distinct = a != b && b != c && c != a;
         if !distinct || vertices.iter().any(|&v| v >= count) {
-            return Err(MeshRefusal::BadFace { face, vertices, count }.into());
+            return Err(Refusal::BadFace { face, vertices, count }.into());
         }
-        // The same three in the same turn, whichever comes first.
+        // One of the three orders that turn alike stands for the face.
         let turns = [[a, b, c], [b, c, a], [c, a, b]];
         let first = turns.into_iter().min().unwrap_or(vertices);
         if let Some(before) = listed.insert(first, face) {
-            return Err(MeshRefusal::RepeatedFace { face, before, vertices }.into());
+            return Err(Refusal::RepeatedFace { face, before, vertices }.into());
         }
         for [from, to] in [[a, b], [b, c], [c, a]] {
             sides.push(Side { edge: [from.min(to), from.max(to)], face, rising: from < to });
@@ -75,13 +75,13 @@ fn balanced(around: &[Side]) -> Result<(), Error> {
         return Ok(());
     };
     if faces % 2 == 1 {
-        return Err(MeshRefusal::OpenMesh { edge: [low, high], faces }.into());
+        return Err(Refusal::OpenMesh { edge: [low, high], faces }.into());
     }
     if 2 * rising == faces {
         return Ok(());
     }
     let edge = if 2 * rising > faces { [low, high] } else { [high, low] };
-    Err(MeshRefusal::FlippedFace { edge }.into())
+    Err(Refusal::FlippedFace { edge }.into())
 }
 
 /// Which faces belong together: each names another of its part, or itself.

@@ -273,7 +273,7 @@ impl<T: nalgebra::Scalar + ToPrimitive> Torque<T> {
                 finite_vector(what, &direction)?;
                 let length = direction.norm();
                 if (length - 1.0).abs() > UNIT_TOLERANCE {
-                    return Err(Refusal::NotUnitVector { what, length, tolerance: UNIT_TOLERANCE }.into());
+                    return Err(Refusal::NotUnit { what, length, tolerance: UNIT_TOLERANCE }.into());
                 }
                 Ok(())
             }

@@ -128,18 +128,6 @@ fn after_a_billion_flips_the_spin_is_where_the_count_of_flips_says() {
 }
 
 #[test]
-fn a_billion_flips_take_no_room_and_the_last_can_be_asked_for() {
-    let motion = motion([1.0, 2.0, 3.0], [0.3, 1.0, -0.2]);
-    let half = motion.period().unwrap().unwrap() / 2.0;
-    let from = 1e9 * half;
-    let late: Vec<f64> = motion.flips(from, from + 3.2 * half).unwrap().collect();
-    assert_eq!(late.len(), 3);
-    let all = motion.flips(-from, from).unwrap();
-    assert!(all.take(1000).is_sorted());
-    assert!(motion.flips(0.0, 1e300).is_err());
-}
-
-#[test]
 fn the_separatrix_flips_once() {
     let motion = motion([3.0, 4.0, 6.0], [2.0, 1.0, 1.0]);
     assert!(matches!(motion.regime(), Regime::Separatrix { .. }));
@@ -148,11 +136,6 @@ fn the_separatrix_flips_once() {
     assert_eq!(times.len(), 1);
     assert!(motion.omega(times[0]).unwrap().y.abs() < 1e-15);
     assert_eq!(motion.next_flip(times[0]).unwrap(), None);
-    // It ends along the middle axis, with all the momentum it had: |L|² = 6² + 4² + 6².
-    let late = motion.omega(300.0).unwrap();
-    assert!((late.y.abs() - 88_f64.sqrt() / 4.0).abs() < 1e-15 && late.x.abs() < 1e-100);
-    let early = motion.omega(-300.0).unwrap();
-    assert!((early.y + late.y).abs() < 1e-15);
 }
 
 /// Counting by arithmetic, and by going through them one by one.
@@ -194,6 +177,7 @@ fn flips_are_counted_without_being_visited() {
     let mut middle = many.clone();
     let at = middle.nth(1_000_000_000_000_000).unwrap();
     assert!(at.abs() < 2.0 * half && middle.next().unwrap() > at && many.last().unwrap() > 0.99e15 * half);
+    assert!(motion.flips(0.0, 1e300).is_err());
     // The one flip of the separatrix, and none of a steady spin.
     let once =
         FreeMotion::new(PrincipalMoments::new(3.0, 4.0, 6.0).unwrap(), &Vector3::new(2.0, 1.0, 1.0)).unwrap();

@@ -4,7 +4,6 @@ mod extremes;
 mod flips;
 mod geometry;
 mod motion;
-mod polhode;
 mod regime;
 mod sensitivity;
 mod top;

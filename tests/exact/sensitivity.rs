@@ -3,7 +3,7 @@
 
 mod any_axes;
 
-use super::ROUNDING;
+use super::{ROUNDING, motion};
 use crate::common::*;
 use nalgebra::{Matrix3, SMatrix, Vector3, Vector6};
 use proptest::prelude::*;
@@ -275,19 +275,11 @@ proptest! {
     }
 
     #[test]
-    fn no_input_makes_the_derivatives_panic(m in any_vector(), omega in any_vector(), t in anything()) {
-        if let Ok(motion) = PrincipalMoments::try_from(m).and_then(|m| FreeMotion::new(m, &omega))
-        {
-            for found in motion.sensitivities(t).into_iter().flat_map(|(a, b)| [a, b]) {
-                prop_assert!(found.iter().all(|x| x.is_finite()));
-            }
-        }
-    }
-
-    #[test]
-    fn no_possible_body_makes_the_derivatives_panic(m in body(), omega in any_vector(), t in anything(), power in -200..200_i32) {
-        if let Ok(motion) = PrincipalMoments::try_from(m * 10_f64.powi(power)).and_then(|m| FreeMotion::new(m, &omega))
-        {
+    fn no_input_makes_the_derivatives_panic(
+        m in prop_oneof![any_vector(), (body(), -200..200_i32).prop_map(|(m, power)| m * 10_f64.powi(power))],
+        omega in any_vector(), t in anything(),
+    ) {
+        if let Ok(motion) = PrincipalMoments::try_from(m).and_then(|m| FreeMotion::new(m, &omega)) {
             for found in motion.sensitivities(t).into_iter().flat_map(|(a, b)| [a, b]) {
                 prop_assert!(found.iter().all(|x| x.is_finite()));
             }
@@ -298,11 +290,7 @@ proptest! {
 #[test]
 fn at_the_start_the_change_is_the_one_that_is_made() {
     for omega in [[0.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.3, -0.7, 1e-300], [2.0, 1.0, 1.0]] {
-        let change = derivatives(
-            &FreeMotion::new(PrincipalMoments::new(3.0, 4.0, 6.0).unwrap(), &omega.into()).unwrap(),
-            0.0,
-        )
-        .unwrap();
+        let change = derivatives(&motion([3.0, 4.0, 6.0], omega), 0.0).unwrap();
         assert_eq!(change.omega_by_omega, Matrix3::identity());
         assert_eq!(change.turn_by_omega, Matrix3::zeros());
         assert_eq!((change.omega_by_tensor, change.turn_by_tensor), (ByTensor::zeros(), ByTensor::zeros()));
@@ -312,11 +300,7 @@ fn at_the_start_the_change_is_the_one_that_is_made() {
 // By hand: a body at rest that is given a spin has it, and turns by it.
 #[test]
 fn a_body_at_rest_does_what_the_push_says() {
-    let change = derivatives(
-        &FreeMotion::new(PrincipalMoments::new(3.0, 4.0, 6.0).unwrap(), &Vector3::zeros()).unwrap(),
-        2.5,
-    )
-    .unwrap();
+    let change = derivatives(&motion([3.0, 4.0, 6.0], [0.0; 3]), 2.5).unwrap();
     assert_eq!(change.omega_by_omega, Matrix3::identity());
     assert_eq!(change.turn_by_omega, Matrix3::identity() * 2.5);
     assert_eq!((change.omega_by_tensor, change.turn_by_tensor), (ByTensor::zeros(), ByTensor::zeros()));
@@ -325,8 +309,9 @@ fn a_body_at_rest_does_what_the_push_says() {
 #[test]
 fn derivatives_beyond_f64_are_refused() {
     let refused = |omega: [f64; 3], t: f64| {
-        let motion = FreeMotion::new(PrincipalMoments::new(3.0, 4.0, 6.0).unwrap(), &omega.into()).unwrap();
-        motion.state_transition(t).is_err_and(|error| error.kind() == ErrorKind::Unrepresentable)
+        motion([3.0, 4.0, 6.0], omega)
+            .state_transition(t)
+            .is_err_and(|error| error.kind() == ErrorKind::Unrepresentable)
     };
     // The rate about the middle axis is 1/3: grown e^(1500/3) fold it fits, e^(3000/3) fold not.
     assert!(!refused([0.0, 1.0, 0.0], 1500.0));
@@ -361,14 +346,9 @@ proptest! {
 #[test]
 fn a_steady_spin_the_other_way_answers_as_its_mirror() {
     // Half a turn about x takes z to -z: the same body, so R(w) with every y and z turned round.
-    let m = Vector3::new(1.0, 2.0, 2.6);
+    let m = [1.0, 2.0, 2.6];
     let half = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, -1.0));
-    let there =
-        derivatives(&FreeMotion::new(m.try_into().unwrap(), &Vector3::new(0.0, 0.0, 0.8)).unwrap(), 2.3)
-            .unwrap();
-    let back =
-        derivatives(&FreeMotion::new(m.try_into().unwrap(), &Vector3::new(0.0, 0.0, -0.8)).unwrap(), 2.3)
-            .unwrap();
+    let [there, back] = [0.8, -0.8].map(|spin| derivatives(&motion(m, [0.0, 0.0, spin]), 2.3).unwrap());
     assert!((half * there.omega_by_omega * half - back.omega_by_omega).norm() < 1e-14);
     assert!((half * there.omega_by_moments() - back.omega_by_moments()).norm() < 1e-14);
     assert!((half * there.turn_by_omega * half - back.turn_by_omega).norm() < 1e-14);

@@ -229,27 +229,6 @@ fn a_mesh_of_any_size_is_measured_or_out_of_range() {
     refused(huge.with_mass(1.0), ErrorKind::Unrepresentable, "a moment of inertia comes out as inf");
 }
 
-#[test]
-fn two_bricks_apart_or_touching_along_an_edge_are_one_solid() {
-    let (edges, unit) = (Vector3::new(1.0, 2.0, 3.0), Cuboid::new(1.0, 2.0, 3.0).unwrap());
-    let whole = |b: Vector3<f64>| {
-        let half = edges * 0.5;
-        let part = |low: Vector3<f64>| moved(&unit.with_density(1.0).unwrap(), &(low + half)).unwrap();
-        together(&[part(Vector3::zeros()), part(b)]).unwrap()
-    };
-    let apart = Vector3::new(5.0, 0.5, -1.0);
-    let mesh = solid(&both(brick(Vector3::zeros(), edges), brick(apart, edges))).unwrap();
-    assert_same("apart", &mesh.with_density(1.0).unwrap(), &whole(apart), 1e-14, 5.0);
-    // Touching along an edge, with its two corners welded: that edge has four faces.
-    let shifted = Vector3::new(1.0, 2.0, 0.0);
-    let (corners, mut faces) = both(brick(Vector3::zeros(), edges), brick(shifted, edges));
-    for vertex in faces.iter_mut().flatten() {
-        *vertex = corners.iter().position(|v| *v == corners[*vertex]).unwrap();
-    }
-    let welded = Mesh::new(&corners, &faces).unwrap();
-    assert_same("welded", &welded.with_density(1.0).unwrap(), &whole(shifted), 1e-14, 5.0);
-}
-
 // A bow tie's prism: its upper half, nearly as large as the lower and farther from their centre, is inside
 // out.
 #[test]

@@ -1,7 +1,7 @@
 //! Parts, places and axes: the parallel-axis theorem, turning, and what is refused.
 
-use super::cloud::{anything, assert_same, moved, size, together, vector};
-use crate::common::{number_after, refused};
+use super::cloud::{assert_same, moved, size, together, vector};
+use crate::common::{any_vector, anything, refused};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use num_rational::Ratio;
 use proptest::prelude::*;
@@ -68,15 +68,6 @@ proptest! {
         assert_same("back", &back, &body, 1e-14, 1.0);
     }
 
-    #[test]
-    fn the_parallel_axis_theorem_leads_there_and_back(point in vector(-5.0..5.0)) {
-        let body = lopsided();
-        let about = body.about(&point).unwrap();
-        let back = about.shifted_to_centre(body.mass(), &(body.centre() - point)).unwrap();
-        let off = (back.matrix() - body.inertia().matrix()).amax();
-        prop_assert!(off <= 1e-14 * about.matrix().amax(), "{off:e}");
-    }
-
     // In exact arithmetic, from any reference, and grouped in any way.
     #[test]
     fn combining_parts_one_by_one_or_all_at_once_is_exactly_the_same_in_fractions(
@@ -127,7 +118,7 @@ proptest! {
 
     #[test]
     fn any_numbers_at_all_give_properties_or_a_typed_error(
-        mass in anything(), at in vector(anything()), moments in vector(anything()), offset in vector(anything()),
+        mass in anything(), at in any_vector(), moments in any_vector(), offset in any_vector(),
         q in proptest::array::uniform4(anything()),
     ) {
         let [w, x, y, z] = q;
@@ -219,18 +210,6 @@ fn what_is_no_body_is_refused_by_name() {
     let bad = refused(bad, ErrorKind::NotFinite, "part 1: the offset is NaN");
     let of_the_part = std::error::Error::source(&bad).unwrap();
     assert_eq!(bad.to_string(), format!("part 1: {of_the_part}"));
-}
-
-#[test]
-fn known_violators_are_refused_with_the_inequality_and_its_margin() {
-    // Moments that published bodies have been given, and what they miss by.
-    for (m, margin) in [([1.486e-6, 2e-7, 8.31e-7], 4.55e-7), ([1.11, 100.11, 1.01], 97.99)] {
-        let error =
-            refused(Inertia::from_moments(m[0], m[1], m[2]), ErrorKind::Impossible, "triangle inequality");
-        let (excess, tolerance) = (number_after(&error, "fails by "), number_after(&error, "rounding ("));
-        assert!((excess - margin).abs() <= 1e-12 * margin, "{excess}");
-        assert!(tolerance < 1e-14 * m[0].max(m[1]));
-    }
 }
 
 #[test]

@@ -1,7 +1,6 @@
 //! Bad sizes: each shape answers with an error that names the value and the rule, and never panics.
 
-use super::cloud::{anything, vector};
-use crate::common::{number_after, refused};
+use crate::common::{any_vector, anything, number_after, refused};
 use nalgebra::Vector3;
 use proptest::prelude::*;
 use tumbling::solid::*;
@@ -36,7 +35,7 @@ proptest! {
     #[test]
     fn any_numbers_at_all_give_a_shape_with_finite_properties_or_a_typed_error(
         a in anything(), b in anything(), c in anything(), mass in anything(),
-        corners in proptest::array::uniform4(vector(anything())),
+        corners in proptest::array::uniform4(any_vector()),
     ) {
         let mut shapes = every_shape(a, b, c);
         shapes.push(("tetrahedron", boxed(Tetrahedron::new(corners))));

@@ -38,7 +38,7 @@ pub fn cube(low: [f64; 3], edge: f64) -> Surface {
     brick(Vector3::from(low), Vector3::repeat(edge))
 }
 
-/// The same surface with one vertex at each place.
+/// This surface with one vertex at each place.
 pub fn welded((corners, mut faces): Surface) -> Surface {
     for vertex in faces.iter_mut().flatten() {
         *vertex = corners.iter().position(|v| *v == corners[*vertex]).unwrap();

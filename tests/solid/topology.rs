@@ -1,8 +1,7 @@
 //! Lists of triangles that are no closed surface with one side in and one side out.
 
-use super::cloud::vector;
 use super::surface::{brick, cube, inside_out, solid};
-use crate::common::{number_after, refused};
+use crate::common::{any_vector, number_after, refused};
 use nalgebra::Vector3;
 use proptest::prelude::*;
 use tumbling::ErrorKind;
@@ -14,7 +13,7 @@ proptest! {
     #[test]
     fn any_faces_at_all_are_a_solid_or_a_typed_error(
         faces in proptest::collection::vec(proptest::array::uniform3(0_usize..6), 0..12),
-        corners in proptest::collection::vec(vector(super::cloud::anything()), 0..7),
+        corners in proptest::collection::vec(any_vector(), 0..7),
     ) {
         if let Ok(mesh) = Mesh::new(&corners, &faces) {
             let _ = mesh.with_mass(1.0);

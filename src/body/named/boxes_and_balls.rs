@@ -36,7 +36,7 @@ pub(super) const REMOTE_CONTROL: Even<3> = Even { sizes: [0.035, 0.00925, 0.136]
 pub const BALL: Even<1> = Even { sizes: [0.5], mass: 1.0 };
 
 impl Even<3> {
-    /// It as the only part of a body, a box.
+    /// The box as the only part of a body.
     pub(super) fn part(&self, name: &'static str, material: &'static str) -> Part {
         let [wide, thick, length] = self.sizes;
         let (section, along) = (Section::Rectangle { wide, thick }, Vector3::new(0.0, 0.0, length));

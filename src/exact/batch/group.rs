@@ -1,13 +1,12 @@
 //! Bodies of one kind of motion, in blocks as wide as there are lanes.
 
 use super::Answer;
+use crate::attitude::product;
 use crate::exact::kernel::Kernel;
-use crate::exact::mount::{Mount, in_body, in_world};
 use crate::exact::{FreeMotion, Instant};
 use crate::inertia::Frame;
 use crate::number::{Gather, Lane, splat};
 use alloc::vec::Vec;
-use core::mem::size_of;
 use nalgebra::{Quaternion, UnitQuaternion};
 
 /// In the lanes that are only copies.
@@ -26,27 +25,8 @@ pub(super) struct Group<T, K, A> {
     attitudes: Vec<A>,
     /// For the last of the blocks.
     worlds: Vec<Quaternion<T>>,
-    /// For the last of these, and conjugated: from body axes to principal ones.
-    frames: Vec<Quaternion<T>>,
-}
-
-/// How a body's principal axes are mounted, as far as that matters.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Mounted {
-    Not,
-    InWorld,
-    InBody,
-}
-
-impl Mounted {
-    /// Where only spins are requested the world does not matter.
-    fn of(mount: Option<&Mount>, attitudes: bool) -> Self {
-        match mount {
-            Some(mount) if mount.frame != Frame::SAME => Self::InBody,
-            Some(_) if attitudes => Self::InWorld,
-            _ => Self::Not,
-        }
-    }
+    /// For the last of these.
+    frames: Vec<Frame<T>>,
 }
 
 impl<T: Lane, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
@@ -68,12 +48,17 @@ impl<T: Lane, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
             worlds: Vec::new(),
             frames: Vec::new(),
         };
-        for mounted in [Mounted::Not, Mounted::InWorld, Mounted::InBody] {
-            let here = |motion: &FreeMotion| Mounted::of(motion.mount.as_ref(), attitudes) == mounted;
+        // Where only spins are requested the attitude at the start does not matter.
+        let turns = |motion: &FreeMotion| match &motion.mount {
+            Some(mount) if !mount.frame.is_body() => 2,
+            Some(_) if attitudes => 1,
+            _ => 0,
+        };
+        for turned in 0..3 {
             let mut these = motions
                 .iter()
                 .enumerate()
-                .filter(|(_, motion)| here(motion))
+                .filter(|(_, motion)| turns(motion) == turned)
                 .filter_map(|(body, motion)| Some((body, motion, of(motion)?)))
                 .peekable();
             while these.peek().is_some() {
@@ -86,15 +71,13 @@ impl<T: Lane, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
                 if attitudes {
                     group.attitudes.push(A::gather(&block, |(.., (_, attitude))| *attitude));
                 }
-                let mounts: Vec<&Mount> =
+                let mounts: Vec<_> =
                     block.iter().filter_map(|(_, motion, _)| motion.mount.as_ref()).collect();
-                if attitudes && mounted != Mounted::Not {
-                    group.worlds.push(quaternions(&mounts, |mount| *mount.world));
+                if attitudes && turned > 0 {
+                    group.worlds.push(Quaternion::gather(&mounts, |mount| mount.world.quaternion()));
                 }
-                if mounted == Mounted::InBody {
-                    group
-                        .frames
-                        .push(quaternions(&mounts, |mount| mount.frame.to_body().conjugate().into_inner()));
+                if turned == 2 {
+                    group.frames.push(Frame::of_lanes(mounts.iter().map(|mount| &mount.frame)));
                 }
             }
         }
@@ -111,18 +94,10 @@ impl<T: Lane, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
         self.frames.shrink_to_fit();
     }
 
-    pub(super) fn bytes(&self) -> usize {
-        self.bodies.len() * size_of::<usize>()
-            + self.clocks.len() * size_of::<T>()
-            + self.spins.len() * size_of::<K>()
-            + self.attitudes.len() * size_of::<A>()
-            + (self.worlds.len() + self.frames.len()) * size_of::<Quaternion<T>>()
-    }
-
     /// What belongs to block `n` of those to whose last blocks it belongs.
     #[inline(always)]
-    fn of_last<'a>(&self, n: usize, parts: &'a [Quaternion<T>]) -> Option<&'a Quaternion<T>> {
-        n.checked_sub(self.spins.len() - parts.len()).and_then(|n| parts.get(n))
+    fn of_last<P: Copy>(&self, n: usize, parts: &[P]) -> Option<P> {
+        n.checked_sub(self.spins.len() - parts.len()).and_then(|n| parts.get(n)).copied()
     }
 
     pub(super) fn each<W: Answer>(
@@ -134,14 +109,15 @@ impl<T: Lane, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
         let blocks = self.bodies.chunks_exact(T::WIDTH.max(1));
         for (n, ((bodies, &clock), spin)) in blocks.zip(&self.clocks).zip(&self.spins).enumerate() {
             let attitude = if W::ATTITUDE { self.attitudes.get(n) } else { None };
-            let (world, frame) = (self.of_last(n, &self.worlds), self.of_last(n, &self.frames));
+            let world = self.of_last(n, &self.worlds);
+            let frame = self.of_last(n, &self.frames).unwrap_or(Frame::BODY);
             for (k, &t) in times.iter().enumerate() {
                 let time = clock * t;
                 let phase = spin.phase(time);
-                let omega = in_body(frame, spin.omega(&phase));
+                let omega = frame.in_body(spin.omega(&phase));
                 let turn = attitude.map(|attitude| {
                     let turn = spin.turn(attitude, &phase, time);
-                    world.map_or(turn, |world| in_world(world, frame, turn))
+                    world.map_or(turn, |world| frame.attitude_of_body(product(&world, &turn)))
                 });
                 each_lane(bodies, time, |lane, body, starts| {
                     let here = || {
@@ -165,10 +141,4 @@ fn each_lane<T: Lane>(bodies: &[usize], time: T, mut put: impl FnMut(usize, usiz
     for (lane, &body) in bodies.iter().enumerate().filter(|(_, body)| **body != NOBODY) {
         put(lane, body, any_starts && time.lane(lane) == 0.0);
     }
-}
-
-fn quaternions<T: Lane>(mounts: &[&Mount], of: impl Fn(&Mount) -> Quaternion<f64>) -> Quaternion<T> {
-    let coords: Vec<[f64; 4]> = mounts.iter().map(|mount| of(mount).coords.into()).collect();
-    let [x, y, z, w] = Gather::gather(&coords, |coords| coords);
-    Quaternion::new(w, x, y, z)
 }

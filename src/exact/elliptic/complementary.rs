@@ -65,11 +65,11 @@ pub(crate) struct ComplementarySeries<T = f64> {
     /// Powers of `p`: the second, the fourth, the first.
     powers: [T; 3],
     /// What makes `sn`, `cn` and `dn` of the quotients: up to half the quarter period, and beyond.
-    pub(super) near: [T; 3],
-    pub(super) far: [T; 3],
+    pub(super) near_flip: [T; 3],
+    pub(super) near_saddle: [T; 3],
 }
 
-gather_fields!(ComplementarySeries { powers, near, far });
+gather_fields!(ComplementarySeries { powers, near_flip, near_saddle });
 
 impl ComplementarySeries {
     /// `complement` is `2^shift k'`; `cn` and `dn` come out times `2^shift` too.
@@ -83,9 +83,9 @@ impl ComplementarySeries {
         Self {
             powers: [p2, p4, p],
             // (C29)
-            near: [third / fourth, stretch * (second / fourth), stretch * (second / third)],
+            near_flip: [third / fourth, stretch * (second / fourth), stretch * (second / third)],
             // (C30)
-            far: [
+            near_saddle: [
                 third / fourth,
                 complement * (third * third / (fourth * second)),
                 complement * (third / second),
@@ -119,19 +119,19 @@ impl<T: Lane> ComplementarySeries<T> {
         [sine, cosine, even - odd, even + odd]
     }
 
-    /// `sn`, `cn`, `dn` where `x` is the argument times `pi/(2K')`, up to half the quarter period; or, if
-    /// `far`, what is left of it to the quarter period, so that the small ones keep their digits there.
+    /// `sn`, `cn`, `dn` where `x` is the argument times `pi/(2K')`, up to half the quarter period; or, at a
+    /// `saddle`, what is left of it to the quarter period, so that the small ones keep their digits there.
     #[inline(always)]
-    pub(crate) fn values(&self, x: &Decay<T>, far: T::Mask) -> [T; 3] {
+    pub(crate) fn values(&self, x: &Decay<T>, saddle: T::Mask) -> [T; 3] {
         let [sine, cosine, alternating, plain] = self.sums(x);
-        let [s, c, d] = [0, 1, 2].map(|n| T::select(far, self.far[n], self.near[n]));
+        let [s, c, d] = [0, 1, 2].map(|n| T::select(saddle, self.near_saddle[n], self.near_flip[n]));
         let (rise, fall) =
-            (T::select(far, x.root, splat::<T>(1.0)), T::select(far, splat::<T>(0.5), x.root * 2.0));
-        let (first, second) = (T::select(far, alternating, sine), T::select(far, sine, alternating));
-        let (third, under) = (T::select(far, cosine, plain), T::select(far, plain * x.root, cosine));
-        let over = splat::<T>(1.0) / under;
-        let fall = fall * over;
-        [s * first * (rise * over), c * second * fall, d * third * fall]
+            (T::select(saddle, x.root, splat::<T>(1.0)), T::select(saddle, splat::<T>(0.5), x.root * 2.0));
+        let (first, second) = (T::select(saddle, alternating, sine), T::select(saddle, sine, alternating));
+        let (third, under) = (T::select(saddle, cosine, plain), T::select(saddle, plain * x.root, cosine));
+        let inverse = splat::<T>(1.0) / under;
+        let fall = fall * inverse;
+        [s * first * (rise * inverse), c * second * fall, d * third * fall]
     }
 }
 

@@ -50,7 +50,7 @@ impl<T: Lane> DirectSeries<T> {
         let [third, fourth, second, first] = self.thetas((cos - sin) * (cos + sin));
         let [s, c, d] = self.factors;
         // (C16)
-        let over = splat::<T>(1.0) / fourth;
-        [s * (sin * first) * over, c * (cos * second) * over, d * third * over]
+        let inverse = splat::<T>(1.0) / fourth;
+        [s * (sin * first) * inverse, c * (cos * second) * inverse, d * third * inverse]
     }
 }

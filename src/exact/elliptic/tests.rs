@@ -270,8 +270,8 @@ fn at_the_border_no_sum_leaves_out_more_than_a_part_of_a_rounding() {
         let (root, x) = (input(&row[0]), input(&row[1]));
         let series = ComplementarySeries::new(root * root, 1.0, 0);
         compare("complementary sum", &series.sums(&Decay::new(x, 0.0, root)), &list(&row[2]), None);
-        compare("near", &series.near, &list(&row[3]), None);
-        compare("far", &series.far, &list(&row[4]), None);
+        compare("near", &series.near_flip, &list(&row[3]), None);
+        compare("far", &series.near_saddle, &list(&row[4]), None);
     }
     let shape = |depth: f64| Shape { cyclic: true, forward: true, tilt: 1.0, depth };
     for row in rows("direct_pair") {

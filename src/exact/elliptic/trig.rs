@@ -1,6 +1,7 @@
 //! Sine and cosine of an angle given in turns: no division by the circle's constant to lose digits in.
 
 use crate::number::double_double::DoubleDouble;
+use crate::number::functions::inverse_factorials;
 use crate::number::{Lane, splat};
 use core::f64::consts::TAU;
 
@@ -30,34 +31,8 @@ pub(crate) fn sin_cos_of_turns<T: Lane>(turns: DoubleDouble<T>) -> (T, T) {
 /// of the sum.
 #[inline(always)]
 fn near_zero<T: Lane>(x: T) -> (T, T) {
-    const fn inverse_factorial(n: u32) -> f64 {
-        let (mut product, mut i) = (1.0, 2);
-        while i <= n {
-            product *= i as f64;
-            i += 1;
-        }
-        1.0 / product
-    }
-    const S: [f64; 8] = [
-        -inverse_factorial(3),
-        inverse_factorial(5),
-        -inverse_factorial(7),
-        inverse_factorial(9),
-        -inverse_factorial(11),
-        inverse_factorial(13),
-        -inverse_factorial(15),
-        inverse_factorial(17),
-    ];
-    const C: [f64; 8] = [
-        inverse_factorial(4),
-        -inverse_factorial(6),
-        inverse_factorial(8),
-        -inverse_factorial(10),
-        inverse_factorial(12),
-        -inverse_factorial(14),
-        inverse_factorial(16),
-        -inverse_factorial(18),
-    ];
+    const S: [f64; 8] = inverse_factorials(3, 2, -1.0);
+    const C: [f64; 8] = inverse_factorials(4, 2, -1.0);
     let y = x * x;
     let (y2, y4) = (y * y, (y * y) * (y * y));
     // Pairs, then pairs of pairs: the processor works on them at once.
@@ -66,7 +41,7 @@ fn near_zero<T: Lane>(x: T) -> (T, T) {
         let high = (y * a[5] + a[4]) + y2 * (y * a[7] + a[6]);
         low + y4 * high
     };
-    let sin = x + x * y * series(&S);
+    let sin = x - x * y * series(&S);
     let half = y * 0.5;
     let near = -half + 1.0;
     // What the subtraction rounded off goes back in.

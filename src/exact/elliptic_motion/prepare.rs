@@ -268,44 +268,26 @@ impl<'a> Preparation<'a> {
 
     /// By the series of the complementary nome.
     fn complementary(&self, shares: [f64; 3]) -> Prepared {
-        let Self { motion, rate, quarter, other, .. } = *self;
-        // (C9)
-        let exponent = -FRAC_PI_2 / (other / quarter.hi());
-        let nome_root = if motion.separatrix { 0.0 } else { exp(exponent) };
+        let Self { rate, quarter, other, .. } = *self;
+        let values = self.values();
+        let start = argument_at_start(values, self.scaled_complement, quarter, self.shift);
+        let turn = if values[1] < 0.0 { -1.0 } else { 1.0 };
+        // (C27)
+        let mut reduction = Reduction::new(start, rate, quarter, other, turn);
+        let Reduction { nome_root, stretch, .. } = reduction;
         let series = ComplementarySeries::new(nome_root * nome_root, self.scaled_complement, self.shift);
         let pair = ComplementaryPair::new(nome_root, &self.shape(shares, 4.0 * other));
-        // (C27)
-        let stretch = PI / (2.0 * other);
         let (angle, turning) = pair.angle_and_turning_at_saddle();
-        let values = self.values();
-        let half = if motion.separatrix { quarter } else { quarter * 2.0 };
-        let mut reduction = Reduction {
-            start: argument_at_start(values, self.scaled_complement, quarter, self.shift),
-            rate: if motion.separatrix { rate } else { rate / half },
-            quarter,
-            half,
-            stretch,
-            nome_root,
-            turn: if values[1] < 0.0 { -1.0 } else { 1.0 },
-        };
-        let at_start = |reduction: &Reduction| {
-            if motion.separatrix { reduction.without_return(0.0) } else { reduction.at(0.0) }
-        };
-        let (amplitudes, shift) = self.meeting_the_start(at_start(&reduction).values(&series));
+        let (amplitudes, shift) = self.meeting_the_start(reduction.argument(0.0).values(&series));
         reduction.start = reduction.start - DoubleDouble::from(shift);
-        let start = of_length_one(at_start(&reduction).pair(&pair));
+        let start = of_length_one(reduction.argument(0.0).pair(&pair));
         let drift =
             (self.rate_about_momentum() * 0.5 - rate * (stretch * turning)) / (DoubleDouble::PI * 2.0);
         let axes = Axes::new(self.axes());
         let spin = ComplementarySpin { series, reduction, amplitudes: self.in_series(amplitudes), axes };
         // (C33)
         let attitude = ComplementaryAttitude { pair, start, drift, step: 2.0 * angle / (2.0 * PI) };
-        let form = if motion.separatrix {
-            Form::Separatrix { spin, attitude }
-        } else {
-            Form::Complementary { spin, attitude }
-        };
-        Prepared { form, argument: reduction.start, amplitudes }
+        Prepared { form: Form::Complementary { spin, attitude }, argument: reduction.start, amplitudes }
     }
 
     /// How fast the smooth phase about the momentum runs at the saddle: as `L/I_M` but for terms that vanish
@@ -315,8 +297,8 @@ impl<'a> Preparation<'a> {
         let slow = self.amplitudes[2].hi() * self.complement;
         let lead = self.momentum / DoubleDouble::from(i_m);
         // (C34), with the discriminant of (C2)
-        let side = if i_c > i_m { 1.0 } else { -1.0 };
-        let signed_distance = side * self.motion.distance_from_separatrix();
+        let sign = if i_c > i_m { 1.0 } else { -1.0 };
+        let signed_distance = sign * self.motion.distance_from_separatrix();
         let l = self.momentum.hi();
         let rest = -(signed_distance + l * slow * (i_c - i_m)) / (i_m * (l + i_c * slow));
         (lead + DoubleDouble::from(rest)) * self.sign

@@ -7,7 +7,9 @@
 use crate::exact::cayley_klein::{ComplementaryPair, Pair};
 use crate::exact::elliptic::{ComplementarySeries, Decay};
 use crate::number::double_double::DoubleDouble;
+use crate::number::functions::exp;
 use crate::number::{Gather, Lane, gather_fields, splat};
+use core::f64::consts::{FRAC_PI_2, PI};
 
 /// How Jacobi's argument runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,7 +36,7 @@ pub(crate) struct ReducedArgument<T: Lane = f64> {
     decay: Decay<T>,
     near_saddle: T::Mask,
     /// Its sign, from the nearest flip.
-    side: T,
+    sign: T,
     /// The sign of `cn`.
     turn: T,
     /// Half periods since the start.
@@ -42,9 +44,35 @@ pub(crate) struct ReducedArgument<T: Lane = f64> {
 }
 
 impl Reduction {
-    /// On the separatrix, where there is no half period to take off.
+    /// From the argument at the start, its rate per unit of time, `K` (infinite on the separatrix), `K'` and
+    /// the sign of `cn` at the start.
+    pub(crate) fn new(
+        start: DoubleDouble,
+        rate: DoubleDouble,
+        quarter: DoubleDouble,
+        other: f64,
+        turn: f64,
+    ) -> Self {
+        let stretch = PI / (2.0 * other);
+        if quarter.hi().is_infinite() {
+            return Self { start, rate, quarter, half: quarter, stretch, nome_root: 0.0, turn };
+        }
+        let half = quarter * 2.0;
+        // (C9)
+        let nome_root = exp(-FRAC_PI_2 / (other / quarter.hi()));
+        Self { start, rate: rate / half, quarter, half, stretch, nome_root, turn }
+    }
+
+    /// At a time, on the separatrix too.
     #[inline(always)]
-    pub(crate) fn without_return(&self, time: f64) -> ReducedArgument {
+    pub(crate) fn argument(&self, time: f64) -> ReducedArgument {
+        if self.half.hi() < f64::INFINITY { self.at(time) } else { self.without_return(time) }
+    }
+
+    /// On the separatrix, where there is no half period to take off.
+    // Not inlined: the separatrix is rare, and all other motions are faster without this code.
+    #[inline(never)]
+    fn without_return(&self, time: f64) -> ReducedArgument {
         // Beyond the end of the range the spin has long come to rest on the middle axis: any argument that
         // large will do.
         let run = self.rate * time;
@@ -66,12 +94,12 @@ impl<T: Lane> Reduction<T> {
     fn reduced(&self, mut halves: T, mut u: DoubleDouble<T>) -> ReducedArgument<T> {
         let beyond = self.quarter.hi().lt(u.hi().abs());
         if T::any(beyond) {
-            let side = u.hi().sign();
-            u = DoubleDouble::select(beyond, u.plus(self.half.signed(-side)), u);
-            halves = T::select(beyond, halves + side, halves);
+            let sign = u.hi().sign();
+            u = DoubleDouble::select(beyond, u.plus(self.half.signed(-sign)), u);
+            halves = T::select(beyond, halves + sign, halves);
         }
-        let side = u.hi().sign();
-        let from_flip = u.signed(side);
+        let sign = u.hi().sign();
+        let from_flip = u.signed(sign);
         let near_saddle = (self.quarter.hi() * 0.5).lt(from_flip.hi());
         let from_saddle = self.quarter.plus(from_flip.signed(splat::<T>(-1.0)));
         let distance = DoubleDouble::select(near_saddle, from_saddle, from_flip);
@@ -83,7 +111,7 @@ impl<T: Lane> Reduction<T> {
         ReducedArgument {
             decay: Decay::new(x, distance.lo() * self.stretch, self.nome_root),
             near_saddle,
-            side,
+            sign,
             turn: T::select(odd, -self.turn, self.turn),
             halves,
         }
@@ -99,7 +127,7 @@ pub(crate) struct Exponentials {
     /// 1 less the square of each, small next to a flip and to a saddle.
     pub(crate) short_of_one: [f64; 2],
     /// The sign of the distance, and -1 after an odd number of half periods.
-    pub(crate) side: f64,
+    pub(crate) sign: f64,
     pub(crate) turn: f64,
     /// Half periods since the start.
     pub(crate) halves: f64,
@@ -112,29 +140,22 @@ impl Exponentials {
             falling: 1.0,
             rising: root,
             short_of_one: [0.0, 1.0 - nome],
-            side: 1.0,
+            sign: 1.0,
             turn: 1.0,
             halves: 0.0,
         }
     }
 
     pub(crate) fn at_saddle(nome: f64) -> Self {
-        let root = nome.sqrt();
-        Self {
-            falling: root,
-            rising: 1.0,
-            short_of_one: [1.0 - nome, 0.0],
-            side: 1.0,
-            turn: 1.0,
-            halves: 0.0,
-        }
+        let flip = Self::at_flip(nome);
+        Self { falling: flip.rising, rising: 1.0, short_of_one: [1.0 - nome, 0.0], ..flip }
     }
 }
 
 impl ReducedArgument {
     #[inline(always)]
     pub(crate) fn exponentials(&self) -> Exponentials {
-        let Self { decay, near_saddle, side, turn, halves } = *self;
+        let Self { decay, near_saddle, sign, turn, halves } = *self;
         let (falling, rising) =
             if near_saddle { (decay.rising, decay.root) } else { (decay.root, decay.rising) };
         let short_of_one = if near_saddle {
@@ -142,7 +163,7 @@ impl ReducedArgument {
         } else {
             [decay.short_of_one, 1.0 - rising * rising]
         };
-        Exponentials { falling, rising, short_of_one, side, turn, halves }
+        Exponentials { falling, rising, short_of_one, sign, turn, halves }
     }
 }
 
@@ -153,13 +174,13 @@ impl<T: Lane> ReducedArgument<T> {
         let [root, rising] = [self.decay.root, self.decay.rising];
         let here = T::select(self.near_saddle, rising, root);
         let there = T::select(self.near_saddle, root, rising);
-        pair.raw(here, there, self.side, self.turn)
+        pair.raw(here, there, self.sign, self.turn)
     }
 
     /// `sn`, `cn`, `dn` here.
     #[inline(always)]
     pub(super) fn values(&self, series: &ComplementarySeries<T>) -> [T; 3] {
         let [sn, cn, dn] = series.values(&self.decay, self.near_saddle);
-        [self.turn * self.side * sn, self.turn * cn, dn]
+        [self.turn * self.sign * sn, self.turn * cn, dn]
     }
 }

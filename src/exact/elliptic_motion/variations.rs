@@ -23,23 +23,11 @@ use nalgebra::Matrix3;
 /// Beyond this argument of the separatrix `f64` no longer holds how far the motion is from its end.
 const REST: f64 = 700.0;
 
-/// Jacobi's three functions at one argument.
-struct Values {
-    sn: f64,
-    cn: f64,
-    dn: f64,
-}
-
-impl Values {
-    fn of([sn, cn, dn]: [f64; 3]) -> Self {
-        Self { sn, cn, dn }
-    }
-}
-
 /// One end of the span: the number of half periods there, `dn dF/dm` without them, and the integral of `cn²`
 /// as a number of quarter periods and a rest, counted from the flip or the saddle, whichever is nearer.
 struct End {
-    values: Values,
+    /// `sn`, `cn`, `dn`.
+    values: [f64; 3],
     halves: f64,
     growth: f64,
     quarters: f64,
@@ -116,7 +104,7 @@ impl EllipticMotion {
         let [i_x, i_m, i_c] = self.axes.map(|axis| moments[axis]);
         let [d_cx, d_cm] = [i_c - i_x, i_c - i_m];
         let [a_x, a_m, a_c] = self.amplitudes;
-        let Values { sn, cn, dn } = start.values;
+        let [sn, cn, dn] = start.values;
         let down2 = self.down() * self.down();
         let half = 2.0 * self.constants.quarter.hi() * down2;
         let parameter = self.constants.modulus * self.constants.modulus;
@@ -149,8 +137,7 @@ impl EllipticMotion {
         tensor: bool,
     ) -> Result<SpinDerivatives, Error> {
         let run = self.constants.rate * time;
-        let resting = self.constants.quarter.hi().is_infinite();
-        if resting && (self.constants.argument + run).hi().abs() > REST {
+        if !self.returns() && (self.constants.argument + run).hi().abs() > REST {
             let (what, value) = (Subject::Derivative, f64::INFINITY);
             return Err(Refusal::OutOfRange { what, value }.into());
         }
@@ -160,8 +147,8 @@ impl EllipticMotion {
         let down = self.down();
         let turns = end.halves - start.halves;
         let whole = if turns == 0.0 { 0.0 } else { 2.0 * turns * self.complete() };
-        let before = whole - start.growth / start.values.dn;
-        let Values { sn, cn, dn } = end.values;
+        let before = whole - start.growth / start.values[2];
+        let [sn, cn, dn] = end.values;
         let [a_x, a_m, a_c] = self.amplitudes;
         let parameter = self.constants.modulus * self.constants.modulus;
         let mut spin = Matrix3::zeros();
@@ -222,30 +209,26 @@ impl EllipticMotion {
         let (values, halves) = match &self.form {
             Form::Direct { spin, .. } => {
                 let [sin, cos] = spin.phase(time);
-                let values = Values::of(spin.series.values(sin, cos));
+                let values = spin.series.values(sin, cos);
                 let angle = atan2(spin.start[0], spin.start[1]);
                 let (whole, left) = ((spin.turns * time + DoubleDouble::from(angle / TAU)) * 2.0).split();
                 // Between two half turns the sign of the cosine decides.
                 let even = whole - 2.0 * Lane::round_ties_even(0.5 * whole) == 0.0;
                 let halves =
-                    if even == values.cn.is_sign_positive() { whole } else { whole + 1_f64.copysign(left) };
+                    if even == values[1].is_sign_positive() { whole } else { whole + 1_f64.copysign(left) };
                 (values, halves)
             }
             Form::Complementary { spin, .. } => {
-                let argument = spin.phase(time);
-                (Values::of(argument.values(&spin.series)), argument.halves)
-            }
-            Form::Separatrix { spin, .. } => {
-                let argument = spin.reduction.without_return(time);
-                (Values::of(argument.values(&spin.series)), argument.halves)
+                let argument = spin.reduction.argument(time);
+                (argument.values(&spin.series), argument.halves)
             }
         };
         let down = self.down();
-        let (cn, dn) = (values.cn.abs(), values.dn);
-        let sn = values.sn * values.cn.signum();
+        let [sn, cn, dn] = values;
+        let (sn, cn) = (sn * cn.signum(), cn.abs());
         let growth = growth(sn, cn, dn, down);
         let complement = self.constants.scaled_complement;
-        let side = sn.signum();
+        let sign = sn.signum();
         let true_cn2 = (cn * down) * (cn * down);
         let (quarters, share) = if sn * sn < 0.5 {
             (0.0, 2.0 * complement * (complement / dn) * growth + sn * (cn / dn))
@@ -257,7 +240,7 @@ impl EllipticMotion {
             } else {
                 true_cn2 * (cn / dn) / (1.0 + sn.abs())
             };
-            (side, -side * left)
+            (sign, -sign * left)
         };
         End { values, halves, growth, quarters: 2.0 * halves + quarters, share }
     }
@@ -266,7 +249,7 @@ impl EllipticMotion {
     /// `run` and the integral of `cn²` over it; of the three the energy and the momentum leave one.
     fn squares(&self, inputs: &Inputs, start: &End, run: f64, share: f64) -> [f64; 3] {
         let amplitude = times_power_of_two(self.amplitudes[1], -self.constants.lifts[1]);
-        let cn = start.values.cn * self.down();
+        let cn = start.values[1] * self.down();
         let excess = amplitude * amplitude * (cn * cn * run - share) / self.constants.rate.hi();
         let [x, m, c] = self.axes;
         let mut squares = [0.0; 3];
@@ -287,9 +270,9 @@ impl EllipticMotion {
         // The logarithmic derivatives of differences, moments and their ratios.
         let (by_cx, by_cm, by_mx) =
             ([-1.0 / d_cx, 0.0, 1.0 / d_cx], [0.0, -1.0 / d_cm, 1.0 / d_cm], [-1.0 / d_mx, 1.0 / d_mx, 0.0]);
-        let over = [1.0 / i_x, 1.0 / i_m, 1.0 / i_c];
+        let inverse = [1.0 / i_x, 1.0 / i_m, 1.0 / i_c];
         let ratio = |above: [f64; 3], below: [f64; 3], signs: [f64; 3]| {
-            [0, 1, 2].map(|k| above[k] - below[k] + signs[k] * over[k])
+            [0, 1, 2].map(|k| above[k] - below[k] + signs[k] * inverse[k])
         };
         let log_r = ratio(by_cm, by_cx, [-1.0, 1.0, 0.0]);
         let log_s = ratio(by_mx, by_cx, [0.0, 1.0, -1.0]);
@@ -298,7 +281,7 @@ impl EllipticMotion {
         let [_, lift, shift] = self.constants.lifts;
         let (down, flat) = (times_power_of_two(1.0, -shift), times_power_of_two(1.0, -lift));
         let [a_x, a_m, a_c] = self.amplitudes;
-        let Values { sn, cn, dn } = start.values;
+        let [sn, cn, dn] = start.values;
         let (square, quotient) = (sn * sn, cn / dn);
         let parameter = self.constants.modulus * self.constants.modulus;
         let complement2 = self.constants.scaled_complement * self.constants.scaled_complement;
@@ -315,7 +298,7 @@ impl EllipticMotion {
             middle: all([cn * down * down / root_r, sn, 0.0], &|k| -0.5 * a_m * true_cn2 * log_r[k]),
             around,
             log_rate: [0, 1, 2, 3, 4, 5].map(|k| {
-                let own = |k: usize| 0.5 * (by_cm[k] + by_cx[k] - if k < 2 { over[k] } else { 0.0 });
+                let own = |k: usize| 0.5 * (by_cm[k] + by_cx[k] - if k < 2 { inverse[k] } else { 0.0 });
                 around[k] / a_c + if k < 3 { 0.0 } else { own(k - 3) }
             }),
             to_separatrix: all(

@@ -5,14 +5,14 @@
 //! instead, and over whole periods by doubling.
 
 use super::series::{Request, span};
-use super::{Derivatives, FreeMotion, Law};
+use super::{Derivatives, FreeMotion, Law, SpinDerivatives};
 use crate::error::Error;
 use nalgebra::Vector3;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
-/// Where the momentum turns the body by less than this over the angle of the spin, adding up is the better
-/// way.
+/// Where the momentum turns the body by less than this over the angle of the spin, adding up is more
+/// accurate.
 const SLOW: f64 = 1.0;
 /// Above this a number of periods is not exact.
 const COUNTABLE: f64 = 9_007_199_254_740_992.0;
@@ -22,12 +22,15 @@ impl Derivatives {
     fn then(&self, next: &Self) -> Self {
         Self {
             back: next.back * self.back,
-            turn: next.back * self.turn + next.turn * self.spin,
-            spin: next.spin * self.spin,
+            turn: next.back * self.turn + next.turn * self.spin.spin,
             turn_by_tensor: next.back * self.turn_by_tensor
-                + next.turn * self.spin_by_tensor
+                + next.turn * self.spin.by_tensor
                 + next.turn_by_tensor,
-            spin_by_tensor: next.spin * self.spin_by_tensor + next.spin_by_tensor,
+            spin: SpinDerivatives {
+                spin: next.spin.spin * self.spin.spin,
+                by_tensor: next.spin.spin * self.spin.by_tensor + next.spin.by_tensor,
+                energy: [0.0; 6],
+            },
         }
     }
 }
@@ -59,12 +62,12 @@ impl FreeMotion {
         if count > COUNTABLE {
             return None;
         }
-        let over = |time: f64| -> Derivatives {
+        let across = |time: f64| -> Derivatives {
             let request = Request { attitude: true, tensor };
-            span(moments, omega, time, [speed * time; 2], request).into()
+            span(moments, omega, time, [speed * time; 2], request).1
         };
-        let mut found = over(if count > 0.0 { time - count * period } else { time });
-        let mut power = (count > 0.0).then(|| over(period));
+        let mut found = across(if count > 0.0 { time - count * period } else { time });
+        let mut power = (count > 0.0).then(|| across(period));
         while let Some(whole) = power {
             let half = (0.5 * count).trunc();
             if count > 2.0 * half {
@@ -75,10 +78,9 @@ impl FreeMotion {
         }
         // Beyond short spans the closed form has the spin to more digits.
         let now = self.scaled(&self.omega_along(time));
-        Some(self.spin_derivatives(moments, omega, &now, time, tensor).map(|spin| Derivatives {
-            spin: spin.spin,
-            spin_by_tensor: spin.by_tensor,
-            ..found
-        }))
+        Some(
+            self.spin_derivatives(moments, omega, &now, time, tensor)
+                .map(|spin| Derivatives { spin, ..found }),
+        )
     }
 }

@@ -7,8 +7,8 @@
 //! angular acceleration by the tensor at a fixed spin; and of the turn by the tensor, at the end `t`, `int R
 //! D = int (T(t) - T) F^-1 f`. The flow keeps volumes, so that `F^-1` is the adjugate of `F`.
 
-use super::ByTensor;
-use super::quadrature::{NODE_COUNT, NODES, REMAINING, WEIGHTS};
+use super::{ByTensor, Derivatives, SpinDerivatives};
+use crate::number::quadrature::{NODE_COUNT, NODES, REMAINING, WEIGHTS};
 use nalgebra::{Matrix3, Vector3};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
@@ -49,21 +49,21 @@ pub(super) struct Forcing {
     pub(super) by_moments: [[f64; 3]; 3],
     /// `(I_A + I_B - I_C)/(I_A I_B)` for the product of inertia of the two axes other than `C`.
     by_products: [f64; 3],
-    over: [f64; 3],
+    inverse: [f64; 3],
 }
 
 impl Forcing {
     pub(super) fn new(moments: &[f64; 3]) -> Self {
-        let (factors, over) = (factors(moments), moments.map(|i| 1.0 / i));
+        let (factors, inverse) = (factors(moments), moments.map(|i| 1.0 / i));
         let mut by_moments = [[0.0; 3]; 3];
         for a in 0..3 {
             let (b, c) = ((a + 1) % 3, (a + 2) % 3);
-            by_moments[a][a] = -factors[a] * over[a];
-            (by_moments[a][b], by_moments[a][c]) = (over[a], -over[a]);
+            by_moments[a][a] = -factors[a] * inverse[a];
+            (by_moments[a][b], by_moments[a][c]) = (inverse[a], -inverse[a]);
         }
         let by_products =
-            [0, 1, 2].map(|c| triangle_excess(moments, c) * over[(c + 1) % 3] * over[(c + 2) % 3]);
-        Self { by_moments, by_products, over }
+            [0, 1, 2].map(|c| triangle_excess(moments, c) * inverse[(c + 1) % 3] * inverse[(c + 2) % 3]);
+        Self { by_moments, by_products, inverse }
     }
 
     pub(super) fn at(&self, w: &[f64; 3]) -> ByTensor {
@@ -75,7 +75,7 @@ impl Forcing {
             }
             forcing[(a, 3 + c)] = self.by_products[c] * w[a] * w[c];
             forcing[(b, 3 + c)] = -self.by_products[c] * w[b] * w[c];
-            forcing[(c, 3 + c)] = self.over[c] * (w[b] - w[a]) * (w[b] + w[a]);
+            forcing[(c, 3 + c)] = self.inverse[c] * (w[b] - w[a]) * (w[b] + w[a]);
         }
         forcing
     }
@@ -86,21 +86,6 @@ impl Forcing {
 pub(super) struct Request {
     pub(super) attitude: bool,
     pub(super) tensor: bool,
-}
-
-/// The derivatives over a span; what is not requested is zero.
-pub(super) struct Span {
-    /// The spin at the end, and its derivatives by the spin at the start and by the tensor.
-    pub(super) omega: [f64; 3],
-    pub(super) spin: Matrix3<f64>,
-    pub(super) spin_by_tensor: ByTensor,
-    /// Coordinates along the axes at the start to those at the end, and the rotation vectors in the latter.
-    pub(super) back: Matrix3<f64>,
-    pub(super) turn: Matrix3<f64>,
-    pub(super) turn_by_tensor: ByTensor,
-    /// The integrals of the products `w_i w_j` that the tensor's entries have in twice the energy, less those
-    /// of the start.
-    pub(super) energy: [f64; 6],
 }
 
 /// Three columns of the derivative by the spin at the start, and the spin.
@@ -115,15 +100,15 @@ struct Series {
     attitude: [Row; TERMS + 1],
 }
 
-/// Over `time`, in which the motion runs through `argument` radians of Jacobi's argument and through `angle`
-/// radians.
+/// The spin at the end of `time`, and the derivatives over it, in which the motion runs through `argument`
+/// radians of Jacobi's argument and through `angle` radians. What is not requested is zero.
 pub(super) fn span(
     moments: &[f64; 3],
     omega: &[f64; 3],
     time: f64,
     [argument, angle]: [f64; 2],
     request: Request,
-) -> Span {
+) -> ([f64; 3], Derivatives) {
     let angle = if request.attitude { angle.abs() } else { 0.0 };
     let steps = (argument.abs() / STEP[0]).max(angle / STEP[1]).ceil().max(1.0);
     let h = time / steps;
@@ -145,15 +130,14 @@ pub(super) fn span(
     }
     let (spin, rotation) = (matrix(&rows), rotation(&attitude));
     let (back, tensor) = (rotation.transpose(), request.tensor);
-    Span {
-        omega: rows.map(|row| row[3]),
-        spin,
-        spin_by_tensor: if tensor { spin * sums.inverse_forced } else { ByTensor::zeros() },
+    let by_tensor = if tensor { spin * sums.inverse_forced } else { ByTensor::zeros() };
+    let derivatives = Derivatives {
         back,
         turn: back * sums.turn,
         turn_by_tensor: if tensor { back * sums.turn_by_tensor } else { ByTensor::zeros() },
-        energy: sums.energy,
-    }
+        spin: SpinDerivatives { spin, by_tensor, energy: sums.energy },
+    };
+    (rows.map(|row| row[3]), derivatives)
 }
 
 /// As many terms as reach rounding: of a function that is singular at [`RADIUS`], times one that is entire.

@@ -18,8 +18,8 @@ impl Cubic {
         // Newton's method doubles the digits; what is left over is formed in twice the precision.
         let mut x = DoubleDouble::from(root);
         for _ in 0..2 {
-            let (value, slope) = self.value_and_slope(x);
-            let step = value.hi() / slope;
+            let (value, derivative) = self.value_and_derivative(x);
+            let step = value.hi() / derivative;
             if step.is_finite() {
                 x = x - DoubleDouble::from(step);
             }
@@ -33,7 +33,7 @@ impl Cubic {
         Self([a, -b, c, -d]).above()
     }
 
-    fn value_and_slope(&self, x: DoubleDouble) -> (DoubleDouble, f64) {
+    fn value_and_derivative(&self, x: DoubleDouble) -> (DoubleDouble, f64) {
         let [a, b, c, d] = self.0;
         let value = ((d * x + c) * x + b) * x + a;
         let at = x.hi();
@@ -50,10 +50,10 @@ impl Cubic {
         let mut x = if b > 0.0 { first_root(b, c, d) } else { 0.0 };
         for _ in 0..80 {
             let value = ((d * x + c) * x + b) * x + a;
-            let slope = (3.0 * d * x + 2.0 * c) * x + b;
-            let bend = 6.0 * d * x + 2.0 * c;
-            let under = (4.0 * slope * slope - 6.0 * value * bend).max(0.0);
-            let step = 3.0 * value / (under.sqrt() - slope);
+            let derivative = (3.0 * d * x + 2.0 * c) * x + b;
+            let second = 6.0 * d * x + 2.0 * c;
+            let radicand = (4.0 * derivative * derivative - 6.0 * value * second).max(0.0);
+            let step = 3.0 * value / (radicand.sqrt() - derivative);
             if !(step > 1e-15 * x && step.is_finite()) {
                 break;
             }

@@ -9,7 +9,7 @@
 //! alpha ~ theta_1(z - i B)/theta_4(z),   beta, omega ~ theta_2(z - i B)/theta_4(z)
 //! ```
 
-use crate::exact::cayley_klein::{phase_factor, times};
+use crate::exact::cayley_klein::{conjugate, phase_factor, times};
 use crate::exact::elliptic_motion::Exponentials;
 use crate::number::double_double::DoubleDouble;
 use crate::number::functions::{exp, exp_and_exp_m1, hypot, powi, sin_cos};
@@ -23,7 +23,7 @@ pub(super) struct Shape {
     /// Where the zero lies, as an imaginary argument of Jacobi's functions, and how far below the quarter
     /// period.
     pub(super) depths: [f64; 2],
-    /// 1 or -1: the way its argument turns as it passes the zero.
+    /// 1 or -1: the sign of the rate at which its argument turns as it passes the zero.
     pub(super) sense: f64,
     /// Its length, and how fast its argument turns (rad per unit of time), where it is largest.
     pub(super) size: f64,
@@ -48,7 +48,7 @@ impl Shape {
         // The function grows through its zero, or falls.
         let growing = [if self.first { 1.0 } else { -1.0 }, 0.0];
         match (unit(self.start), unit(found)) {
-            (Some(start), Some([re, im])) => times(start, [re, -im]),
+            (Some(start), Some(found)) => times(start, conjugate(found)),
             _ => unit(self.start_rate).map_or([1.0, 0.0], |rate| times(rate, growing)),
         }
     }
@@ -101,20 +101,19 @@ pub(super) fn turn_together(carriers: Carriers<'_>, sizes: [f64; 3], half_period
 /// The carrier of the number that is `weakest`, from the other two, where these keep more of their direction
 /// at the start: next to a zero of its theta function the direction of the start is a rounding, or that of
 /// the theta function is. At the time `lowest`, where the axis is lowest, the theta functions of the three
-/// are `-i sense`, 1 and 1 times positive numbers; `way` is the sign of the real number of
+/// are `-i sense`, 1 and 1 times positive numbers; `sign` is that of the real number of
 /// [`turn_together`] times `-sense`.
-pub(super) fn align_weakest([alpha, beta, across]: Carriers<'_>, weakest: usize, way: f64, lowest: f64) {
+pub(super) fn align_weakest([alpha, beta, across]: Carriers<'_>, weakest: usize, sign: f64, lowest: f64) {
     let unit = |carrier: &Carrier| {
         let [re, im] = carrier.start;
         times([re, im].map(|x| x / hypot(re, im)), phase_factor(carrier.drift * lowest))
     };
-    let conjugate = |[re, im]: [f64; 2]| [re, -im];
     let (carrier, there) = match weakest {
         0 => (alpha, times(unit(beta), conjugate(unit(across)))),
         1 => (beta, times(unit(alpha), unit(across))),
         _ => (across, times(conjugate(unit(alpha)), unit(beta))),
     };
-    let length = way * hypot(carrier.start[0], carrier.start[1]);
+    let length = sign * hypot(carrier.start[0], carrier.start[1]);
     carrier.start = times(there, phase_factor(-(carrier.drift * lowest))).map(|x| x * length);
 }
 
@@ -323,7 +322,7 @@ impl Complementary {
                     * (from_flip * (1.0 + e + e2) * c[1] + second * ((1.0 - fifth) * c[2] + third * c[3]));
             let more = (1.0 + e) * s[0]
                 + first * ((1.0 + cube) * s[1] + second * ((1.0 + fifth) * s[2] + third * s[3]));
-            return [exponentials.turn * exponentials.side * less, exponentials.turn * more];
+            return [exponentials.turn * exponentials.sign * less, exponentials.turn * more];
         }
         // 1 - r cos 2Y, with all its digits where both are small.
         let (pe, pe2) = (p * e, p * p * e2);
@@ -331,7 +330,7 @@ impl Complementary {
         let p2 = p * p;
         let re = near + p2 * ((r * r + pe2) * c[2] + p2 * p2 * r * r * r * c[3]);
         let im = (r - pe) * s[1] + p2 * ((r * r - pe2) * s[2] + p2 * p2 * r * r * r * s[3]);
-        [exponentials.falling * re, exponentials.side * exponentials.falling * im]
+        [exponentials.falling * re, exponentials.sign * exponentials.falling * im]
     }
 
     /// Times `theta_4` over `exp X`.

@@ -100,25 +100,27 @@ impl Integrals {
         if self.from_top.hi() < 1.0 { one - self.from_top } else { self.from_bottom - one }
     }
 
-    /// How the square of the rate of `u` grows with `u` at the start: zero where the axis is in balance.
-    fn slope(&self) -> DoubleDouble {
+    /// The derivative by `u` of the square of its rate, at the start: zero where the lean is in equilibrium.
+    fn derivative(&self) -> DoubleDouble {
         (self.along * self.about - self.height() * self.across_squared) * 2.0
             - self.pull * self.from_bottom * self.from_top
     }
 
-    /// Whether the axis neither rises nor leaves its balance by more than [`ROUNDINGS`] of the start explain.
-    /// About the start that square is `r² + s x - g x²`, with the rate `r`, the slope `s` and `x` the way
-    /// up, so that the axis swings by the root of `s² + 4 g r²` over `g`. A rounding of one number changes
-    /// `s` and `r` by its share in their terms.
+    /// Whether the axis neither rises nor is off equilibrium by more than [`ROUNDINGS`] of the start explain.
+    /// Near the start that square is `r² + s x - g x²` at a height `x` above it, with the rate `r` and the
+    /// derivative `s`, so that the height ranges over the root of `s² + 4 g r²`, divided by `g`. A rounding
+    /// of one number changes `s` and `r` by its share in their terms.
     pub(super) fn is_steady(&self) -> bool {
         let [square, pull, along] = [self.across_squared, self.pull, self.along].map(|x| x.hi().abs());
         let level = (self.from_bottom * self.from_top).hi();
         let moving = (level * square).sqrt();
-        let bend = (self.third + self.pull * self.from_top).hi();
-        let sway = |slope: f64, rising: f64| slope * slope + 4.0 * bend * rising * rising;
+        let curvature = (self.third + self.pull * self.from_top).hi();
+        let square_of_range =
+            |derivative: f64, rising: f64| derivative * derivative + 4.0 * curvature * rising * rising;
         let terms = 2.0 * along * moving + 2.0 * square + pull * level;
         let rounding = ROUNDINGS * 0.5 * f64::EPSILON;
-        sway(self.slope().hi(), self.rising.hi()) <= sway(rounding * terms, rounding * moving)
+        square_of_range(self.derivative().hi(), self.rising.hi())
+            <= square_of_range(rounding * terms, rounding * moving)
     }
 
     /// The roots, each from the start, the top or the bottom, whichever is near: so each has all its digits,
@@ -127,7 +129,7 @@ impl Integrals {
         let (b, pull, square) = (self.along, self.pull, self.across_squared);
         let twice = |x: DoubleDouble| x * 2.0;
         let curve = twice(pull * self.height()) - square - b * b;
-        let from_start = Cubic([self.rising * self.rising, self.slope(), curve, pull]);
+        let from_start = Cubic([self.rising * self.rising, self.derivative(), curve, pull]);
         let (down, up) = (from_start.below(), from_start.above());
 
         let at_top = square - pull * self.from_top;
@@ -164,8 +166,8 @@ impl Integrals {
         let sum = self.tops[0] + self.tops[1] - DoubleDouble::from(2.0);
         // A product where it is one; next to a cusp a difference, of what is small where it is small.
         let third = if highest.hi() > 1e-3 * self.across_squared.hi() {
-            let side = self.side_of_zero();
-            side * side / (highest * lowest)
+            let turning = self.turning_at_zero();
+            turning * turning / (highest * lowest)
         } else if self.third.hi() > self.pull.hi() || self.along.hi() == 0.0 {
             not_negative(self.along * self.along + self.pull * sum)
         } else {
@@ -174,8 +176,9 @@ impl Integrals {
         [highest, third, lowest]
     }
 
-    /// Its sign says to which side of its zero the spin across the axis passes.
-    pub(super) fn side_of_zero(&self) -> DoubleDouble {
+    /// Proportional to the rate at which the argument of the spin across the axis turns: its sign says on
+    /// which side of zero that complex number passes.
+    pub(super) fn turning_at_zero(&self) -> DoubleDouble {
         self.along * self.across_squared - self.pull * self.about
     }
 }

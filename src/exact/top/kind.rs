@@ -44,7 +44,7 @@ pub enum TopRegime {
     /// It goes round at a constant lean and rate, to the rounding of the numbers that it is given by: a start
     /// computed in `f64` from one of the two steady rates counts as steady, up to 16 roundings (2⁻⁵³ each)
     /// of the terms in balance. The two values of [`lean`](super::LagrangeTop::lean) may then differ by the
-    /// swing that these roundings leave. A [`Body`](crate::Body) keeps its momentum in world axes: that
+    /// oscillation that these roundings leave. A [`Body`](crate::Body) keeps its momentum in world axes: that
     /// rounds by more than this if the body spins much faster than it precesses.
     SteadyPrecession,
     /// It rises and sinks, and always goes round the same way.

@@ -54,7 +54,7 @@ impl Mounted {
     /// The tensor in the body's axes.
     pub(super) fn inertia(&self) -> Result<Inertia, Error> {
         let inertia = Inertia::from_moments(self.across, self.across, self.polar)?;
-        if self.frame == Frame::SAME { Ok(inertia) } else { inertia.turned(self.frame.to_body()) }
+        if self.frame.is_body() { Ok(inertia) } else { inertia.turned(self.frame.to_body()) }
     }
 }
 

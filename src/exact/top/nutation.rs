@@ -2,7 +2,7 @@
 
 use super::factor::{Complementary, Direct, complementary_denominator, cubic};
 use crate::exact::elliptic::sin_cos_of_turns;
-use crate::exact::elliptic_motion::{Exponentials, Reduction};
+use crate::exact::elliptic_motion::Reduction;
 use crate::number::double_double::DoubleDouble;
 use crate::number::functions::hypot;
 
@@ -30,7 +30,7 @@ pub(super) enum Form {
         factors: [Direct; 3],
     },
     /// In the complementary nome, which is zero on the separatrix: that motion does not return.
-    Complementary { reduction: Reduction, nome: f64, separatrix: bool, factors: [Complementary; 3] },
+    Complementary { reduction: Reduction, nome: f64, factors: [Complementary; 3] },
 }
 
 impl Nutation {
@@ -41,26 +41,16 @@ impl Nutation {
             Form::Direct { turns, start: [sin0, cos0], denominator, factors: [alpha, beta, across] } => {
                 let (sin, cos) = sin_cos_of_turns(*turns * time);
                 let phase @ [sin, cos] = [sin0 * cos + cos0 * sin, cos0 * cos - sin0 * sin];
-                let over = 1.0 / cubic(denominator, (cos - sin) * (cos + sin));
-                let spin = across.at(phase, time).map(|x| x * over);
+                let inverse = 1.0 / cubic(denominator, (cos - sin) * (cos + sin));
+                let spin = across.at(phase, time).map(|x| x * inverse);
                 ([alpha.at(phase, time), beta.at(phase, time)], spin)
             }
-            Form::Complementary { nome, factors: [alpha, beta, across], .. } => {
-                let exponentials = self.exponentials(time);
-                let over = 1.0 / complementary_denominator(*nome, &exponentials);
-                let spin = across.at(&exponentials, time).map(|x| x * over);
+            Form::Complementary { reduction, nome, factors: [alpha, beta, across] } => {
+                let exponentials = reduction.argument(time).exponentials();
+                let inverse = 1.0 / complementary_denominator(*nome, &exponentials);
+                let spin = across.at(&exponentials, time).map(|x| x * inverse);
                 ([alpha.at(&exponentials, time), beta.at(&exponentials, time)], spin)
             }
-        }
-    }
-
-    fn exponentials(&self, time: f64) -> Exponentials {
-        match &self.form {
-            Form::Complementary { reduction, separatrix: true, .. } => {
-                reduction.without_return(time).exponentials()
-            }
-            Form::Complementary { reduction, .. } => reduction.at(time).exponentials(),
-            Form::Direct { .. } => Exponentials::at_flip(0.0),
         }
     }
 

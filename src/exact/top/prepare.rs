@@ -7,7 +7,7 @@ use crate::exact::elliptic::{NOME_RATIO, quarter_period, quarter_period_from_roo
 use crate::exact::elliptic_motion::{Reduction, argument_at_start, phase_at_start};
 use crate::number::double_double::DoubleDouble;
 use crate::number::functions::{atan2, exp, hypot};
-use core::f64::consts::{FRAC_PI_2, PI, TAU};
+use core::f64::consts::{PI, TAU};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
@@ -36,7 +36,7 @@ fn ratio(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble {
 struct Spans {
     long: DoubleDouble,
     short: DoubleDouble,
-    swing: DoubleDouble,
+    range: DoubleDouble,
     /// The last one, not times the pull.
     swept: DoubleDouble,
 }
@@ -47,20 +47,20 @@ impl Integrals {
         Spans {
             long: self.third + self.pull * self.tops[0],
             short: self.third + self.pull * self.tops[1],
-            swing: self.pull * swept,
+            range: self.pull * swept,
             swept,
         }
     }
 
     /// `alpha`, `beta` and the spin across the axis.
     fn shapes(&self, start: &Start) -> [Shape; 3] {
-        let Spans { long, short, swing, swept } = self.spans();
+        let Spans { long, short, range, swept } = self.spans();
         let ([low, high], [lowest, highest]) = (self.bottoms, self.tops);
         let [still, beyond, fastest] = self.rest();
         let size = |square: DoubleDouble| square.hi().max(0.0).sqrt();
         // Where the motion only tends to upright, no zero is ever passed.
         let saddle = short.hi() == 0.0;
-        let square = ratio(swing, long);
+        let square = ratio(range, long);
         let zero = |a, of| if saddle { [0.0; 2] } else { depths(a, of, square) };
         let ([w, z], [x, y], [p, q]) = (start.alpha, start.beta, start.across);
         let b = self.along.hi();
@@ -91,8 +91,8 @@ impl Integrals {
         let low_about = self.about + self.along * self.down;
         let across = Shape {
             first: false,
-            depths: zero(still * long, [beyond * swing, swing * short, fastest * short]),
-            sense: sense(self.side_of_zero()),
+            depths: zero(still * long, [beyond * range, range * short, fastest * short]),
+            sense: sense(self.turning_at_zero()),
             size: size(fastest),
             rate: ratio(self.pull * low_about * -0.5, fastest),
             start: start.across,
@@ -104,11 +104,11 @@ impl Integrals {
     /// The motion of a spherical top, in the axes of a body that turns on its axis by `ahead` more per unit
     /// of time.
     pub(super) fn nutation(&self, start: &Start, ahead: DoubleDouble) -> Nutation {
-        let Spans { long, short, swing, swept } = self.spans();
+        let Spans { long, short, range, swept } = self.spans();
         let rate = long.sqrt() * 0.5;
         let separatrix = short.hi() <= 0.0;
         let complement = ratio(short, long).sqrt();
-        let modulus = ratio(swing, long).hi().max(0.0).sqrt();
+        let modulus = ratio(range, long).hi().max(0.0).sqrt();
         let quarter = if separatrix {
             DoubleDouble::from(f64::INFINITY)
         } else {
@@ -132,21 +132,16 @@ impl Integrals {
             self.join(&shapes, factors.each_mut().map(|f| &mut f.carrier), lowest, Some(turns * 2.0), turn);
             Form::Direct { turns, start, denominator: denominator(nome), factors }
         } else {
-            let nome_root = if separatrix { 0.0 } else { exp(-FRAC_PI_2 / (other / quarter.hi())) };
-            let half = if separatrix { quarter } else { quarter * 2.0 };
-            let stretch = PI / (2.0 * other);
             let start = argument_at_start([sn, cn, dn], complement.hi(), quarter, 0);
-            let run = if separatrix { rate } else { rate / half };
-            let reduction = Reduction { start, rate: run, quarter, half, stretch, nome_root, turn: 1.0 };
-            let at_start = if separatrix { reduction.without_return(0.0) } else { reduction.at(0.0) };
-            let exponentials = at_start.exponentials();
-            let nome = nome_root * nome_root;
+            let reduction = Reduction::new(start, rate, quarter, other, 1.0);
+            let exponentials = reduction.argument(0.0).exponentials();
+            let nome = reduction.nome_root * reduction.nome_root;
             let mut factors =
-                shapes.map(|shape| Complementary::new(nome, stretch, rate, &exponentials, &shape));
+                shapes.map(|shape| Complementary::new(nome, reduction.stretch, rate, &exponentials, &shape));
             let lowest = -reduction.start.hi() / rate.hi();
-            let half_periods = (!separatrix).then_some(run);
+            let half_periods = (!separatrix).then_some(reduction.rate);
             self.join(&shapes, factors.each_mut().map(|f| &mut f.carrier), lowest, half_periods, turn);
-            Form::Complementary { reduction, nome, separatrix, factors }
+            Form::Complementary { reduction, nome, factors }
         };
         let half_period = if separatrix { quarter } else { quarter * 2.0 / rate };
         Nutation {
@@ -176,8 +171,8 @@ impl Integrals {
         for (weakest, [a, b]) in [[1, 2], [2, 0], [0, 1]].into_iter().enumerate() {
             if share(weakest) > 0.0 && share(weakest) < 0.1 * share(a).min(share(b)) {
                 let about_lowest = self.at_bottom - self.along * self.bottoms[0];
-                let way = -shapes[0].sense * sense(about_lowest);
-                align_weakest(carriers.each_mut().map(|c| &mut **c), weakest, way, lowest);
+                let sign = -shapes[0].sense * sense(about_lowest);
+                align_weakest(carriers.each_mut().map(|c| &mut **c), weakest, sign, lowest);
             }
         }
         for (carrier, times) in carriers.into_iter().zip([0.5, -0.5, -1.0]) {

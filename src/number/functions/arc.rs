@@ -56,10 +56,10 @@ fn up_to_an_eighth(across: f64, along: f64) -> DoubleDouble {
     // atan t = atan c + atan u, with u = (t - c)/(1 + t c).
     let eighths = Lane::round_ties_even(8.0 * (across / along));
     let c = 0.125 * eighths;
-    let over = DoubleDouble::from(across) - DoubleDouble::product(along, c);
-    let under = DoubleDouble::from(along) + DoubleDouble::product(across, c);
-    let u = over.hi() / under.hi();
-    let rest = (over - under * u).hi() / under.hi();
+    let above = DoubleDouble::from(across) - DoubleDouble::product(along, c);
+    let below = DoubleDouble::from(along) + DoubleDouble::product(across, c);
+    let u = above.hi() / below.hi();
+    let rest = (above - below * u).hi() / below.hi();
     let square = u * u;
     let [angle, angle_rest] = EIGHTHS[eighths as usize];
     DoubleDouble::new(angle, angle_rest) + DoubleDouble::sum(u, rest + u * square * polynomial(&TAIL, square))

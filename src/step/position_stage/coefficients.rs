@@ -2,7 +2,7 @@
 
 use super::number;
 use super::turn::{conserving_pace, three};
-use crate::error::{Error, Refusal, Subject, TensorRefusal};
+use crate::error::{Error, Refusal, Subject};
 use crate::number::Field;
 use num_traits::Float;
 
@@ -50,13 +50,9 @@ impl<T: Field + Float + From<f32>> Coefficients<T> {
         if moments[j] != moments[k] {
             let moments = [i, j, k].map(|n| value(moments[n]));
             let excess = moments[2] - moments[1];
-            return Err(TensorRefusal::TriangleInequality {
-                moments,
-                excess,
-                tolerance: 0.0,
-                printed: false,
-            }
-            .into());
+            return Err(
+                Refusal::TriangleInequality { moments, excess, tolerance: 0.0, printed: false }.into()
+            );
         }
         if moments[k] == T::zero() {
             return Ok(Self::constant_spin());
