@@ -15,9 +15,9 @@
 //! - **drawn**: what a caption says may stand in the description inside the drawing, which is made from
 //!   computed values. The words for a figure bring no other number, and in the drawing's order.
 //!
-//! How certain a number is, the calls in its assertion show: `proven(x)` is exact, `enclosed(x)` an interval,
-//! all else is computed in floats. Where an assertion says a string again that the section's code asserts
-//! already, but of an exact number or an interval, the better one counts: see `certainty`.
+//! How certain a number is, the calls in its assertion show: `exactly(x)` is exact, `enclosed(x)` an
+//! interval, all else is computed in floats. Where an assertion says a string again that the section's code
+//! asserts already, but of an exact number or an interval, the better one counts: see `certainty`.
 //!
 //! What follows a number belongs to the phrase: `7.4` does not hold `7.4 m`, nor `0.2 kg` a `0.2 kg m²`, so
 //! that no unit needs to be known here. Minus signs of both kinds are one, a power of ten in TeX is `3e-13`,
@@ -92,8 +92,8 @@ impl fmt::Display for Report {
         let e = &self.equations;
         writeln!(
             f,
-            "equations: {} proven, {} exempt, {} notation, {} of values alone",
-            e.proven, e.exempt, e.notation, e.values
+            "equations: {} proven, {} as text and proven in part, {} exempt, {} notation, {} of values alone",
+            e.proven, e.apart, e.exempt, e.notation, e.values
         )?;
         write!(f, "offences: {}", self.offences.len())
     }

@@ -1,6 +1,6 @@
 //! How certain a number is: by the calls that its assertion rests on, not by a label.
 //!
-//! `proven(x)` and `enclosed(x)` of the proofs' crate give back what they are given and take exact numbers or
+//! `exactly(x)` and `enclosed(x)` of the proofs' crate give back what they are given and take exact numbers or
 //! intervals alone; the compiler refuses a float. So an assertion whose values all stand in such calls is one
 //! about those. Whatever else it rests on is computed in floats, and only asserted.
 
@@ -22,7 +22,7 @@ pub(crate) enum Certainty {
     /// A real number, in an interval whose ends round alike.
     Enclosed,
     /// Exact arithmetic.
-    Proven,
+    Exact,
     /// An input, or a bound that is chosen.
     Given,
     /// History, with its source.
@@ -32,11 +32,11 @@ pub(crate) enum Certainty {
 impl Certainty {
     /// All of them, the most certain first.
     pub(crate) const ALL: [Self; 6] =
-        [Self::Proven, Self::Enclosed, Self::Asserted, Self::Given, Self::Fact, Self::Drawn];
+        [Self::Exact, Self::Enclosed, Self::Asserted, Self::Given, Self::Fact, Self::Drawn];
 
     /// Of several statements of the same words, what they are worth together.
     pub(crate) fn with(self, other: Self) -> Self {
-        let sure = |c: Self| matches!(c, Self::Proven | Self::Enclosed);
+        let sure = |c: Self| matches!(c, Self::Exact | Self::Enclosed);
         match (sure(self), sure(other)) {
             (false, true) => other,
             (true, false) => self,
@@ -51,7 +51,7 @@ impl fmt::Display for Certainty {
             Self::Drawn => "drawn",
             Self::Asserted => "asserted",
             Self::Enclosed => "enclosed",
-            Self::Proven => "proven",
+            Self::Exact => "exact",
             Self::Given => "given",
             Self::Fact => "fact",
         })
@@ -59,7 +59,7 @@ impl fmt::Display for Certainty {
 }
 
 /// The names that an assertion's certainty is read by.
-const OWN: [&str; 3] = ["enclosed", "proven", "given"];
+const OWN: [&str; 3] = ["enclosed", "exactly", "given"];
 
 /// By these a float would become an exact number.
 const LETS_FLOATS_IN: [&str; 7] =
@@ -81,7 +81,7 @@ pub(super) fn rests_on(expr: &Expr) -> Certainty {
         }
         Expr::Call(call) => match called(&call.func).as_deref() {
             Some("enclosed") => Certainty::Enclosed,
-            Some("proven") => Certainty::Proven,
+            Some("exactly") => Certainty::Exact,
             _ if wraps(&call.func) => weakest(&call.args),
             _ => Certainty::Asserted,
         },
@@ -128,7 +128,7 @@ pub(super) fn laundering(statements: &[syn::Stmt]) -> Vec<(usize, String)> {
 
 #[derive(Default)]
 struct Watch {
-    /// Whether the block calls `enclosed` or `proven`.
+    /// Whether the block calls `enclosed` or `exactly`.
     certain: bool,
     taken: Vec<(usize, String)>,
     floats: Vec<(usize, String)>,
@@ -147,7 +147,7 @@ impl Watch {
         if LETS_FLOATS_IN.iter().any(|way| ident == way) {
             self.floats.push((line, format!("`{ident}` beside exact numbers")));
         }
-        self.certain |= ident == "enclosed" || ident == "proven";
+        self.certain |= ident == "enclosed" || ident == "exactly";
     }
 }
 
@@ -214,38 +214,38 @@ mod tests {
     #[test]
     fn an_assertion_is_worth_its_weakest_value() {
         assert_eq!(of("format!(\"{:.2} s\", enclosed(t))"), Certainty::Enclosed);
-        assert_eq!(of("format!(\"{:.2} s\", proven(t))"), Certainty::Proven);
-        assert_eq!(of("format!(\"{:.2}, {:.2}\", proven(t), enclosed(u))"), Certainty::Enclosed);
-        assert_eq!(of("proven(a) < given!(3)"), Certainty::Proven);
+        assert_eq!(of("format!(\"{:.2} s\", exactly(t))"), Certainty::Exact);
+        assert_eq!(of("format!(\"{:.2}, {:.2}\", exactly(t), enclosed(u))"), Certainty::Enclosed);
+        assert_eq!(of("exactly(a) < given!(3)"), Certainty::Exact);
         for weak in [
             "format!(\"{:.2} s\", t)",
             "format!(\"{t:.2} s\")",
-            "format!(\"{t:.2} {:.2}\", proven(u))",
-            "format!(\"{:.2} {:.2}\", t, proven(u))",
+            "format!(\"{t:.2} {:.2}\", exactly(u))",
+            "format!(\"{:.2} {:.2}\", t, exactly(u))",
             "printed(enclosed(t))",
             "other::enclosed(t)",
-            "proven(a) < b",
+            "exactly(a) < b",
         ] {
             assert_eq!(of(weak), Certainty::Asserted, "{weak}");
         }
     }
 
     #[test]
-    fn a_block_cannot_call_something_else_proven_nor_let_floats_in() {
+    fn a_block_cannot_call_something_else_exact_nor_let_floats_in() {
         let found = |text: &str| {
             let statements = syn::Block::parse_within.parse_str(text).unwrap();
             laundering(&statements).len()
         };
-        assert_eq!(found("use tumbling_proofs::{enclosed, proven}; enclosed(x); let n = x as f64;"), 0);
+        assert_eq!(found("use tumbling_proofs::{enclosed, exactly}; enclosed(x); let n = x as f64;"), 0);
         for wrong in [
-            "fn proven(x: f64) -> f64 { x }",
+            "fn exactly(x: f64) -> f64 { x }",
             "let enclosed = |x| x;",
             "macro_rules! given { () => {} }",
-            "use other::proven;",
+            "use other::exactly;",
             "use tumbling_proofs::Rational; use a::b as enclosed;",
-            "assert_eq!(proven(Rational::of_f64(x)), y);",
-            "let n = x as i64; proven(n);",
-            "let n: Fraction = text.parse()?; assert_eq!(proven(n), y);",
+            "assert_eq!(exactly(Rational::of_f64(x)), y);",
+            "let n = x as i64; exactly(n);",
+            "let n: Fraction = text.parse()?; assert_eq!(exactly(n), y);",
         ] {
             assert_eq!(found(wrong), 1, "{wrong}");
         }
@@ -255,8 +255,8 @@ mod tests {
     #[test]
     fn what_is_certain_counts_beside_what_is_only_computed() {
         assert_eq!(Certainty::Asserted.with(Certainty::Enclosed), Certainty::Enclosed);
-        assert_eq!(Certainty::Proven.with(Certainty::Asserted), Certainty::Proven);
+        assert_eq!(Certainty::Exact.with(Certainty::Asserted), Certainty::Exact);
         assert_eq!(Certainty::Given.with(Certainty::Enclosed), Certainty::Enclosed);
-        assert_eq!(Certainty::Enclosed.with(Certainty::Proven), Certainty::Proven);
+        assert_eq!(Certainty::Enclosed.with(Certainty::Exact), Certainty::Exact);
     }
 }

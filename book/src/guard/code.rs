@@ -291,7 +291,7 @@ impl<'a> Reader<'a> {
 /// What an assertion should be.
 const COMPUTED: &str = "a computed value compared with what it must be";
 /// Where a number may come from that is called exact.
-const EXACT: &str = "the proofs' own `enclosed`, `proven` and `given!`, and no float that becomes exact";
+const EXACT: &str = "the proofs' own `enclosed`, `exactly` and `given!`, and no float that becomes exact";
 
 impl<'ast> Visit<'ast> for Reader<'_> {
     fn visit_expr_if(&mut self, branch: &'ast syn::ExprIf) {

@@ -10,6 +10,7 @@ use tumbling_proofs::equations::{Equation, Fault, read};
 #[derive(Debug, Default)]
 pub(crate) struct Counts {
     pub(crate) proven: usize,
+    pub(crate) apart: usize,
     pub(crate) exempt: usize,
     pub(crate) notation: usize,
     pub(crate) values: usize,
@@ -43,6 +44,7 @@ pub(crate) fn offences(chapter: &Chapter, counts: &mut Counts, held: &mut Vec<St
     let read = read(&laws::of(&chapter.name), &maths(chapter));
     for (settled, how) in [
         (&read.proven, "proven"),
+        (&read.apart, "as text, a part of it proven"),
         (&read.exempt, "exempt"),
         (&read.notation, "notation"),
         (&read.values, "values"),
@@ -53,6 +55,7 @@ pub(crate) fn offences(chapter: &Chapter, counts: &mut Counts, held: &mut Vec<St
         }));
     }
     counts.proven += read.proven.len();
+    counts.apart += read.apart.len();
     counts.exempt += read.exempt.len();
     counts.notation += read.notation.len();
     counts.values += read.values.len();

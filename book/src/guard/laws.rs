@@ -79,35 +79,37 @@ pub(super) const CHAPTERS: &[(&str, Expected)] = chapters! {
         r"u=u_0+\eta t": "the argument runs evenly; the rate is what is proven";
         r"K=\frac{\pi}{2G}": "the integral that keeps its value from mean to mean" by "gauss-mean";
         r"K'=\frac{\pi}{2G'}": "the same with the other modulus" by "gauss-mean";
-        r"\operatorname{log}(q)=-\frac{\pi K'}{K}": "names the nome";
-        r"\operatorname{log}(p)=-\frac{\pi K}{2K'}": "names the complementary nome";
+        r"\operatorname{log}(q)=-\frac{\pi K'}{K}":
+            "the nome of this modulus: a theorem on theta functions that is quoted, not proven";
+        r"\operatorname{log}(p)=-\frac{\pi K}{2K'}": "the same of the complementary modulus, quoted";
         r"u_0=\operatorname{sn}(u_0)R_F(\operatorname{cn}(u_0)^2,\operatorname{dn}(u_0)^2,1)":
             "Legendre's integral by a change of variable" by "legendre-by-carlson";
         r"K-u_0=\operatorname{cn}(u_0)R_F(k'^2\operatorname{sn}(u_0)^2,k'^2,\operatorname{dn}(u_0)^2)":
             "the same from the other end" by "legendre-by-carlson";
-        r"z=\frac{\pi u}{2K}": "names the phase";
+        r"z=\frac{\pi u}{2K}": "the scale of the argument in theta functions of this nome, quoted";
         r"\operatorname{sn}=\frac{n_3\theta_1\sin z}{n_2\theta_4}":
-            "of the infinite sums" by "jacobi-by-thetas";
+            "of the infinite sums: the squares, and the rate up to a constant" by "jacobi-by-thetas";
         r"\operatorname{cn}=\frac{n_4\theta_2\cos z}{n_2\theta_4}":
-            "of the infinite sums" by "jacobi-by-thetas";
-        r"\operatorname{dn}=\frac{n_4\theta_3}{n_3\theta_4}": "of the infinite sums" by "jacobi-by-thetas";
+            "of the infinite sums: the squares, and the rate up to a constant" by "jacobi-by-thetas";
+        r"\operatorname{dn}=\frac{n_4\theta_3}{n_3\theta_4}":
+            "of the infinite sums: the squares, and the rate up to a constant" by "jacobi-by-thetas";
         r"y=\beta R_F(\gamma^2,\delta^2,1)": "the same integral of the zero" by "legendre-by-carlson";
         r"\operatorname{log}(f)=-\frac{\pi y}{K}": "names an exponential of the zero";
         r"g=\frac{q}{f}": "names its partner";
-        r"x=\frac{\pi u}{2K'}": "names the argument of the complementary series";
+        r"x=\frac{\pi u}{2K'}": "the same by the imaginary transformation, quoted";
         r"\operatorname{sn}=\frac{m_3\theta'_1}{m_4\theta'_2}":
-            "of the infinite sums, at an imaginary argument" by "jacobi-by-thetas";
+            "the same at an imaginary argument, the transformation quoted" by "jacobi-by-thetas";
         r"\operatorname{cn}=\frac{2em_2\theta'_4}{m_4\theta'_2}":
-            "of the infinite sums, at an imaginary argument" by "jacobi-by-thetas";
+            "the same at an imaginary argument, the transformation quoted" by "jacobi-by-thetas";
         r"\operatorname{dn}=\frac{2em_2\theta'_3}{m_3\theta'_2}":
-            "of the infinite sums, at an imaginary argument" by "jacobi-by-thetas";
-        r"\operatorname{sn}=\frac{m_3\theta'_4}{m_4\theta'_3}": "the same from the saddle" by "half-periods";
+            "the same at an imaginary argument, the transformation quoted" by "jacobi-by-thetas";
+        r"\operatorname{sn}=\frac{m_3\theta'_4}{m_4\theta'_3}": "the sums' signs over a half period; no factor" by "half-periods";
         r"\operatorname{cn}=\frac{k'm_3^2\theta'_1}{2em_4m_2\theta'_3}":
-            "the same from the saddle" by "half-periods";
+            "the sums' signs over a half period; no factor" by "half-periods";
         r"\operatorname{dn}=\frac{k'm_3\theta'_2}{2em_2\theta'_3}":
-            "the same from the saddle" by "half-periods";
-        r"\phi=\frac{\pi y}{4K'}": "names the angle of the zero";
-        r"u=u_0+\eta t-2NK": "takes whole half periods off the argument";
+            "the sums' signs over a half period; no factor" by "half-periods";
+        r"\phi=\frac{\pi y}{4K'}": "names half of the zero's argument, at the scale that is quoted";
+        r"u=u_0+\eta t-2NK": "takes whole half periods off; that the period is 4 K is quoted";
         r"F=\tfrac{1}{6}\operatorname{sn}(u)^3R_D(\operatorname{cn}(u)^2,1,\operatorname{dn}(u)^2)":
             "Legendre's integral differentiated" by "legendre-by-carlson";
         r"\frac{d}{dt}(\boldsymbol{\alpha}\cdot\mathbf{L})=\mathbf{W}\cdot\mathbf{L}":

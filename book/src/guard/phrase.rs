@@ -33,10 +33,10 @@ impl Phrase<'_> {
     }
 }
 
-/// The phrases, each with what all that state the same words are worth together. One that is proven or
+/// The phrases, each with what all that state the same words are worth together. One that is exact or
 /// enclosed beside an assertion in floats strengthens it, and need not be said once more.
 pub(super) fn strengthened(phrases: Vec<Phrase<'_>>) -> Vec<Phrase<'_>> {
-    let sure = |c: Certainty| matches!(c, Certainty::Proven | Certainty::Enclosed);
+    let sure = |c: Certainty| matches!(c, Certainty::Exact | Certainty::Enclosed);
     let mut kept: Vec<Phrase<'_>> = Vec::new();
     for phrase in phrases {
         let mut again = false;

@@ -1,20 +1,20 @@
 //! How certain a number is, seen by the type that it is computed with.
 //!
-//! What is asserted of [`proven`] is a statement about exact fractions or whole numbers, computed without
+//! What is asserted of [`exactly`] is a statement about exact fractions or whole numbers, computed without
 //! rounding; what is asserted of [`enclosed`], about real numbers. That the computation is the one that a
 //! text speaks of, neither shows. Both give back what they are given: they are there so that the compiler
 //! refuses a float, and so that a reader, the book's guard too, sees on what an assertion rests.
 //!
 //! ```
-//! use tumbling_proofs::{Interval, Rational, enclosed, given, proven};
+//! use tumbling_proofs::{Interval, Rational, enclosed, exactly, given};
 //! let third = given!(Rational: 1) / given!(Rational: 3);
-//! assert_eq!(format!("{:.3} kg", proven(third)), "0.333 kg");
+//! assert_eq!(format!("{:.3} kg", exactly(third)), "0.333 kg");
 //! assert_eq!(format!("{:.3} rad", enclosed(given!(Interval: 3).sqrt())), "1.732 rad");
 //! ```
 //!
 //! ```compile_fail
 //! let computed = 3_f64.sqrt();
-//! tumbling_proofs::proven(computed);
+//! tumbling_proofs::exactly(computed);
 //! ```
 
 use crate::counted::Cost;
@@ -36,7 +36,7 @@ macro_rules! exact {
 exact!(Rational, Fraction, Cost);
 
 /// An exact number, as it is.
-pub fn proven<T: Exact>(number: T) -> T {
+pub fn exactly<T: Exact>(number: T) -> T {
     number
 }
 

@@ -90,8 +90,10 @@ impl Expected {
 /// What was found in a text.
 #[derive(Debug, Clone, Default)]
 pub struct Found {
-    /// Equations proven.
+    /// Equations proven as they stand there.
     pub proven: Vec<Settled>,
+    /// Equations compared as text, of which a proof shows a part: what the reason says.
+    pub apart: Vec<Settled>,
     /// Equations exempt.
     pub exempt: Vec<Settled>,
     /// Bare expressions that name something, other than by a name alone.
@@ -219,7 +221,7 @@ impl Found {
         let settled = |why| Settled { line: equation.line, tex: statement.text.clone(), why };
         let problem = match standing {
             Some(Standing::Exempt(exemption)) => match (exemption.prove(), exemption.proof) {
-                (Ok(()), Some(_)) => return self.proven.push(settled(exemption.reason)),
+                (Ok(()), Some(_)) => return self.apart.push(settled(exemption.reason)),
                 (Ok(()), None) => return self.exempt.push(settled(exemption.reason)),
                 (Err(problem), _) => problem,
             },

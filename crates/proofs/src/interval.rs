@@ -41,6 +41,10 @@ impl Interval {
     /// All real numbers: what is known of a quotient by an interval with zero in it.
     pub const ALL: Self = Self { low: f64::NEG_INFINITY, high: f64::INFINITY };
 
+    /// No number: what is left of one by bounds that contradict it, and all that is computed from it. It prints
+    /// no digits and compares with nothing.
+    const NONE: Self = Self { low: f64::NAN, high: f64::NAN };
+
     /// The ratio of a circle to its diameter, between two neighbouring floats.
     ///
     /// ```
@@ -77,6 +81,11 @@ impl Interval {
         self.high - self.low
     }
 
+    /// Whether one of these is contradicted.
+    fn none(of: [Self; 2]) -> bool {
+        of.iter().any(|x| x.low.is_nan())
+    }
+
     /// Whether zero lies in it.
     #[must_use]
     pub fn has_zero(self) -> bool {
@@ -93,19 +102,25 @@ impl Interval {
     /// The smallest interval that contains both.
     #[must_use]
     pub fn hull(self, other: Self) -> Self {
+        if Self::none([self, other]) {
+            return Self::NONE;
+        }
         Self { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
     /// The smaller of the two numbers.
     fn min_of(self, other: Self) -> Self {
+        if Self::none([self, other]) {
+            return Self::NONE;
+        }
         Self { low: self.low.min(other.low), high: self.high.min(other.high) }
     }
 
-    /// The part between these bounds, of a number that is known to lie there. All numbers where none is left:
-    /// what contradicts itself says nothing, and prints no digits.
+    /// The part between these bounds, of a number that is known to lie there; none where that contradicts what
+    /// else is known of it.
     fn clamped(self, low: f64, high: f64) -> Self {
-        if self.high < low || self.low > high {
-            return Self::ALL;
+        if self.low.is_nan() || self.high < low || self.low > high {
+            return Self::NONE;
         }
         Self { low: self.low.max(low), high: self.high.min(high) }
     }
@@ -119,7 +134,7 @@ impl Interval {
     /// Without its sign.
     #[must_use]
     pub fn abs(self) -> Self {
-        if self.low >= 0.0 {
+        if self.low >= 0.0 || self.low.is_nan() {
             self
         } else if self.high <= 0.0 {
             -self

@@ -16,8 +16,9 @@
 //! ```
 //!
 //! [`proofs()`] lists them all. Two kinds say less. The closed form of the library computes in floats alone:
-//! its formulas are written here a second time, and what they make is put into the library's laws. And each
-//! stepping method but Runge and Kutta's runs from two starts in exact fractions, which is a test.
+//! its formulas are written here a second time, and what they make is put into the library's laws. And the
+//! laws that a stepping method keeps are proven of its equations, written here a second time; of its own step,
+//! of which the order is proven, they are tested from two starts in exact fractions.
 //!
 //! A proof is about the formula in exact arithmetic: it says nothing of rounding, of overflow, or of what is
 //! computed with branches and roots, which other tests must watch.
@@ -39,7 +40,7 @@ pub mod proof;
 pub mod symbols;
 pub mod tex;
 
-pub use certain::{Exact, enclosed, proven};
+pub use certain::{Exact, enclosed, exactly};
 pub use certificates::{Certificate, certificates};
 pub use interval::Interval;
 pub use num_bigint::BigInt;

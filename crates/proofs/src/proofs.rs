@@ -24,6 +24,7 @@ mod euler;
 mod gap;
 mod inertia;
 mod integrals;
+mod kept;
 pub(crate) mod klein;
 mod methods;
 mod order;
@@ -39,7 +40,7 @@ use crate::proof::Proof;
 /// Every proof.
 #[must_use]
 pub fn proofs() -> Vec<&'static Proof> {
-    let parts: [&[Proof]; 17] = [
+    let parts: [&[Proof]; 18] = [
         solids::PROOFS,
         inertia::PROOFS,
         turning::PROOFS,
@@ -55,6 +56,7 @@ pub fn proofs() -> Vec<&'static Proof> {
         sensitivity::PROOFS,
         order::PROOFS,
         methods::PROOFS,
+        kept::PROOFS,
         position_stage::PROOFS,
         errata::PROOFS,
     ];

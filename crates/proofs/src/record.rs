@@ -63,6 +63,6 @@ pub(crate) fn above_zero(words: &str, x: &Fraction, holds: bool) {
 /// Runs a check; returns its outcome and what it did.
 pub(crate) fn recorded(check: fn() -> Outcome) -> (Outcome, Vec<Entry>) {
     let before = ENTRIES.take();
-    let outcome = recording(check);
+    let outcome = recording(true, check);
     (outcome, ENTRIES.replace(before))
 }

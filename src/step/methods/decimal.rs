@@ -21,30 +21,3 @@ impl Decimal {
         if self.negative { -size } else { size }
     }
 }
-
-/// The root of 3.
-pub(crate) const ROOT_OF_3: Decimal =
-    Decimal { negative: false, whole: 1, groups: [732_050_807, 568_877_293, 527_446_341] };
-
-/// The root of 15.
-pub(crate) const ROOT_OF_15: Decimal =
-    Decimal { negative: false, whole: 3, groups: [872_983_346, 207_416_885, 179_265_399] };
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use num_bigint::BigInt;
-
-    #[test]
-    fn the_roots_have_squares_that_are_whole_to_their_last_digit() {
-        for (root, square) in [(ROOT_OF_3, 3), (ROOT_OF_15, 15)] {
-            let billion = BigInt::from(1_000_000_000);
-            let digits = root.groups.iter().fold(BigInt::from(root.whole), |n, &g| n * &billion + g);
-            let wanted = BigInt::from(square) * billion.pow(6);
-            assert!(digits.clone() * &digits <= wanted);
-            assert!((digits.clone() + 1) * (digits + 1) > wanted);
-        }
-        assert_eq!(ROOT_OF_3.value::<f64>(), 3.0_f64.sqrt());
-        assert_eq!(ROOT_OF_15.value::<f64>(), 15.0_f64.sqrt());
-    }
-}

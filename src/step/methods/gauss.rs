@@ -6,7 +6,6 @@
 //! also with coefficients as rounded ([HMR08](crate::references)): of a law that holds but for the rounding
 //! of a coefficient, each step misses the same.
 
-use super::decimal::{ROOT_OF_3, ROOT_OF_15};
 use super::implicit::{By, Equation};
 use crate::attitude;
 use crate::body::{Rate, State};
@@ -189,7 +188,7 @@ struct Tableau<T, const N: usize> {
 
 pub(crate) fn gauss_4<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
     let half = T::one() / T::integer(2);
-    let off = T::one() / ROOT_OF_3.value::<T>();
+    let off = T::one() / T::integer(3).sqrt();
     let far = off.clone() * half.clone();
     let tableau = Tableau {
         nodes: [half.clone() - far.clone(), half.clone() + far],
@@ -201,7 +200,7 @@ pub(crate) fn gauss_4<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) 
 
 pub(crate) fn gauss_6<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
     let part = |n: u32, below: u32| T::integer(n) / T::integer(below);
-    let root = |n: u32, below: u32| ROOT_OF_15.value::<T>() * part(n, below);
+    let root = |n: u32, below: u32| T::integer(15).sqrt() * part(n, below);
     let (half, near, far) = (part(1, 2), root(3, 20), root(3, 25));
     let tableau = Tableau {
         nodes: [half.clone() - root(1, 10), half.clone(), half + root(1, 10)],

@@ -16,7 +16,7 @@
 //!
 //! Their powers in `h` come from the exact motion: for it, `1/K_j = 4 p0 p_j / (h (L + L')_j)` with `(p0, p)`
 //! the turn of one step. `crates/proofs/programs/moser_veselov.py` expands this in exact fractions and prints
-//! the sums below. The order of the result is tested on this very code, on power series.
+//! the sums below. The order of the result is proven of this very code, on power series.
 
 use crate::attitude;
 use crate::body::State;

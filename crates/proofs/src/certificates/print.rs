@@ -124,15 +124,17 @@ mod tests {
     #[test]
     fn brackets_stand_where_the_order_of_operations_needs_them() {
         let [a, b] = ["a", "b"].map(Fraction::variable);
-        let x = recording(|| -(&a - (&a - &b)) * (&a / (&b * Fraction::ratio(-2, 3))).pow(2) / (-b.clone()));
-        let text = recording(|| Printer::default().print(&x.expression()));
+        let x = recording(true, || {
+            -(&a - (&a - &b)) * (&a / (&b * Fraction::ratio(-2, 3))).pow(2) / (-b.clone())
+        });
+        let text = recording(true, || Printer::default().print(&x.expression()));
         assert_eq!(text, "(- (a - (a - b))) * (a / (b * (-2 / 3))) ^ 2 / (- b)");
     }
 
     #[test]
     fn a_part_that_occurs_twice_is_named_once() {
         let [a, b] = ["a", "b"].map(Fraction::variable);
-        let x = recording(|| {
+        let x = recording(true, || {
             let sum = (&a + &b) * (&a - &b) + Fraction::from(3);
             &sum * &sum
         });

@@ -65,6 +65,9 @@ type Rounding = fn(f64, f64) -> (f64, f64, bool);
 impl Interval {
     /// From the four results for the ends, of an operation that is monotone in each operand.
     fn corners(self, other: Self, operation: Rounding) -> Self {
+        if Self::none([self, other]) {
+            return Self::NONE;
+        }
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for a in [self.low, self.high] {
             for b in [other.low, other.high] {
@@ -90,6 +93,9 @@ impl Interval {
 impl Add for Interval {
     type Output = Self;
     fn add(self, other: Self) -> Self {
+        if Self::none([self, other]) {
+            return Self::NONE;
+        }
         let (low, e, known) = sum(self.low, other.low);
         let (high, f, sure) = sum(self.high, other.high);
         if low.is_nan() || high.is_nan() {
@@ -124,7 +130,7 @@ impl Mul for Interval {
 impl Div for Interval {
     type Output = Self;
     fn div(self, other: Self) -> Self {
-        if other.has_zero() { Self::ALL } else { self.corners(other, quotient) }
+        if other.has_zero() && !self.low.is_nan() { Self::ALL } else { self.corners(other, quotient) }
     }
 }
 

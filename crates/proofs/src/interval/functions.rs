@@ -34,6 +34,9 @@ impl Interval {
         if self.low < 0.0 {
             return Self::ALL;
         }
+        if self.low.is_nan() {
+            return self;
+        }
         Self { low: root(self.low).0, high: root(self.high).1 }
     }
 
@@ -51,6 +54,9 @@ impl Interval {
     /// Sine and cosine of an angle in radians.
     #[must_use]
     pub fn sin_cos(self) -> (Self, Self) {
+        if self.low.is_nan() {
+            return (self, self);
+        }
         let middle = self.low + 0.5 * (self.high - self.low);
         let quarters = (middle / std::f64::consts::FRAC_PI_2).round();
         if quarters.is_nan() || quarters.abs() >= 1e9 {
@@ -93,7 +99,7 @@ impl Interval {
     #[must_use]
     pub fn atan2(self, x: Self) -> Self {
         let quarter = Self::PI / whole(2);
-        if x.low > 0.0 {
+        if x.low > 0.0 || Self::none([self, x]) {
             (self / x).atan()
         } else if self.low > 0.0 {
             quarter - (x / self).atan()
@@ -104,13 +110,10 @@ impl Interval {
         }
     }
 
-    /// The angle whose cosine it is, in radians; all numbers where it is no cosine.
+    /// The angle whose cosine it is, in radians; no number where it is no cosine.
     #[must_use]
     pub fn acos(self) -> Self {
         let within = self.clamped(-1.0, 1.0);
-        if within.low == f64::NEG_INFINITY {
-            return within;
-        }
         let sine = ((Self::one() - within) * (Self::one() + within)).not_negative().sqrt();
         let angle = sine.atan2(within);
         angle.clamped(0.0, Self::PI.high)

@@ -200,10 +200,19 @@ fn the_smallest_float_has_a_logarithm() {
 }
 
 #[test]
-fn bounds_that_contradict_a_number_leave_nothing_known() {
+fn bounds_that_contradict_a_number_leave_none_and_nothing_hides_it() {
     let two = Interval::whole(2);
-    for contradiction in [two.acos(), (-two).not_negative(), two.clamped(-1.0, 1.0)] {
-        assert_eq!((contradiction.low, contradiction.high), (f64::NEG_INFINITY, f64::INFINITY));
+    for none in [two.acos(), (-two).not_negative(), two.clamped(-1.0, 1.0)] {
+        let (sine, cosine) = none.sin_cos();
+        let with_another =
+            [none + two, two - none, none * two, two / none, none / Interval::zero(), none.hull(two)];
+        let alone =
+            [none.abs(), none.square(), none.sqrt(), none.ln(), none.atan(), two.atan2(none), sine, cosine];
+        for x in with_another.into_iter().chain(alone).chain([none.clamped(-1.0, 1.0), none.min_of(two)]) {
+            assert!(x.low.is_nan() && x.high.is_nan(), "{x:?}");
+            assert!(!(x < two) && !(x >= two) && !x.has_zero());
+        }
+        assert_eq!(format!("{none:.3}"), "NaN");
     }
     assert_eq!(format!("{:.3}", (two / Interval::whole(4)).acos()), "1.047");
 }

@@ -1,57 +1,76 @@
-//! Square root, sine, cosine and exponential of power series with rational coefficients: what steppers ask
-//! for.
+//! Square root, sine, cosine and exponential of power series with exact coefficients: what steppers ask for.
 //!
 //! Each follows from a differential equation that settles one power after another, and is exact. Where the
-//! first coefficient has no rational value (the root of 2, the sine of 1) the result is undefined, never
-//! rounded.
+//! first coefficient has no exact value (the sine of 1) the result is undefined, never rounded.
 
-use super::{Rational, Series};
+use super::{Fraction, Rational, Series};
 use num_traits::{One, Zero};
-use tumbling::number::Analytic;
+use tumbling::number::{Analytic, Field};
 
-type Powers = Series<Rational>;
-
-fn undefined() -> Powers {
-    Powers::one() / Powers::zero()
+/// Coefficients of which some have a square root.
+pub trait Rooted: Field {
+    /// The square root, where there is one.
+    fn square_root(&self) -> Option<Self>;
 }
 
-fn whole(n: usize) -> Rational {
-    Rational::from(i64::try_from(n).unwrap_or(i64::MAX))
+impl Rooted for Rational {
+    fn square_root(&self) -> Option<Self> {
+        self.root()
+    }
+}
+
+/// Of a number that has no root in fractions, a variable of that name, `root(3)`: what is asked of it holds
+/// under the relation `root(3)^2 = 3`.
+impl Rooted for Fraction {
+    fn square_root(&self) -> Option<Self> {
+        let value = Rational::from(self.as_constant()?);
+        let named = |x: &Rational| Self::variable(&format!("root({x})"));
+        let positive = value > Rational::zero();
+        value.root().map(Self::from).or_else(|| positive.then(|| named(&value)))
+    }
+}
+
+fn undefined<T: Field>() -> Series<T> {
+    Series::one() / Series::zero()
+}
+
+fn whole<T: Field>(n: usize) -> T {
+    T::integer(u32::try_from(n).unwrap_or(u32::MAX))
 }
 
 /// `0, 1, ...` times the coefficients: `h` times the derivative.
-fn weighed(a: &[Rational]) -> Vec<Rational> {
-    a.iter().enumerate().map(|(n, x)| x.clone() * whole(n)).collect()
+fn weighed<T: Field>(a: &[T]) -> Vec<T> {
+    a.iter().enumerate().map(|(n, x)| x.clone() * whole::<T>(n)).collect()
 }
 
 /// All coefficients that are known, if they end somewhere.
-fn known(series: &Powers) -> Option<Vec<Rational>> {
+fn known<T: Field>(series: &Series<T>) -> Option<Vec<T>> {
     let order = series.order()?;
     (0..=order).map(|n| series.coefficient(n)).collect()
 }
 
 /// Whether it is a plain number, with no `h` in it.
-fn plain(series: &Powers) -> Option<Rational> {
+fn plain<T: Field>(series: &Series<T>) -> Option<T> {
     let settled = !series.is_undefined() && series.order().is_none();
     let first = series.coefficient(0)?;
-    (settled && (series.clone() - Powers::constant(first.clone())).is_zero()).then_some(first)
+    (settled && (series.clone() - Series::constant(first.clone())).is_zero()).then_some(first)
 }
 
-fn sum_of_products(a: &[Rational], b: &[Rational], n: usize) -> Rational {
-    (1..=n).fold(Rational::zero(), |sum, k| sum + a[k].clone() * b[n - k].clone())
+fn sum_of_products<T: Field>(a: &[T], b: &[T], n: usize) -> T {
+    (1..=n).fold(T::zero(), |sum, k| sum + a[k].clone() * b[n - k].clone())
 }
 
-impl Analytic for Powers {
+impl<T: Rooted> Analytic for Series<T> {
     /// From `2 r_0 r_n = a_n - sum r_k r_(n-k)`.
     fn sqrt(&self) -> Self {
         if let Some(value) = plain(self) {
-            return value.root().map_or_else(undefined, Self::constant);
+            return value.square_root().map_or_else(undefined, Self::constant);
         }
         let Some(a) = known(self) else { return undefined() };
-        let Some(first) = a[0].root().filter(|root| !root.is_zero()) else { return undefined() };
+        let Some(first) = a[0].square_root().filter(|root| !root.is_zero()) else { return undefined() };
         let mut r = vec![first.clone()];
         for n in 1..a.len() {
-            let crossed = (1..n).fold(Rational::zero(), |sum, k| sum + r[k].clone() * r[n - k].clone());
+            let crossed = (1..n).fold(T::zero(), |sum, k| sum + r[k].clone() * r[n - k].clone());
             r.push((a[n].clone() - crossed) / (first.clone() + first.clone()));
         }
         Self::new(r, a.len() - 1)
@@ -63,11 +82,11 @@ impl Analytic for Powers {
             return (Self::zero(), Self::one());
         }
         let Some(a) = known(self).filter(|a| a[0].is_zero()) else { return (undefined(), undefined()) };
-        let (slope, mut s, mut c) = (weighed(&a), vec![Rational::zero()], vec![Rational::one()]);
+        let (slope, mut s, mut c) = (weighed(&a), vec![T::zero()], vec![T::one()]);
         for n in 1..a.len() {
             let (sine, cosine) = (sum_of_products(&slope, &c, n), -sum_of_products(&slope, &s, n));
-            s.push(sine / whole(n));
-            c.push(cosine / whole(n));
+            s.push(sine / whole::<T>(n));
+            c.push(cosine / whole::<T>(n));
         }
         (Self::new(s, a.len() - 1), Self::new(c, a.len() - 1))
     }
@@ -78,9 +97,9 @@ impl Analytic for Powers {
             return Self::one();
         }
         let Some(a) = known(self).filter(|a| a[0].is_zero()) else { return undefined() };
-        let (slope, mut e) = (weighed(&a), vec![Rational::one()]);
+        let (slope, mut e) = (weighed(&a), vec![T::one()]);
         for n in 1..a.len() {
-            e.push(sum_of_products(&slope, &e, n) / whole(n));
+            e.push(sum_of_products(&slope, &e, n) / whole::<T>(n));
         }
         Self::new(e, a.len() - 1)
     }
@@ -95,8 +114,8 @@ impl Analytic for Powers {
         };
         let mut term = Self::one();
         let (mut cosine, mut sinc) = (Self::zero(), Self::zero());
-        for n in 0..=i64::try_from(order).unwrap_or(i64::MAX) {
-            let over = |k: i64| Self::constant(Rational::new(1, k));
+        for n in 0..=order {
+            let over = |k: usize| Self::constant(T::one() / whole(k));
             cosine += term.clone();
             let odd = term * over(2 * n + 1);
             sinc += odd.clone();
@@ -124,6 +143,8 @@ impl Analytic for Powers {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    type Powers = Series<Rational>;
 
     fn sample() -> Powers {
         let h = Powers::step(6);
@@ -171,6 +192,6 @@ mod tests {
         let h = Powers::step(3);
         assert_eq!([Powers::one().size(), h.size(), (h.clone() * h).size()], [1.0, 0.5, 0.25]);
         assert_eq!(Powers::zero().size(), 0.0);
-        assert!(undefined().size().is_nan());
+        assert!(undefined::<Rational>().size().is_nan());
     }
 }

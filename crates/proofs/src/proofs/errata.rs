@@ -36,6 +36,9 @@ proofs! {
         "errata-characteristic-on-the-separatrix": characteristic(true),
             "On the separatrix G⁴ / (B21² B23²) is one, so that an integral over one minus it divides by zero.";
             but "any energy": characteristic(false),
+        "errata-integral-of-tanh": integral_of_tanh(-1),
+            "With a² = n, the derivative of t / (1 - n) - a artanh(a tanh) / ((1 - n) λ) is 1 / (1 - n tanh²), with that of artanh(x), x' / (1 - x²), put in.";
+            but "a plus before the second term": integral_of_tanh(1),
         "errata-acceleration": acceleration(false),
             "By the derivatives of Jacobi's functions, which are put in, the rate of the spin (o1 cn, o2 sn, o3 dn) of λ t is λ (-o1 sn dn, o2 cn dn, -m o3 sn cn).";
             but "the first two exchanged": acceleration(true),
@@ -141,6 +144,15 @@ fn characteristic(on_it: bool) -> Outcome {
     let b21 = &i2 * discriminant(&i1) / (&i2 - &i1);
     let b23 = &i2 * discriminant(&i3) / (&i2 - &i3);
     same("the characteristic", &(length2.pow(2) / (b21 * b23)), &Fraction::one())
+}
+
+fn integral_of_tanh(sign: i64) -> Outcome {
+    let [a, rate, tanh] = variables(["a", "lambda", "tanh"]);
+    let one = Fraction::one();
+    let (inner, rest) = (&a * tanh, &one - a.pow(2));
+    let area = Derivation::hyperbolic(&rate).of(&inner) / (&one - inner.pow(2));
+    let said = &one / &rest + a * area * Fraction::from(sign) / (rest * rate);
+    same_under(&relations(Vec::new())?, "the derivative", &said, &(&one / (&one - inner.pow(2))))
 }
 
 fn acceleration(exchanged: bool) -> Outcome {

@@ -1,48 +1,29 @@
-//! The order of an integrator: its step as a power series in the step size, against the exact motion's.
+//! The exact motion as a power series in the time, by the laws in body and in world.
 
 use crate::number::{Fraction, Series};
-use crate::proof::{Outcome, Residue, breaks, same};
+use crate::proof::{Outcome, Residue, same};
 use crate::symbols::{Matrix, diagonal, vector};
 use nalgebra::{Matrix3, Quaternion, Vector3};
 use num_traits::{One, Zero};
 use tumbling::number::Field;
-use tumbling::step::{Engine, Rate, State, rk4};
+use tumbling::step::{Engine, Rate, State};
 use tumbling::{attitude, dynamics::euler};
 
 proofs! {
     "step" {
-        "order-of-rk4": order_is(4, runge_kutta),
-            "One step of the Runge-Kutta method from the attitude 1 agrees with the exact motion of every free body through h⁴, in every component of attitude and momentum, and not through h⁵: its order \
-            is 4 and no more.";
-            but "said to be 5": order_is(5, runge_kutta),
-            but "said to be 3": order_is(3, runge_kutta),
-            but "the step a hundredth longer": order_is(4, |start, h, law| runge_kutta(start, &(h.clone() * Series::constant(Fraction::ratio(101, 100))), law)),
-            but "a single slope, as in Euler's method": {
-                    order_is(4, |start, h, law| {
-                        // With the slope frozen, all four stages are the first.
-                        let slope = law(start);
-                        rk4(start, h.clone(), |_| slope.clone(), State::plus)
-                    })
-                },
         "the-engine-s-law": same_motion(Engine::Turned),
             "The law that the right engine integrates, with the momentum in the world, gives the same attitude and momentum to h⁴ as that in the body, from the attitude 1, for every free body.";
             but "the frozen tensor": same_motion(Engine::Frozen),
     }
 }
 
-type Number = Series<Fraction>;
-type RateLaw = fn(&State<Number>) -> Rate<Number>;
-
-fn runge_kutta(start: &State<Number>, h: &Number, law: RateLaw) -> State<Number> {
-    rk4(start, h.clone(), law, State::plus)
-}
-
-fn constant(x: &Fraction) -> Number {
+pub(super) type Number = Series<Fraction>;
+pub(super) fn constant(x: &Fraction) -> Number {
     Series::constant(x.clone())
 }
 
 /// At the start the body's axes are the world's, which loses nothing: the world's are ours to choose.
-fn start() -> State<Number> {
+pub(super) fn start() -> State<Number> {
     let [one, zero] = [Number::one(), Number::zero()];
     let attitude = Quaternion::new(one, zero.clone(), zero.clone(), zero);
     State { attitude, momentum: vector("L").map(|x| constant(&x)) }
@@ -108,15 +89,6 @@ fn agree(a: &State<Number>, b: &State<Number>, power: usize) -> Outcome {
         }
     }
     Ok(())
-}
-
-fn order_is(order: usize, step: impl Fn(&State<Number>, &Number, RateLaw) -> State<Number>) -> Outcome {
-    let (start, h) = (start(), Number::step(order + 1));
-    let (stepped, truth) = (step(&start, &h, law), exact(&start, order + 1, law));
-    for power in 0..=order {
-        agree(&stepped, &truth, power)?;
-    }
-    breaks("the next power does not agree", agree(&stepped, &truth, order + 1))
 }
 
 fn same_motion(engine: Engine) -> Outcome {
