@@ -1,27 +1,71 @@
 //! Where a body's principal axes lie in its own.
 
-use crate::attitude::{product, rotate_inverse, unit};
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use crate::attitude::{conjugate, product, rotate_inverse, rotation_matrix, unit};
+use crate::number::Ring;
+use nalgebra::{Matrix3, Quaternion, Scalar, UnitQuaternion, Vector3};
 
 /// How principal axes are turned relative to the body's own.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Frame {
+pub(crate) struct Frame<T: Scalar = f64> {
     /// Takes coordinates along the body's axes to those along the principal axes, where these differ.
-    to_principal: Option<Quaternion<f64>>,
+    to_principal: Option<Quaternion<T>>,
 }
 
-impl Frame {
+impl<T: Scalar> Frame<T> {
     /// The body's axes are principal.
     pub(crate) const SAME: Self = Self { to_principal: None };
 
+    pub(crate) fn body_to_principal(&self) -> Option<&Quaternion<T>> {
+        self.to_principal.as_ref()
+    }
+
+    /// In another number type.
+    pub(crate) fn map<U: Scalar>(&self, number: impl FnMut(T) -> U) -> Frame<U> {
+        Frame { to_principal: self.to_principal.as_ref().map(|q| Quaternion::from(q.coords.map(number))) }
+    }
+}
+
+impl<T: Ring> Frame<T> {
+    /// A vector in body axes along the principal axes.
+    pub(crate) fn along(&self, v: &Vector3<T>) -> Vector3<T> {
+        self.to_principal.as_ref().map_or_else(|| v.clone(), |q| rotate_inverse(&conjugate(q), v))
+    }
+
+    /// A vector along the principal axes in body axes.
+    pub(crate) fn in_body(&self, v: Vector3<T>) -> Vector3<T> {
+        match &self.to_principal {
+            Some(q) => rotate_inverse(q, &v),
+            None => v,
+        }
+    }
+
+    /// The attitude of the principal axes, from that of the body.
+    pub(crate) fn attitude_of_axes(&self, body: Quaternion<T>) -> Quaternion<T> {
+        match &self.to_principal {
+            Some(q) => product(&body, &conjugate(q)),
+            None => body,
+        }
+    }
+
+    /// The attitude of the body, from that of the principal axes: as long as this.
+    pub(crate) fn attitude_as_long(&self, axes: Quaternion<T>) -> Quaternion<T> {
+        match &self.to_principal {
+            Some(q) => product(&axes, q),
+            None => axes,
+        }
+    }
+
+    /// Takes vectors in body axes to those along the principal axes, where these differ.
+    pub(crate) fn matrix(&self) -> Option<Matrix3<T>> {
+        self.to_principal.as_ref().map(rotation_matrix)
+    }
+}
+
+impl Frame {
     /// From the turn that takes coordinates along the principal axes to those along the body's.
     pub(crate) fn new(to_body: Quaternion<f64>) -> Self {
         let differs = to_body != Quaternion::identity();
         Self { to_principal: differs.then(|| to_body.conjugate()) }
-    }
-
-    pub(crate) fn body_to_principal(&self) -> Option<&Quaternion<f64>> {
-        self.to_principal.as_ref()
     }
 
     /// The turn that takes coordinates along the principal axes to those along the body's.
@@ -30,24 +74,9 @@ impl Frame {
         UnitQuaternion::new_unchecked(to_body)
     }
 
-    /// A vector in body axes along the principal axes.
-    pub(crate) fn along(&self, v: &Vector3<f64>) -> Vector3<f64> {
-        self.to_principal.map_or(*v, |q| rotate_inverse(&q.conjugate(), v))
-    }
-
-    /// A vector along the principal axes in body axes.
-    pub(crate) fn in_body(&self, v: Vector3<f64>) -> Vector3<f64> {
-        self.to_principal.map_or(v, |q| rotate_inverse(&q, &v))
-    }
-
-    /// The attitude of the principal axes, from that of the body.
-    pub(crate) fn attitude_of_axes(&self, body: Quaternion<f64>) -> Quaternion<f64> {
-        self.to_principal.map_or(body, |q| product(&body, &q.conjugate()))
-    }
-
-    /// The attitude of the body, from that of the principal axes.
+    /// The attitude of the body, of length 1, from that of the principal axes.
     pub(crate) fn attitude_of_body(&self, axes: Quaternion<f64>) -> Quaternion<f64> {
-        unit(self.to_principal.map_or(axes, |q| product(&axes, &q)))
+        unit(self.attitude_as_long(axes))
     }
 
     /// A turn along the principal axes as one along the body's.
