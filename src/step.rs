@@ -17,6 +17,7 @@ mod run;
 mod stepper;
 mod system;
 mod torque;
+mod torques;
 mod transition;
 
 pub use crate::body::{Rate, State};

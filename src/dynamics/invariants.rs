@@ -1,4 +1,4 @@
-//! What stays the same in a free motion and how far it is from the separatrix, from moments and spin.
+//! What a free motion conserves and how far it is from the separatrix, from moments and spin.
 //!
 //! All formulas are products of the differences of the given moments, sums of terms of one sign, or the one
 //! difference that matters, which is taken in twice the precision; nothing that is small is formed by

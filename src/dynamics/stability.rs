@@ -40,7 +40,7 @@ pub enum Stability {
         /// Growth rate, 1/s.
         rate: f64,
     },
-    /// It neither swings nor grows exponentially: the moment is one of an equal pair (or the body is not
+    /// It neither librates nor grows exponentially: the moment is one of an equal pair (or the body is not
     /// turning). A push then drifts steadily away, at the speed it was given.
     Neutral,
 }

@@ -1,9 +1,9 @@
 //! Where a body's principal axes lie in its own.
 
-use crate::attitude::{product, rotate_inverse, unit};
-use crate::number::{Gather, Lane};
+use crate::attitude::{conjugate, product, rotate_inverse, rotation_matrix, unit};
+use crate::number::{Gather, Lane, Ring};
 use alloc::vec::Vec;
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Quaternion, Scalar, UnitQuaternion, Vector3};
 
 /// How principal axes are turned relative to the body's own: of one body, or of those in the lanes of `T`.
 #[derive(Debug, Clone, Copy)]
@@ -12,9 +12,62 @@ pub(crate) struct Frame<T = f64> {
     to_principal: Option<Quaternion<T>>,
 }
 
-impl PartialEq for Frame {
+impl<T: Scalar> PartialEq for Frame<T> {
     fn eq(&self, other: &Self) -> bool {
         self.to_principal == other.to_principal
+    }
+}
+
+impl<T: Scalar> Frame<T> {
+    /// The body's axes are principal.
+    pub(crate) const BODY: Self = Self { to_principal: None };
+
+    /// Whether the body's axes are principal.
+    pub(crate) fn is_body(&self) -> bool {
+        self.to_principal.is_none()
+    }
+
+    /// In another number type.
+    pub(crate) fn map<U: Scalar>(&self, number: impl FnMut(T) -> U) -> Frame<U> {
+        Frame { to_principal: self.to_principal.as_ref().map(|q| Quaternion::from(q.coords.map(number))) }
+    }
+}
+
+impl<T: Ring> Frame<T> {
+    /// A vector in body axes along the principal axes.
+    pub(crate) fn along(&self, v: &Vector3<T>) -> Vector3<T> {
+        self.to_principal.as_ref().map_or_else(|| v.clone(), |q| rotate_inverse(&conjugate(q), v))
+    }
+
+    /// A vector along the principal axes in body axes.
+    #[inline(always)]
+    pub(crate) fn in_body(&self, v: Vector3<T>) -> Vector3<T> {
+        match &self.to_principal {
+            Some(q) => rotate_inverse(q, &v),
+            None => v,
+        }
+    }
+
+    /// The attitude of the principal axes, from that of the body.
+    pub(crate) fn attitude_of_axes(&self, body: Quaternion<T>) -> Quaternion<T> {
+        match &self.to_principal {
+            Some(q) => product(&body, &conjugate(q)),
+            None => body,
+        }
+    }
+
+    /// The attitude of the body, from that of the principal axes: as long as this.
+    #[inline(always)]
+    pub(crate) fn attitude_as_long(&self, axes: Quaternion<T>) -> Quaternion<T> {
+        match &self.to_principal {
+            Some(q) => product(&axes, q),
+            None => axes,
+        }
+    }
+
+    /// Takes vectors in body axes to those along the principal axes, where these differ.
+    pub(crate) fn matrix(&self) -> Option<Matrix3<T>> {
+        self.to_principal.as_ref().map(rotation_matrix)
     }
 }
 
@@ -25,25 +78,10 @@ impl Frame {
         Self { to_principal: differs.then(|| to_body.conjugate()) }
     }
 
-    /// Whether the body's axes are principal.
-    pub(crate) fn is_body(&self) -> bool {
-        self.to_principal.is_none()
-    }
-
     /// The turn that takes coordinates along the principal axes to those along the body's.
     pub(crate) fn to_body(self) -> UnitQuaternion<f64> {
         let to_body = self.to_principal.map_or_else(Quaternion::identity, |q| q.conjugate());
         UnitQuaternion::new_unchecked(to_body)
-    }
-
-    /// A vector in body axes along the principal axes.
-    pub(crate) fn along(&self, v: &Vector3<f64>) -> Vector3<f64> {
-        self.to_principal.map_or(*v, |q| rotate_inverse(&q.conjugate(), v))
-    }
-
-    /// The attitude of the principal axes, from that of the body.
-    pub(crate) fn attitude_of_axes(&self, body: Quaternion<f64>) -> Quaternion<f64> {
-        self.to_principal.map_or(body, |q| product(&body, &q.conjugate()))
     }
 
     /// A turn along the principal axes as one along the body's.
@@ -64,18 +102,9 @@ impl<T: Lane> Frame<T> {
         Self { to_principal: Some(Quaternion::gather(&turns, |turn| turn)) }
     }
 
-    /// The body's axes are principal.
-    pub(crate) const BODY: Self = Self { to_principal: None };
-
-    /// A vector along the principal axes in body axes.
-    #[inline(always)]
-    pub(crate) fn in_body(&self, v: Vector3<T>) -> Vector3<T> {
-        self.to_principal.as_ref().map_or(v, |q| rotate_inverse(q, &v))
-    }
-
-    /// The attitude of the body, from that of the principal axes.
+    /// The attitude of the body, of length 1, from that of the principal axes.
     #[inline(always)]
     pub(crate) fn attitude_of_body(&self, axes: Quaternion<T>) -> Quaternion<T> {
-        unit(self.to_principal.as_ref().map_or(axes, |q| product(&axes, q)))
+        unit(self.attitude_as_long(axes))
     }
 }

@@ -26,7 +26,7 @@ use flips::Flips;
 use nalgebra::{Quaternion, Vector3};
 use num_traits::FromPrimitive;
 
-pub(super) use dense::{AdaptiveRun, Watch};
+pub(super) use dense::{AdaptiveRun, Tracked};
 
 /// The end of a run of `duration` seconds on numbers that carry derivatives, whose error in each step is
 /// below the tolerance too, relative to the size of their column.
@@ -38,7 +38,7 @@ pub(super) fn end_with_derivatives<T: Analytic + Copy + FromPrimitive>(
     budget: &mut usize,
     derivatives: DerivativeSizes<T>,
 ) -> Result<State<T>, Error> {
-    AdaptiveRun::new(system, start, duration, tolerance, Watch::Derivatives(derivatives))?
+    AdaptiveRun::new(system, start, duration, tolerance, Tracked::Derivatives(derivatives))?
         .at(duration, budget)
 }
 
@@ -63,7 +63,7 @@ const STIFF: f64 = 3.25;
 /// After this number of such steps in a row the law is taken to be stiff.
 const STIFF_STEPS: u32 = 15;
 
-/// A run on its way, under torques that act in all of it.
+/// A run, or a piece of one, under torques that act in all of it.
 #[derive(Debug, Clone)]
 struct Run<T: nalgebra::Scalar> {
     system: Arc<System<T>>,

@@ -66,7 +66,7 @@ fn brought_to_length_1<T: Analytic>(system: &System<T>, start: &State<T>, h: T) 
     Err(Refusal::NotPositive { what: Subject::AttitudeLength, value: length }.into())
 }
 
-// Not inlined: the way of a free body is the shorter for it.
+// Not inlined: the code of a free body is the shorter for it.
 #[inline(never)]
 fn kicked<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
     let half = h.clone() / T::integer(2);

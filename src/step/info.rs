@@ -1,6 +1,8 @@
 //! What is known of a method: its order and the quantities that it conserves.
 
 use super::method::Method;
+use Conserved as C;
+use Method as M;
 
 /// A method's name, order and conserved quantities, as the tests find them for free motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,47 +52,70 @@ impl Conserved {
     const ALL: Self = Self { energy: true, ..Self::ALL_BUT_ENERGY };
 }
 
+const ENGINES: &str = "a rule of physics engines";
+const EXPLICIT: bool = false;
+const IMPLICIT: bool = true;
+
+type Row = (Method, &'static str, u32, bool, Conserved, &'static str);
+
+/// All methods in the order of their enum: name, order, kind of equations, conserved quantities, source.
+const METHODS: [Row; 26] = [
+    (M::ExplicitEuler, "explicit Euler", 1, EXPLICIT, C::NONE, "Eul68"),
+    (M::RungeKutta4, "Runge-Kutta 4", 4, EXPLICIT, C::NONE, "Kut01"),
+    (M::DormandPrince5, "Dormand-Prince 5", 5, EXPLICIT, C::NONE, "DP80"),
+    (M::MuntheKaas4, "Munthe-Kaas 4", 4, EXPLICIT, C::MOMENTUM, "MK98"),
+    (M::Buss, "Buss's augmented", 2, EXPLICIT, C::MOMENTUM, "Bus00"),
+    (M::Spiral, "SPIRAL", 2, EXPLICIT, C::UNIT, "Val24"),
+    (M::ImplicitMidpoint, "implicit midpoint", 2, IMPLICIT, C::ALL, "HLW06"),
+    (M::Gauss4, "Gauss 4", 4, IMPLICIT, C::SQUARES, "But64"),
+    (M::Gauss6, "Gauss 6", 6, IMPLICIT, C::SQUARES, "But64"),
+    (M::RotationSplitting2, "three rotations", 2, EXPLICIT, C::ALL_BUT_ENERGY, "McL93"),
+    (M::RotationSplitting4, "three rotations, 7 in 1", 4, EXPLICIT, C::ALL_BUT_ENERGY, "our own weights"),
+    (M::RotationSplitting6, "three rotations, 9 in 1", 6, EXPLICIT, C::ALL_BUT_ENERGY, "KL97"),
+    (M::SymmetricTop, "symmetric top", 2, EXPLICIT, C::ALL_BUT_ENERGY, "DLM97"),
+    (M::MoserVeselov2, "Moser-Veselov", 2, IMPLICIT, C::ALL, "MV91"),
+    (M::MoserVeselov4, "Moser-Veselov 4", 4, IMPLICIT, C::ALL, "HV06"),
+    (M::MoserVeselov6, "Moser-Veselov 6", 6, IMPLICIT, C::ALL, "HV06"),
+    (M::MoserVeselov8, "Moser-Veselov 8", 8, IMPLICIT, C::ALL, "HV06"),
+    (M::MoserVeselov10, "Moser-Veselov 10", 10, IMPLICIT, C::ALL, "HV06"),
+    (M::ConstantSpin, "no gyroscopic term", 0, EXPLICIT, C::SQUARES, ENGINES),
+    (M::SemiImplicitEuler, "explicit gyroscopic step", 1, EXPLICIT, C::UNIT, ENGINES),
+    (M::Rescaled, "explicit, rescaled", 1, EXPLICIT, C::LENGTHS, ENGINES),
+    (M::RescaledLinearAttitude, "rescaled, turned straight", 1, EXPLICIT, C::LENGTHS, ENGINES),
+    (M::ImplicitOneNewton, "one Newton step", 1, IMPLICIT, C::UNIT, "Cat15"),
+    (M::LinearisedImplicit, "linearised implicit", 1, IMPLICIT, C::UNIT, ENGINES),
+    (M::MeanSpinRungeKutta4, "Runge-Kutta 4, mean spin", 2, EXPLICIT, C::UNIT, ENGINES),
+    (M::TurnedRungeKutta4, "Runge-Kutta 4, turned", 4, EXPLICIT, C::UNIT, "MK98"),
+];
+
 impl Method {
     /// Its name, order and conserved quantities.
     #[must_use]
     pub const fn info(self) -> MethodInfo {
-        const ENGINES: &str = "a rule of physics engines";
-        const EXPLICIT: bool = false;
-        const IMPLICIT: bool = true;
-        let (name, order, implicit, conserved, source) = match self {
-            Self::ExplicitEuler => ("explicit Euler", 1, EXPLICIT, Conserved::NONE, "Eul68"),
-            Self::RungeKutta4 => ("Runge-Kutta 4", 4, EXPLICIT, Conserved::NONE, "Kut01"),
-            Self::DormandPrince5 => ("Dormand-Prince 5", 5, EXPLICIT, Conserved::NONE, "DP80"),
-            Self::MuntheKaas4 => ("Munthe-Kaas 4", 4, EXPLICIT, Conserved::MOMENTUM, "MK98"),
-            Self::Buss => ("Buss's augmented", 2, EXPLICIT, Conserved::MOMENTUM, "Bus00"),
-            Self::Spiral => ("SPIRAL", 2, EXPLICIT, Conserved::UNIT, "Val24"),
-            Self::ImplicitMidpoint => ("implicit midpoint", 2, IMPLICIT, Conserved::ALL, "HLW06"),
-            Self::Gauss4 => ("Gauss 4", 4, IMPLICIT, Conserved::SQUARES, "But64"),
-            Self::Gauss6 => ("Gauss 6", 6, IMPLICIT, Conserved::SQUARES, "But64"),
-            Self::RotationSplitting2 => ("three rotations", 2, EXPLICIT, Conserved::ALL_BUT_ENERGY, "McL93"),
-            Self::RotationSplitting4 => {
-                ("three rotations, 7 in 1", 4, EXPLICIT, Conserved::ALL_BUT_ENERGY, "our own weights")
-            }
-            Self::RotationSplitting6 => {
-                ("three rotations, 9 in 1", 6, EXPLICIT, Conserved::ALL_BUT_ENERGY, "KL97")
-            }
-            Self::SymmetricTop => ("symmetric top", 2, EXPLICIT, Conserved::ALL_BUT_ENERGY, "DLM97"),
-            Self::MoserVeselov2 => ("Moser-Veselov", 2, IMPLICIT, Conserved::ALL, "MV91"),
-            Self::MoserVeselov4 => ("Moser-Veselov 4", 4, IMPLICIT, Conserved::ALL, "HV06"),
-            Self::MoserVeselov6 => ("Moser-Veselov 6", 6, IMPLICIT, Conserved::ALL, "HV06"),
-            Self::MoserVeselov8 => ("Moser-Veselov 8", 8, IMPLICIT, Conserved::ALL, "HV06"),
-            Self::MoserVeselov10 => ("Moser-Veselov 10", 10, IMPLICIT, Conserved::ALL, "HV06"),
-            Self::ConstantSpin => ("no gyroscopic term", 0, EXPLICIT, Conserved::SQUARES, ENGINES),
-            Self::SemiImplicitEuler => ("explicit gyroscopic step", 1, EXPLICIT, Conserved::UNIT, ENGINES),
-            Self::Rescaled => ("explicit, rescaled", 1, EXPLICIT, Conserved::LENGTHS, ENGINES),
-            Self::RescaledLinearAttitude => {
-                ("rescaled, turned straight", 1, EXPLICIT, Conserved::LENGTHS, ENGINES)
-            }
-            Self::ImplicitOneNewton => ("one Newton step", 1, IMPLICIT, Conserved::UNIT, "Cat15"),
-            Self::LinearisedImplicit => ("linearised implicit", 1, IMPLICIT, Conserved::UNIT, ENGINES),
-            Self::MeanSpinRungeKutta4 => ("Runge-Kutta 4, mean spin", 2, EXPLICIT, Conserved::UNIT, ENGINES),
-            Self::TurnedRungeKutta4 => ("Runge-Kutta 4, turned", 4, EXPLICIT, Conserved::UNIT, "MK98"),
-        };
+        let (_, name, order, implicit, conserved, source) = METHODS[self as usize];
         MethodInfo { name, order, implicit, conserved, source }
+    }
+
+    /// All of them.
+    pub const ALL: &[Self] = &{
+        let mut all = [Self::ExplicitEuler; METHODS.len()];
+        let mut i = 0;
+        while i < all.len() {
+            all[i] = METHODS[i].0;
+            i += 1;
+        }
+        all
+    };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_method_has_its_own_row() {
+        for (i, &method) in Method::ALL.iter().enumerate() {
+            assert_eq!(method as usize, i, "{method:?}");
+        }
     }
 }

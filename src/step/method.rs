@@ -102,36 +102,6 @@ pub enum Method {
 }
 
 impl Method {
-    /// All of them.
-    pub const ALL: &[Self] = &[
-        Self::ExplicitEuler,
-        Self::RungeKutta4,
-        Self::DormandPrince5,
-        Self::MuntheKaas4,
-        Self::Buss,
-        Self::Spiral,
-        Self::ImplicitMidpoint,
-        Self::Gauss4,
-        Self::Gauss6,
-        Self::RotationSplitting2,
-        Self::RotationSplitting4,
-        Self::RotationSplitting6,
-        Self::SymmetricTop,
-        Self::MoserVeselov2,
-        Self::MoserVeselov4,
-        Self::MoserVeselov6,
-        Self::MoserVeselov8,
-        Self::MoserVeselov10,
-        Self::ConstantSpin,
-        Self::SemiImplicitEuler,
-        Self::Rescaled,
-        Self::RescaledLinearAttitude,
-        Self::ImplicitOneNewton,
-        Self::LinearisedImplicit,
-        Self::MeanSpinRungeKutta4,
-        Self::TurnedRungeKutta4,
-    ];
-
     /// One step of `h` seconds: back in time if negative, the start again, to rounding, if zero.
     ///
     /// The attitude should be of length 1, which is not checked: a torque that depends on the attitude grows

@@ -28,8 +28,8 @@ const MOST_PARTS: f32 = 4096.0;
 /// - The step changes neither energy nor momentum, but for rounding, whatever the body, the spin and `h`. So
 ///   the energy that a body gains is the work that the engine's velocity stages do, and nothing else.
 /// - A step by `-h` leads back.
-/// - The pace is right to the sixth power of the turn in a step, that of the flips to the eighth. A turn of
-///   more than half a radian is taken in parts.
+/// - The rate of the turn is right to the sixth power of the turn in a step, that of the flips to the
+///   eighth. A turn of more than half a radian is taken in parts.
 ///
 /// The step of the spin is the addition theorem of the elliptic functions that solve Euler's equations
 /// ([DLMF](crate::references), section 22.8), with the time replaced by the first terms of its series; a

@@ -1,12 +1,12 @@
 //! A stepper whose steps are chosen by their error: its run, the state at any time within the run's last
-//! step, and flips on the way.
+//! step, and flips.
 
-use super::adaptive::{AdaptiveRun, Watch, check_tolerance, normalize};
+use super::adaptive::{AdaptiveRun, Tracked, check_tolerance, normalize};
 use super::stepper::{Rule, Stepper, number};
 use super::system::System;
 use crate::body::{Body, State};
 use crate::error::{Error, Refusal, Subject, finite, positive};
-use crate::inertia::{Inertia, PrincipalMoments};
+use crate::inertia::{Frame, Inertia, PrincipalMoments};
 use crate::number::Analytic;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -88,7 +88,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         let inertia = Inertia::from(PrincipalMoments::try_from(system.moments().map(number))?);
         let body = Body::new(inertia, UnitQuaternion::identity(), &Vector3::zeros())?;
         let rule = Rule::Adaptive { tolerance, budget };
-        let (time, frame, run) = (0.0, None, None);
+        let (time, frame, run) = (0.0, Frame::BODY, None);
         let stepper = Self { body, rule, system, state: unit, frame, time, run, sign: 0.0, count: 0 };
         stepper.checked()?;
         Ok(stepper)
@@ -108,11 +108,11 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         let (mut run, began) = match self.run.take() {
             Some((run, began)) if usable(&run, began) => (run, began),
             _ => {
-                let watch = if flips { Watch::Flips(self.sign) } else { Watch::Nothing };
-                let way = f64::INFINITY.copysign(end - self.time);
+                let tracked = if flips { Tracked::Flips(self.sign) } else { Tracked::Nothing };
+                let end_of_run = f64::INFINITY.copysign(end - self.time);
                 let mut system = self.system.clone();
                 system.set_time(T::from_f64(self.time).unwrap_or_else(T::zero));
-                (Box::new(AdaptiveRun::new(system, &self.state, way, tolerance, watch)?), self.time)
+                (Box::new(AdaptiveRun::new(system, &self.state, end_of_run, tolerance, tracked)?), self.time)
             }
         };
         let allowed = *budget;

@@ -2,16 +2,16 @@
 
 use super::adaptive::AdaptiveRun;
 use super::fixed_rate::fixed_rate;
-use crate::attitude;
 use crate::body::{Body, State};
 use crate::error::{Error, Refusal, Subject, finite, positive};
-use crate::number::{Analytic, Ring};
+use crate::inertia::Frame;
+use crate::number::Analytic;
 use crate::step::method::Method;
 use crate::step::system::System;
 use crate::step::torque::Torque;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{Quaternion, Vector3};
 use num_traits::{FromPrimitive, ToPrimitive};
 
 /// Steps a body through time under any torques: by a method, at a fixed rate, or within a tolerance.
@@ -47,8 +47,7 @@ pub struct Stepper<T: nalgebra::Scalar = f64> {
     pub(super) system: System<T>,
     /// Along the principal axes.
     pub(super) state: State<T>,
-    /// Takes coordinates along the principal axes to those along the body's; none where they are the same.
-    pub(super) frame: Option<Quaternion<T>>,
+    pub(super) frame: Frame<T>,
     /// Seconds since the start.
     pub(super) time: f64,
     /// The run of an adaptive stepper, and the time at which it began.
@@ -84,23 +83,19 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     }
 
     pub(super) fn by(body: &Body, rule: Rule) -> Result<Self, Error> {
-        let (moments, frame) = body.inertia().along_principal_axes()?;
-        let start = body.state();
-        let turned = |frame: UnitQuaternion<f64>| State {
-            attitude: start.attitude * frame.into_inner(),
-            momentum: frame.inverse() * start.momentum,
-        };
-        let start = frame.map_or(start, turned);
+        let (moments, to_body) = body.inertia().along_principal_axes()?;
+        let frame = to_body.map_or(Frame::BODY, |to_body| Frame::new(to_body.into_inner()));
         let moments = cast_exactly(Subject::PrincipalMoment, &moments.vector())?;
         let inverse = moments.map(|moment| (T::one() / moment).size());
         if let Some(&value) = inverse.iter().find(|x| !x.is_normal()) {
             return Err(Refusal::OutOfRange { what: Subject::InverseMoment, value }.into());
         }
+        let start = body.state();
         let state = State {
-            attitude: quaternion(&start.attitude),
-            momentum: cast(Subject::AngularMomentum, &start.momentum)?,
+            attitude: Quaternion::from(frame.attitude_of_axes(start.attitude).coords.map(rounded)),
+            momentum: cast(Subject::AngularMomentum, &frame.along(&start.momentum))?,
         };
-        let frame = frame.map(|frame| quaternion(&frame));
+        let frame = frame.map(rounded);
         let system = System::of_numbers(moments, Vec::new());
         let stepper =
             Self { body: *body, rule, system, state, frame, time: 0.0, run: None, sign: 0.0, count: 0 };
@@ -112,17 +107,14 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// principal axes: it must be the same about all three where the tensor has products of inertia.
     ///
     /// # Errors
-    /// A torque whose numbers are not finite, a coefficient of loss below zero, a direction of the gravity
+    /// A torque whose numbers are not finite, a coefficient of damping or dissipation below zero, a direction of the gravity
     /// gradient whose length is not 1, or damping that differs from
     /// axis to axis of a body with products of inertia.
     pub fn with_torques(mut self, torques: impl IntoIterator<Item = Torque<T>>) -> Result<Self, Error> {
         let mut all = self.system.torques().to_vec();
         for torque in torques {
             torque.validate()?;
-            all.push(match &self.frame {
-                Some(frame) => torque.along(frame)?,
-                None => torque,
-            });
+            all.push(torque.along(&self.frame)?);
         }
         self.system = System::of_numbers(*self.system.moments(), all);
         self.set_time(self.time);
@@ -137,8 +129,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// # Errors
     /// As [`Method::step`] or [`fixed_rate`]; of an adaptive stepper an error that stays too large however
     /// short the step, and one of kind [`TooMany`](crate::ErrorKind::TooMany) after its budget of steps, or
-    /// as soon as stiff losses would need more; a torque, such as that of a [`Torque::Function`], that is
-    /// not finite at the start or the end; a spin or a time beyond its numbers.
+    /// as soon as stiff damping would need more; a torque, such as that of a [`Torque::Function`], that is not
+    /// finite at the start or the end; a spin or a time beyond its numbers.
     pub fn step(&mut self, h: T) -> Result<State<T>, Error> {
         self.go(self.time + finite(Subject::Step, number(h))?, h)
     }
@@ -203,12 +195,9 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// A state, a spin or a time that is not finite; the stepper then stays as it was.
     pub fn restart(&mut self, state: &State<T>, time: f64) -> Result<(), Error> {
         let time = finite(Subject::Time, time)?;
-        let along = match &self.frame {
-            Some(frame) => State {
-                attitude: attitude::product(&state.attitude, frame),
-                momentum: attitude::rotate_inverse(frame, &state.momentum),
-            },
-            None => *state,
+        let along = State {
+            attitude: self.frame.attitude_of_axes(state.attitude),
+            momentum: self.frame.along(&state.momentum),
         };
         self.arrive(along, time)?;
         self.run = None;
@@ -236,7 +225,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
 
     pub(super) fn set_time(&mut self, time: f64) {
         self.time = time;
-        self.system.set_time(T::from_f64(time).unwrap_or_else(T::zero));
+        self.system.set_time(rounded(time));
     }
 
     /// `count` steps of `h` seconds: the state after each. Nothing moves before the iterator is used; it ends
@@ -323,24 +312,16 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
 
     /// A state along the body's axes, from one along the principal axes.
     pub(super) fn along_body(&self, state: &State<T>) -> State<T> {
-        let State { attitude, momentum } = state;
-        let Some(frame) = &self.frame else { return *state };
-        let back = conjugate(frame);
         State {
-            attitude: attitude::product(attitude, &back),
-            momentum: attitude::rotate_inverse(&back, momentum),
+            attitude: self.frame.attitude_as_long(state.attitude),
+            momentum: self.frame.in_body(state.momentum),
         }
     }
 
     /// The spin along the body's axes, rad/s.
     #[must_use]
     pub fn omega(&self) -> Vector3<T> {
-        self.in_body(self.system.omega(&self.state.momentum))
-    }
-
-    /// A vector along the body's axes, from one along the principal axes.
-    fn in_body(&self, vector: Vector3<T>) -> Vector3<T> {
-        self.frame.as_ref().map_or(vector, |frame| attitude::rotate_inverse(&conjugate(frame), &vector))
+        self.frame.in_body(self.system.omega(&self.state.momentum))
     }
 
     /// The body as it is now, its attitude brought to length 1.
@@ -360,21 +341,17 @@ pub(super) fn number<T: ToPrimitive>(x: T) -> f64 {
     x.to_f64().unwrap_or(f64::NAN)
 }
 
-pub(super) fn conjugate<T: Ring>(q: &Quaternion<T>) -> Quaternion<T> {
-    Quaternion::new(q.coords.w.clone(), -q.coords.x.clone(), -q.coords.y.clone(), -q.coords.z.clone())
-}
-
-/// In another number type, in which the smallest components may become zero.
-fn quaternion<T: Analytic + FromPrimitive>(q: &Quaternion<f64>) -> Quaternion<T> {
-    Quaternion::from_vector(q.coords.map(|x| T::from_f64(x).unwrap_or_else(T::zero)))
+/// In another number type, in which the smallest may become zero.
+fn rounded<T: Analytic + FromPrimitive>(x: f64) -> T {
+    T::from_f64(x).unwrap_or_else(T::zero)
 }
 
 /// The vector in another number type, its largest component to that type's rounding.
 fn cast<T: Analytic + FromPrimitive>(what: Subject, v: &Vector3<f64>) -> Result<Vector3<T>, Error> {
-    let turned = v.map(|x| T::from_f64(x).unwrap_or_else(T::zero));
-    let (before, after) = (v.amax(), turned.iter().map(Analytic::size).fold(0.0, f64::max));
+    let cast = v.map(rounded::<T>);
+    let (before, after) = (v.amax(), cast.iter().map(Analytic::size).fold(0.0, f64::max));
     if (after - before).abs() <= T::rounding() * before {
-        Ok(turned)
+        Ok(cast)
     } else {
         Err(Refusal::OutOfRange { what, value: after }.into())
     }

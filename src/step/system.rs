@@ -7,6 +7,7 @@ use crate::error::{Error, Refusal, Subject};
 use crate::inertia::PrincipalMoments;
 use crate::number::{Analytic, Field};
 use crate::step::torque::{Instant, Torque};
+use crate::step::torques::Torques;
 use alloc::vec::Vec;
 use nalgebra::Vector3;
 
@@ -18,7 +19,9 @@ use nalgebra::Vector3;
 pub struct System<T: nalgebra::Scalar> {
     moments: Vector3<T>,
     inverse: Vector3<T>,
+    /// As they were given, and their sum.
     torques: Vec<Torque<T>>,
+    sum: Torques<T>,
     time: T,
 }
 
@@ -60,7 +63,8 @@ impl<T: Field> System<T> {
     #[must_use]
     pub fn of_numbers(moments: Vector3<T>, torques: Vec<Torque<T>>) -> Self {
         let inverse = moments.map(|moment| T::one() / moment);
-        Self { moments, inverse, torques, time: T::zero() }
+        let sum = Torques::of(&torques);
+        Self { moments, inverse, torques, sum, time: T::zero() }
     }
 
     /// Principal moments, kg m².
@@ -89,6 +93,11 @@ impl<T: Field> System<T> {
     /// The time at which the next step begins, s.
     pub(crate) fn time(&self) -> &T {
         &self.time
+    }
+
+    /// All torques, summed by kind.
+    pub(crate) fn sum_of_torques(&self) -> &Torques<T> {
+        &self.sum
     }
 
     pub(crate) fn is_free(&self) -> bool {
@@ -125,17 +134,17 @@ impl<T: Analytic> System<T> {
     /// The sum of all torques `time` seconds after the start of a step.
     #[inline]
     pub(crate) fn torque_after(&self, motion: &State<T>, time: &T) -> Vector3<T> {
-        let none = Vector3::from_fn(|_, _| T::zero());
-        if self.torques.is_empty() { none } else { self.sum_of_torques(none, motion, time) }
+        if self.is_free() { Vector3::from_fn(|_, _| T::zero()) } else { self.driven(motion, time) }
     }
 
-    fn sum_of_torques(&self, none: Vector3<T>, motion: &State<T>, time: &T) -> Vector3<T> {
+    // Not inlined: the code of a free body is the shorter for it.
+    #[inline(never)]
+    fn driven(&self, motion: &State<T>, time: &T) -> Vector3<T> {
         let rotation = attitude::rotation_matrix(&motion.attitude);
         let omega = self.omega(&motion.momentum);
         let then = self.time.clone() + time.clone();
         let (inverse, rotation, momentum) = (&self.inverse, &rotation, &motion.momentum);
-        let now = Instant { inverse, time: &then, rotation, momentum, omega: &omega };
-        self.torques.iter().fold(none, |sum, torque| sum + torque.at(&now))
+        self.sum.at(&Instant { inverse, time: &then, rotation, momentum, omega: &omega })
     }
 
     /// The law of motion, `q' = q w / 2` and `L' = L x w + torque`, at the system's time.
@@ -157,27 +166,18 @@ impl<T: Analytic> System<T> {
         }
     }
 
-    /// The damping along each axis, all of it together, N m s.
-    pub(crate) fn drag(&self) -> Vector3<T> {
-        let none = Vector3::from_fn(|_, _| T::zero());
-        self.torques.iter().fold(none, |sum, torque| match torque {
-            Torque::Damping(coefficients) => sum + coefficients,
-            _ => sum,
-        })
-    }
-
     /// What the torques alone do to the momentum in the time `h` while the attitude stands still: the kick of
     /// a kick-drift-kick. Damping and dissipation decay by their own exact law, so no kick overshoots.
     ///
-    /// The torques act one after another, in their order; the second kick of a step must be
+    /// The torques act one kind after another; the second kick of a step must be
     /// [`adjoint_kick`](Self::adjoint_kick), or the step is not the same backwards, and of first order only.
     #[must_use]
     #[inline]
     pub fn kick(&self, motion: &State<T>, h: T) -> State<T> {
-        self.kick_by(self.torques.iter(), &self.time, motion, h)
+        self.kicked(&self.time, motion, h, false)
     }
 
-    /// The second kick of a step of `2 h`: that of the end of the step, with the last torque first.
+    /// The second kick of a step of `2 h`: that of the end of the step, with the last kind of torque first.
     ///
     /// ```
     /// use nalgebra::{Quaternion, Vector3};
@@ -194,24 +194,17 @@ impl<T: Analytic> System<T> {
     #[inline]
     pub fn adjoint_kick(&self, motion: &State<T>, h: T) -> State<T> {
         let end = self.time.clone() + h.clone() + h.clone();
-        self.kick_by(self.torques.iter().rev(), &end, motion, h)
+        self.kicked(&end, motion, h, true)
     }
 
-    fn kick_by<'a>(
-        &self,
-        torques: impl Iterator<Item = &'a Torque<T>>,
-        time: &T,
-        motion: &State<T>,
-        h: T,
-    ) -> State<T> {
-        if self.torques.is_empty() {
+    fn kicked(&self, time: &T, motion: &State<T>, h: T, adjoint: bool) -> State<T> {
+        if self.is_free() {
             return motion.clone();
         }
         let rotation = attitude::rotation_matrix(&motion.attitude);
-        let momentum = torques.fold(motion.momentum.clone(), |momentum, torque| {
-            let (inverse, rotation, omega) = (&self.inverse, &rotation, self.omega(&momentum));
-            torque.kick(&Instant { inverse, time, rotation, momentum: &momentum, omega: &omega }, h.clone())
-        });
-        State { attitude: motion.attitude.clone(), momentum }
+        let omega = self.omega(&motion.momentum);
+        let (inverse, rotation, momentum) = (&self.inverse, &rotation, &motion.momentum);
+        let now = Instant { inverse, time, rotation, momentum, omega: &omega };
+        State { attitude: motion.attitude.clone(), momentum: self.sum.kick(&now, &h, adjoint) }
     }
 }

@@ -1,16 +1,14 @@
-//! Torques on a body: each with its value, and with its own exact flow while the attitude stands still.
+//! Torques on a body, as they are given: checked, and turned to other axes of the body.
 
 mod named;
 
-pub(in crate::step) use named::before_or_at;
-
-use crate::attitude;
 use crate::error::{Error, Refusal, Subject, finite, finite_vector, not_negative};
+use crate::inertia::Frame;
 use crate::number::Analytic;
 use alloc::boxed::Box;
 use alloc::sync::Arc;
 use core::fmt;
-use nalgebra::{Matrix3, Quaternion, Vector3};
+use nalgebra::{Matrix3, Vector3};
 use num_traits::ToPrimitive;
 
 /// A torque on a rigid body about its centre of mass, or about the fixed point of a top.
@@ -22,8 +20,8 @@ pub enum Torque<T: nalgebra::Scalar> {
     /// Constant along the world's axes, N m.
     InWorld(Vector3<T>),
     /// `arm x field`, with the arm fixed in the body and the field in the world. A compass needle has its
-    /// magnetic moment (A m²) for an arm in the field's tesla; a heavy top has the way from its point to its
-    /// centre of mass (m) for an arm, and its weight (N) for a field. Near rest it is a spring.
+    /// magnetic moment (A m²) for an arm in the field's tesla; a heavy top has the vector from its point to
+    /// its centre of mass (m) for an arm, and its weight (N) for a field. Near rest it is a spring.
     Aligning {
         /// In body axes.
         arm: Vector3<T>,
@@ -32,8 +30,8 @@ pub enum Torque<T: nalgebra::Scalar> {
     },
     /// `-c_i w_i` along each principal axis, `c` in N m s: viscous drag.
     Damping(Vector3<T>),
-    /// `k L x (L x w)`, `k` in s/(kg m²): loss inside a body that is not quite rigid. It keeps `|L|` and
-    /// takes energy, until the body turns about the axis of its largest moment [BKMR96](crate::references).
+    /// `k L x (L x w)`, `k` in s/(kg m²): dissipation inside a body that is not quite rigid. It keeps `|L|`
+    /// and takes energy, until the body turns about the axis of its largest moment [BKMR96](crate::references).
     Dissipation(T),
     /// `strength n x I n`, with `n` the unit vector to a body that attracts: the gravity gradient of one that
     /// is far away, as [`Torque::gravity_gradient`] gives it.
@@ -108,14 +106,14 @@ impl<T: nalgebra::Scalar> Torque<T> {
     ///
     /// The time is that of the [`Stepper`](crate::step::Stepper), which counts it; a
     /// [`Method`](crate::step::Method) by itself starts each step at zero. Methods with kicks hold time and
-    /// attitude for each half kick and take the spin on the way by the explicit midpoint rule: of the second
+    /// attitude for each half kick and take the spin within it by the explicit midpoint rule: of the second
     /// order, and reversible where the law does not depend on the spin.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
     /// use tumbling::step::{Method, Stepper, Torque};
     /// use tumbling::{Body, Inertia};
-    /// // A motor that swings to and fro about z: 2 N m cos(3 t) on 4 kg m².
+    /// // A motor that pushes to and fro about z: 2 N m cos(3 t) on 4 kg m².
     /// let inertia = Inertia::from_moments(2.0, 3.0, 4.0)?;
     /// let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::zeros())?;
     /// let motor = Torque::function(|time: f64, _, _| Vector3::z() * (2.0 * (3.0 * time).cos()));
@@ -160,96 +158,34 @@ pub(crate) struct Instant<'a, T: nalgebra::Scalar> {
     pub(crate) omega: &'a Vector3<T>,
 }
 
-impl<T: Analytic> Torque<T> {
-    /// Its value in body axes, N m.
-    // Always: into a kick, which looks at one kind of torque alone.
-    #[inline(always)]
-    pub(crate) fn at(&self, now: &Instant<'_, T>) -> Vector3<T> {
-        let Instant { time, rotation, momentum, omega, .. } = *now;
-        match self {
-            Self::InBody(torque) => torque.clone(),
-            Self::InWorld(torque) => rotation.tr_mul(torque),
-            Self::Aligning { arm, field } => arm.cross(&rotation.tr_mul(field)),
-            Self::Damping(coefficients) => -coefficients.component_mul(omega),
-            Self::Dissipation(strength) => {
-                momentum.cross(&momentum.cross(omega)).map(|x| x * strength.clone())
-            }
-            Self::GravityGradient { .. } => self.gradient(now),
-            Self::Periodic { amplitude, rate, phase } => {
-                let (_, cosine) = (rate.clone() * time.clone() + phase.clone()).sin_cos();
-                amplitude.map(|x| x * cosine.clone())
-            }
-            Self::During { torque, .. } if self.acts_at(time) => torque.inner(now),
-            Self::During { .. } => momentum.map(|_| T::zero()),
-            Self::Function(TorqueFunction(law)) => law(time.clone(), rotation, omega),
-        }
-    }
-
-    // Not inlined: a torque within a torque.
-    #[inline(never)]
-    fn inner(&self, now: &Instant<'_, T>) -> Vector3<T> {
-        self.at(now)
-    }
-
-    /// The momentum (body axes) after it alone has acted for `h` seconds at a standing attitude and time.
-    /// Damping decays and dissipation turns by their own exact laws, so that neither overshoots however long
-    /// the step; a function acts by the explicit midpoint rule.
-    pub(crate) fn kick(&self, now: &Instant<'_, T>, h: T) -> Vector3<T> {
-        let Instant { inverse, momentum, .. } = *now;
-        match self {
-            Self::InBody(_)
-            | Self::InWorld(_)
-            | Self::Aligning { .. }
-            | Self::GravityGradient { .. }
-            | Self::Periodic { .. } => momentum + self.at(now).map(|x| x * h.clone()),
-            Self::During { torque, .. } if self.acts_at(now.time) => torque.kick(now, h),
-            Self::During { .. } => momentum.clone(),
-            Self::Function(law) => law.kick(now, h),
-            Self::Damping(coefficients) => Vector3::from_fn(|i, _| {
-                momentum[i].clone() * (-(coefficients[i].clone() * inverse[i].clone() * h.clone())).exp()
-            }),
-            Self::Dissipation(strength) => dissipated(momentum, inverse, &(strength.clone() * h)),
-        }
+impl<'a, T: nalgebra::Scalar> Instant<'a, T> {
+    /// With another momentum.
+    pub(super) fn with(&self, momentum: &'a Vector3<T>) -> Self {
+        Self { momentum, ..*self }
     }
 }
 
 impl<T: Analytic> TorqueFunction<T> {
-    // Not inlined: most torques are others, and their way is the shorter for it.
-    #[inline(never)]
-    fn kick(&self, now: &Instant<'_, T>, h: T) -> Vector3<T> {
-        let change =
-            |omega: &Vector3<T>, h: T| (self.0)(now.time.clone(), now.rotation, omega).map(|x| x * h.clone());
-        let halfway = now.momentum + change(now.omega, h.clone() / T::integer(2));
-        now.momentum + change(&halfway.component_mul(now.inverse), h)
+    /// Its value in body axes for a spin, N m.
+    pub(super) fn at(&self, now: &Instant<'_, T>, omega: &Vector3<T>) -> Vector3<T> {
+        (self.0)(now.time.clone(), now.rotation, omega)
     }
-}
 
-/// The flow of `L' = L x (L x w)` with `w = J L`: each component decays by `exp(-|L|^2 J_i t)`, and the whole
-/// is brought back to its length. Rates are taken from the slowest, so that one component always stays;
-/// lengths relative to the largest component, so that no square leaves the range.
-fn dissipated<T: Analytic>(momentum: &Vector3<T>, inverse: &Vector3<T>, time: &T) -> Vector3<T> {
-    let present = |i: &usize| momentum[*i].size() > 0.0;
-    let slowest = (0..3).filter(present).min_by(|&i, &j| inverse[i].size().total_cmp(&inverse[j].size()));
-    let Some(slowest) = slowest else { return momentum.clone() };
-    let largest = &momentum[momentum.map(|x| x.size()).imax()];
-    let part = momentum.map(|x| x / largest.clone());
-    let square = part.dot(&part);
-    let decay = |i: usize| {
-        // The difference of the rates first: where it is zero the product stays zero, however large the
-        // others.
-        let faster = (inverse[i].clone() - inverse[slowest].clone()) * time.clone();
-        (-(faster * largest.clone() * largest.clone() * square.clone())).exp()
-    };
-    let shrunk = Vector3::from_fn(|i, _| part[i].clone() * decay(i));
-    let back = (square.clone() / shrunk.dot(&shrunk)).sqrt();
-    shrunk.map(|x| x * back.clone() * largest.clone())
+    /// The momentum after it has acted for `h` seconds, by the explicit midpoint rule.
+    pub(super) fn kick(&self, now: &Instant<'_, T>, h: &T) -> Vector3<T> {
+        let half = h.clone() / T::integer(2);
+        let omega = now.momentum.component_mul(now.inverse);
+        let halfway = now.momentum + self.at(now, &omega).map(|x| x * half.clone());
+        now.momentum + self.at(now, &halfway.component_mul(now.inverse)).map(|x| x * h.clone())
+    }
 }
 
 /// How far the length of a direction may be from 1: several roundings of `f32`.
 const UNIT_TOLERANCE: f64 = 1e-6;
 
 impl<T: nalgebra::Scalar + ToPrimitive> Torque<T> {
-    /// That its numbers are finite, its coefficients of loss not below zero, and its directions of length 1.
+    /// That its numbers are finite, its coefficients of damping and dissipation not below zero, and its
+    /// directions of length 1.
     pub(crate) fn validate(&self) -> Result<(), Error> {
         let number = |x: &T| x.to_f64().unwrap_or(f64::NAN);
         let vector = |v: &Vector3<T>| Vector3::from_fn(|i, _| number(&v[i]));
@@ -300,20 +236,48 @@ impl<T: nalgebra::Scalar + ToPrimitive> Torque<T> {
     }
 }
 
+impl<T: nalgebra::Scalar> Torque<T> {
+    /// With other numbers, and other vectors for those in body axes; none of a function, which gives no
+    /// others.
+    pub(crate) fn map<U: nalgebra::Scalar>(
+        &self,
+        number: impl Fn(T) -> U + Copy,
+        in_body: impl Fn(&Vector3<T>) -> Vector3<U> + Copy,
+    ) -> Option<Torque<U>> {
+        let in_world = |v: &Vector3<T>| v.map(number);
+        Some(match self.clone() {
+            Self::InBody(torque) => Torque::InBody(in_body(&torque)),
+            Self::InWorld(torque) => Torque::InWorld(in_world(&torque)),
+            Self::Aligning { arm, field } => Torque::Aligning { arm: in_body(&arm), field: in_world(&field) },
+            // Along the principal axes.
+            Self::Damping(coefficients) => Torque::Damping(coefficients.map(number)),
+            Self::Dissipation(strength) => Torque::Dissipation(number(strength)),
+            Self::GravityGradient { strength, direction, orbit } => Torque::GravityGradient {
+                strength: number(strength),
+                direction: in_world(&direction),
+                orbit: in_world(&orbit),
+            },
+            Self::Periodic { amplitude, rate, phase } => {
+                Torque::Periodic { amplitude: in_body(&amplitude), rate: number(rate), phase: number(phase) }
+            }
+            Self::During { start, end, torque } => Torque::During {
+                start: number(start),
+                end: number(end),
+                torque: Box::new(torque.map(number, in_body)?),
+            },
+            Self::Function(_) => return None,
+        })
+    }
+}
+
 impl<T: Analytic + Send + Sync> Torque<T> {
-    /// The torque along other axes of the body: `frame` takes coordinates along the new axes to those
-    /// along the old.
+    /// The torque along a body's principal axes.
     ///
     /// # Errors
-    /// Damping that differs from axis to axis: it is given along the principal axes.
-    pub(crate) fn along(&self, frame: &Quaternion<T>) -> Result<Self, Error> {
-        let turned = |v: &Vector3<T>| attitude::rotate_inverse(frame, v);
+    /// Damping that differs from axis to axis, where these are others: it is given along the principal axes.
+    pub(crate) fn along(self, frame: &Frame<T>) -> Result<Self, Error> {
+        let Some(to_principal) = frame.matrix() else { return Ok(self) };
         Ok(match self {
-            Self::InBody(torque) => Self::InBody(turned(torque)),
-            Self::Aligning { arm, field } => Self::Aligning { arm: turned(arm), field: field.clone() },
-            Self::Periodic { amplitude, rate, phase } => {
-                Self::Periodic { amplitude: turned(amplitude), rate: rate.clone(), phase: phase.clone() }
-            }
             Self::Damping(c) if c.x != c.y || c.y != c.z => {
                 return Err(Refusal::Undefined {
                     what: Subject::UnequalDamping,
@@ -321,20 +285,17 @@ impl<T: Analytic + Send + Sync> Torque<T> {
                           by: give the body's moments along them, without products",
                 }.into());
             }
-            Self::Function(TorqueFunction(law)) => {
-                let (law, old) = (Arc::clone(law), attitude::rotation_matrix(frame));
-                Self::function(move |time, rotation, omega| {
-                    old.tr_mul(&law(time, &(rotation * old.transpose()), &(&old * omega)))
-                })
-            }
-            Self::During { start, end, torque } => Self::During {
-                start: start.clone(),
-                end: end.clone(),
-                torque: Box::new(torque.along(frame)?),
-            },
-            Self::InWorld(_) | Self::Damping(_) | Self::Dissipation(_) | Self::GravityGradient { .. } => {
-                self.clone()
-            }
+            Self::Function(TorqueFunction(law)) => Self::function(move |time, rotation, omega| {
+                let to_body = to_principal.transpose();
+                &to_principal * law(time, &(rotation * &to_principal), &(to_body * omega))
+            }),
+            Self::During { start, end, torque } => Self::during(start, end, torque.along(frame)?),
+            _ => self.map(|x| x, |v| frame.along(v)).unwrap_or(self),
         })
     }
+}
+
+/// Whether `a <= b`: a number type has no order, but a square root of what is not below zero.
+pub(in crate::step) fn before_or_at<T: Analytic>(a: &T, b: &T) -> bool {
+    !(b.clone() - a.clone()).sqrt().size().is_nan()
 }

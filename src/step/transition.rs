@@ -2,18 +2,16 @@
 
 mod dual;
 
-use super::adaptive::{AdaptiveRun, Watch, end_with_derivatives};
-use super::stepper::{Stepper, conjugate};
+use super::adaptive::{AdaptiveRun, Tracked, end_with_derivatives};
+use super::stepper::Stepper;
 use super::system::System;
 use super::torque::Torque;
 use crate::attitude;
 use crate::body::State;
 use crate::error::{Error, Refusal, Subject, finite};
-use alloc::boxed::Box;
-use alloc::vec::Vec;
 use core::f64::consts::PI;
 use dual::Dual;
-use nalgebra::{Matrix3, Matrix6, Quaternion, Vector3, Vector6};
+use nalgebra::{Matrix6, Quaternion, Vector3, Vector6};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
@@ -99,7 +97,7 @@ impl Stepper<f64> {
             &self.state,
             finite(Subject::Step, h)?,
             tolerance,
-            Watch::Nothing,
+            Tracked::Nothing,
         )?;
         let inverse = *self.system.inverse();
         // The variances of an error of the attitude's quaternion and of the momentum, relative to their size.
@@ -133,7 +131,11 @@ impl Stepper<f64> {
         tolerance: f64,
         budget: &mut usize,
     ) -> Result<Matrix6<f64>, Error> {
-        let torques = self.system.torques().iter().map(carried).collect::<Result<Vec<_>, _>>()?;
+        let dual = |torque: &Torque<f64>| torque.map(Dual::from, |v| v.map(Dual::from));
+        let Some(torques) = self.system.torques().iter().map(dual).collect() else {
+            let why = "a function gives no derivatives: give the torque by its name";
+            return Err(Refusal::Undefined { what: Subject::Transition, why }.into());
+        };
         let moments = *self.system.moments();
         let mut system = System::of_numbers(moments.map(Dual::from), torques);
         system.set_time(Dual::from(time));
@@ -145,47 +147,12 @@ impl Stepper<f64> {
 
     /// A matrix along the body's axes, from one along the principal axes.
     fn turned(&self, along: &Matrix6<f64>) -> Matrix6<f64> {
-        let Some(frame) = &self.frame else { return *along };
-        let back: Matrix3<f64> = attitude::rotation_matrix(&conjugate(frame));
-        let mut both = Matrix6::zeros();
-        both.fixed_view_mut::<3, 3>(0, 0).copy_from(&back);
-        both.fixed_view_mut::<3, 3>(3, 3).copy_from(&back);
-        both.transpose() * along * both
+        let Some(back) = self.frame.matrix() else { return *along };
+        let mut blocks = Matrix6::zeros();
+        blocks.fixed_view_mut::<3, 3>(0, 0).copy_from(&back);
+        blocks.fixed_view_mut::<3, 3>(3, 3).copy_from(&back);
+        blocks.transpose() * along * blocks
     }
-}
-
-/// The torque on numbers that carry derivatives.
-fn carried(torque: &Torque<f64>) -> Result<Torque<Dual>, Error> {
-    let vector = |v: &Vector3<f64>| v.map(Dual::from);
-    Ok(match torque {
-        Torque::InBody(torque) => Torque::InBody(vector(torque)),
-        Torque::InWorld(torque) => Torque::InWorld(vector(torque)),
-        Torque::Aligning { arm, field } => Torque::Aligning { arm: vector(arm), field: vector(field) },
-        Torque::Damping(coefficients) => Torque::Damping(vector(coefficients)),
-        Torque::Dissipation(strength) => Torque::Dissipation(Dual::from(*strength)),
-        Torque::GravityGradient { strength, direction, orbit } => Torque::GravityGradient {
-            strength: Dual::from(*strength),
-            direction: vector(direction),
-            orbit: vector(orbit),
-        },
-        Torque::Periodic { amplitude, rate, phase } => Torque::Periodic {
-            amplitude: vector(amplitude),
-            rate: Dual::from(*rate),
-            phase: Dual::from(*phase),
-        },
-        Torque::During { start, end, torque } => Torque::During {
-            start: Dual::from(*start),
-            end: Dual::from(*end),
-            torque: Box::new(carried(torque)?),
-        },
-        Torque::Function(_) => {
-            return Err(Refusal::Undefined {
-                what: Subject::Transition,
-                why: "a function gives no derivatives: give the torque by its name",
-            }
-            .into());
-        }
-    })
 }
 
 /// A state with its derivatives by an error of the attitude and by one of the spin.
@@ -208,7 +175,7 @@ fn varied(state: &State<f64>, moments: &Vector3<f64>) -> State<Dual> {
 
 /// The errors of attitude and spin, by those at the start.
 fn read(end: &State<Dual>, inverse: &Vector3<f64>) -> Matrix6<f64> {
-    let back = conjugate(&Quaternion::from_vector(end.attitude.coords.map(|x| x.value)));
+    let back = attitude::conjugate(&Quaternion::from_vector(end.attitude.coords.map(|x| x.value)));
     let mut matrix = Matrix6::zeros();
     for column in 0..6 {
         let moved = Quaternion::from_vector(end.attitude.coords.map(|x| x.derivatives[column]));

@@ -44,8 +44,8 @@ fn tops_and_a_damped_spin_end_where_sixty_digits_say() {
     }
 }
 
-/// All kinds at once, with four world vectors; and the same written out as a function, which goes by another
-/// engine.
+/// All kinds at once, with four world vectors; and their sum as a function, which takes another
+/// integrator.
 fn all_torques(moments: Vector3<f64>) -> [Vec<Torque<f64>>; 2] {
     let (body, world) = (Vector3::new(0.1, -0.2, 0.15), Vector3::new(0.05, 0.1, -0.2));
     let arms = [Vector3::new(0.1, 0.3, -0.2), Vector3::new(-0.3, 0.1, 0.1), Vector3::new(0.2, 0.1, 0.4)];
@@ -413,7 +413,7 @@ fn a_run_that_was_refused_on_its_way_stays_where_its_last_step_took_it() {
         let there = run.step_to(1.0).unwrap();
         assert!((there.momentum - Vector3::new(0.0, 0.0, 2.0)).norm() < 1e-12, "{there:?}");
     }
-    // One that stiff losses stop has no states but those of its last step.
+    // One that stiff dissipation stops has no states but those of its last step.
     let torques = vec![Torque::Dissipation(30.0), Torque::gravity(&Vector3::new(0.1, 0.2, 0.3), 10.0)];
     let system = System::with(PrincipalMoments::new(1.0, 2.0, 2.5).unwrap(), torques).unwrap();
     let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(1.0, 2.0, 3.0) };

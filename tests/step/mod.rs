@@ -78,7 +78,7 @@ fn in_axes(moments: Vector3<f64>, axes: &UnitQuaternion<f64>) -> Inertia {
     Inertia::try_from((tensor + tensor.transpose()) * 0.5).unwrap()
 }
 
-/// The same state along axes that `turn` takes to the old ones.
+/// The state along axes that `turn` takes to the old ones.
 fn seen_along(state: &State<f64>, turn: &UnitQuaternion<f64>) -> State<f64> {
     State { attitude: state.attitude * turn.into_inner(), momentum: turn.inverse() * state.momentum }
 }

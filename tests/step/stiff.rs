@@ -56,7 +56,7 @@ fn an_axis_held_by_its_damping_leaves_the_others_to_decay() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(12))]
 
-    /// The same damping as a function is no damping to the run: DOP853 takes thousands of short steps.
+    /// Damping that is given as a function is no damping to the run: DOP853 takes thousands of short steps.
     #[test]
     fn solved_damping_moves_a_heavy_body_as_short_explicit_steps_do(
         omega in prop::array::uniform3(-2.0..2.0), fast in 300.0..2000.0, slow in 0.0..0.5, weight in 0.0..3.0,
@@ -181,7 +181,7 @@ fn a_fast_spin_about_the_free_axis_is_not_refused_before_it_slows() {
     let moments = PrincipalMoments::new(1.0, 1.0, 1.5).unwrap();
     let system = System::with(moments, vec![Torque::Damping(Vector3::new(1e5, 1e5, 1.5))]).unwrap();
     let start = spinning(&system, [0.0, 0.0, 1e4]);
-    // Fewer steps than the whole would take at the pace of the first.
+    // Fewer steps than the whole would take at the rate of the first.
     let mut budget = 50_000;
     let end = adaptive(&system, &start, 20.0, 1e-8, &mut budget).unwrap();
     assert!((end.momentum.z / (1.5e4 * (-20.0_f64).exp()) - 1.0).abs() < 1e-5, "{}", end.momentum);

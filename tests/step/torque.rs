@@ -154,8 +154,8 @@ fn bad_torques_are_refused_by_name() {
 fn a_body_that_drag_brings_to_rest_stays_there_however_long() {
     // Ten minutes at 60 Hz: the momentum falls by e^-600, below where squares of it are numbers.
     let moments = Vector3::new(1.0, 2.0, 2.6);
-    let losses = vec![Torque::Damping(moments), Torque::Dissipation(0.1)];
-    let system = System::with(moments.try_into().unwrap(), losses).unwrap();
+    let torques = vec![Torque::Damping(moments), Torque::Dissipation(0.1)];
+    let system = System::with(moments.try_into().unwrap(), torques).unwrap();
     let from = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.1, 2.0, 0.3) };
     let h = 1.0 / 60.0;
     let steps: [(&str, Box<Step>); 2] = [
@@ -181,7 +181,7 @@ fn dissipation_is_the_same_in_every_unit_of_momentum() {
         system.kick(&start, time).momentum / scale
     };
     let plain = kick(1.0, 0.7);
-    // Its pace goes with the square of the momentum.
+    // Its rate goes with the square of the momentum.
     assert!((kick(2_f64.powi(40), 0.7 * 2_f64.powi(-80)) - plain).norm() < 1e-15);
     for scale in [1e-300, 1e-160, 1e160, 1e300] {
         let still = kick(scale, 0.0);

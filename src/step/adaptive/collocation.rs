@@ -1,4 +1,4 @@
-//! Steps by collocation at Radau's nodes, where losses by damping are far faster than the motion: the
+//! Steps by collocation at Radau's nodes, where damping is far faster than the motion: the
 //! damping is solved for, all else iterated.
 
 use super::logarithm::{exponential, logarithm};
@@ -86,8 +86,8 @@ impl<T: Analytic + Copy + FromPrimitive> Weights<T> {
             for i in 0..3 {
                 momentum[i] += weight[i] * rate.momentum[i];
             }
-            for (sum, slope) in attitude.iter_mut().zip(&rate.attitude.coords) {
-                *sum += weight[3] * *slope;
+            for (sum, rate) in attitude.iter_mut().zip(&rate.attitude.coords) {
+                *sum += weight[3] * *rate;
             }
         }
         State { attitude: Quaternion::from_vector(attitude.into()), momentum: momentum.into() }
@@ -98,7 +98,7 @@ impl<T: Analytic + Copy + FromPrimitive> Collocation<T> {
     /// On from where a run is, first by steps twice as long as its last.
     pub(super) fn new(run: &Run<T>) -> Self {
         let radau = Radau::new(nodes(run.tolerance));
-        let decay = run.system.drag().component_mul(run.system.inverse());
+        let decay = run.system.sum_of_torques().damping.component_mul(run.system.inverse());
         let rate = run.system.rate_after(&run.state, &Run::number(run.time));
         let (states, rates) = (vec![run.state; radau.nodes.len()], vec![rate; radau.nodes.len()]);
         Self { radau, decay, states, rates, length: run.last, next: 2.0 * run.last }
@@ -118,7 +118,7 @@ impl<T: Analytic + Copy + FromPrimitive> Collocation<T> {
                 }
             });
             let error = largest(&[error, run.project(&mut end)]) / tolerance;
-            // As usual: aim a little below the tolerance, and change the step by no more than so much.
+            // As usual: aim a little below the tolerance, and keep the change of the step within bounds.
             let factor = exponential(-logarithm(2.0 * error) / order).clamp(0.2, 4.0);
             self.next = h * if error.is_nan() { 0.25 } else { factor };
             if error <= 1.0 {

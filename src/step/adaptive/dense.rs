@@ -1,4 +1,4 @@
-//! A run on its way: its steps are as long as the tolerance permits, and a state within the last is read from
+//! A run: its steps are as long as the tolerance permits, and a state within the last is read from
 //! the step's own series.
 
 use super::flips::Flips;
@@ -13,9 +13,9 @@ use alloc::sync::Arc;
 use alloc::vec::Vec;
 use num_traits::FromPrimitive;
 
-/// What a run looks at besides the state.
+/// What a run keeps track of besides the state.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::step) enum Watch<T> {
+pub(in crate::step) enum Tracked<T> {
     Nothing,
     /// Changes of sign of the spin about the middle axis, given that before the start, or zero where none is
     /// known.
@@ -24,7 +24,7 @@ pub(in crate::step) enum Watch<T> {
     Derivatives(super::DerivativeSizes<T>),
 }
 
-/// What is requested on the way changes nothing of what follows.
+/// A state that is requested changes nothing of what follows.
 #[derive(Debug, Clone)]
 pub(in crate::step) struct AdaptiveRun<T: nalgebra::Scalar> {
     system: Arc<System<T>>,
@@ -45,17 +45,17 @@ impl<T: Analytic + Copy + FromPrimitive> AdaptiveRun<T> {
         start: &State<T>,
         end: f64,
         tolerance: f64,
-        watch: Watch<T>,
+        tracked: Tracked<T>,
     ) -> Result<Self, Error> {
         check_tolerance::<T>(tolerance)?;
         (*start).checked()?;
         let system = Arc::new(system);
         let (acting, until) = switching::piece(&system, 0.0, end);
         let mut run = Run::new(acting, start, until, tolerance)?;
-        match watch {
-            Watch::Nothing => {}
-            Watch::Flips(before) => run.flips = Some(Flips::new(&system, start, before)),
-            Watch::Derivatives(sizes) => run.derivatives = Some(sizes),
+        match tracked {
+            Tracked::Nothing => {}
+            Tracked::Flips(before) => run.flips = Some(Flips::new(&system, start, before)),
+            Tracked::Derivatives(sizes) => run.derivatives = Some(sizes),
         }
         let (steps, before) = (Steps::new(&run)?, (run.state, 0.0));
         Ok(Self { system, run, until, end, steps, before })
@@ -120,7 +120,7 @@ impl<T: Analytic + Copy + FromPrimitive> AdaptiveRun<T> {
         run.from = self.until;
         (run.steps, run.rejected, run.derivatives) =
             (self.run.steps, self.run.rejected, self.run.derivatives);
-        run.flips = self.run.flips.clone().map(|seen| seen.later(self.until - self.run.from));
+        run.flips = self.run.flips.clone().map(|flips| flips.later(self.until - self.run.from));
         self.steps = Steps::new(&run)?;
         (self.run, self.until) = (run, next);
         self.before = (self.run.state, 0.0);

@@ -169,12 +169,12 @@ fn roots(b: &Bernstein, count: usize, (low, high): (f64, f64), left: u32, found:
 
 /// A root to rounding, from one to many digits, by Newton's rule.
 fn sharpened(coefficients: &[f64], root: f64) -> f64 {
-    let (mut value, mut slope) = (0.0, 0.0);
+    let (mut value, mut derivative) = (0.0, 0.0);
     for c in coefficients.iter().rev() {
-        slope = slope * root + value;
+        derivative = derivative * root + value;
         value = value * root + c;
     }
-    let better = root - value / slope;
+    let better = root - value / derivative;
     if (better - root).abs() < 1e-10 { better } else { root }
 }
 

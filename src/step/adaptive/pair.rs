@@ -132,7 +132,7 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
         let error = largest(&[self.error(run, &end, h), stretched]) / run.tolerance;
         // A stage that left the range: the step was far too long.
         let error = if error.is_nan() || !size.is_finite() { f64::INFINITY } else { error };
-        // As usual: aim a little below the tolerance, and change the step by no more than so much.
+        // As usual: aim a little below the tolerance, and keep the change of the step within bounds.
         let factor = (0.9 / eighth_root(error)).clamp(1.0 / 3.0, 6.0);
         self.h = h * factor;
         if error <= 1.0 {

@@ -115,8 +115,8 @@ fn node(count: usize, i: usize) -> f64 {
         let at: [f64; MOST + 1] = legendre(x);
         let [before, one, two] = [at[count - 2], at[count - 1], at[count]];
         // `(x² - 1) P' = n (x P - P_before)`.
-        let slope = n * (x * two - one) - (n - 1.0) * (x * one - before);
-        x -= (two - one) * (x * x - 1.0) / slope;
+        let derivative = n * (x * two - one) - (n - 1.0) * (x * one - before);
+        x -= (two - one) * (x * x - 1.0) / derivative;
     }
     x
 }

@@ -4,7 +4,7 @@
 //! products of those before.
 
 use super::derivatives::Derivatives;
-use super::law::{DissipationInUnits, InUnits, PERIODIC_RATES, WorldInUnits};
+use super::law::{DissipationLaw, Law, PERIODIC_RATES, WorldLaw};
 use super::sums::{
     Coefficients, Lanes, across, across_sums, add_scaled, lanes, own_sums, pairs, scaled, sums, turn,
 };
@@ -35,7 +35,7 @@ struct DissipationSeries<T, const N: usize> {
 struct GradientSeries<T, const N: usize> {
     direction: Coefficients<T, N>,
     orbit: [Lanes<T>; N],
-    /// Spin less orbit: how the direction turns.
+    /// Spin minus orbit: how the direction turns.
     turning: Coefficients<T, N>,
 }
 
@@ -57,26 +57,26 @@ pub(super) struct Series<T: nalgebra::Scalar, const N: usize> {
 
 impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     /// What a law of these torques needs.
-    pub(super) fn new(law: &InUnits<T>) -> Self {
+    pub(super) fn new(law: &Law<T>) -> Self {
         let rows = [[T::zero(); 4]; N];
-        let both = || Coefficients { up: rows, down: [[[T::zero(); 2]; 3]; N] };
+        let none = || Coefficients { up: rows, down: [[[T::zero(); 2]; 3]; N] };
         Self {
             order: 0,
             attitude: rows,
-            spin: both(),
+            spin: none(),
             periodic: [[T::zero(); 2]; PERIODIC_RATES],
             world: vec![rows; law.world().len()],
             dissipation: law
                 .dissipation
-                .map(|_| Box::new(DissipationSeries { momentum: rows, coupling: both() })),
+                .map(|_| Box::new(DissipationSeries { momentum: rows, coupling: none() })),
             gradient: law
                 .gradient
-                .map(|_| Box::new(GradientSeries { direction: both(), orbit: rows, turning: both() })),
+                .map(|_| Box::new(GradientSeries { direction: none(), orbit: rows, turning: none() })),
         }
     }
 
     /// The first coefficients at a time (s): the state itself, with its spin in units.
-    pub(super) fn begin(&mut self, law: &InUnits<T>, attitude: &Quaternion<T>, spin: [T; 3], time: T) {
+    pub(super) fn begin(&mut self, law: &Law<T>, attitude: &Quaternion<T>, spin: [T; 3], time: T) {
         let in_body = |v: &Vector3<T>| lanes(rotate_inverse(attitude, v).into());
         self.order = 0;
         let q = &attitude.coords;
@@ -120,7 +120,7 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     }
 
     /// The coefficients of everything up to a power.
-    pub(super) fn extend_to(&mut self, order: usize, law: &InUnits<T>) {
+    pub(super) fn extend_to(&mut self, order: usize, law: &Law<T>) {
         if law.world().is_empty() && law.gradient.is_none() {
             self.extend_with::<false>(order, law);
         } else {
@@ -132,7 +132,7 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     /// or without.
     // Not inlined: alone it has the registers to itself.
     #[inline(never)]
-    fn extend_with<const ACROSS: bool>(&mut self, order: usize, law: &InUnits<T>) {
+    fn extend_with<const ACROSS: bool>(&mut self, order: usize, law: &Law<T>) {
         while self.order < order.min(N - 1) {
             self.extend::<ACROSS>(law);
         }
@@ -140,14 +140,14 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
 
     /// The next coefficient of everything.
     #[inline(always)]
-    fn extend<const ACROSS: bool>(&mut self, law: &InUnits<T>) {
+    fn extend<const ACROSS: bool>(&mut self, law: &Law<T>) {
         let n = self.order.min(N - 2);
         let over = T::one() / T::integer(n as u32 + 1);
         let (attitude, spin, alone) = (&self.attitude, &self.spin, law.world().is_empty());
         // The sums last: all else is at hand before they are.
         let mut rate = if n == 0 { law.constant } else { [T::zero(); 4] };
-        if law.damped {
-            for ((rate, decay), spin) in rate.iter_mut().zip(&law.decay).zip(&spin.up[n]) {
+        if let Some(decay) = &law.decay {
+            for ((rate, decay), spin) in rate.iter_mut().zip(decay).zip(&spin.up[n]) {
                 *rate -= *decay * *spin;
             }
         }
@@ -203,7 +203,7 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     }
 
     /// The angular acceleration by the torques at the start.
-    pub(super) fn torque(&self, law: &InUnits<T>) -> [T; 3] {
+    pub(super) fn torque(&self, law: &Law<T>) -> [T; 3] {
         let ([x, y, z, _], rate) = (self.spin.up[0], &self.spin.up[1]);
         let pairs = [y * z, z * x, x * y];
         core::array::from_fn(|i| rate[i] - law.coupling[i] * pairs[i])
@@ -258,12 +258,13 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
                 w[i] = w[i] * x + spin[i];
             }
         }
-        let rate = |value: &Lanes<T>, slope: &Lanes<T>| core::array::from_fn(|i| value[i] + slope[i] * x);
+        let rate =
+            |value: &Lanes<T>, derivative: &Lanes<T>| core::array::from_fn(|i| value[i] + derivative[i] * x);
         [q.map(|y| y * x), w.map(|y| y * x), rate(&q, &dq), rate(&w, &dw)]
     }
 }
 
-impl<T: Analytic + Copy> WorldInUnits<T> {
+impl<T: Analytic + Copy> WorldLaw<T> {
     /// Adds the angular acceleration by the vector in body axes.
     #[inline(always)]
     fn add_acceleration(&self, vector: &Lanes<T>, rate: &mut Lanes<T>) {
@@ -277,7 +278,7 @@ impl<T: Analytic + Copy, const N: usize> DissipationSeries<T, N> {
     /// Adds the angular acceleration `J k L x (L x w)`, given that without a torque.
     fn add(
         &mut self,
-        law: &DissipationInUnits<T>,
+        law: &DissipationLaw<T>,
         spin: &Lanes<T>,
         free: &Lanes<T>,
         n: usize,
@@ -307,7 +308,6 @@ impl<T: Analytic + Copy, const N: usize> GradientSeries<T, N> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::law::Law;
     use super::*;
     use crate::attitude::product;
     use crate::inertia::PrincipalMoments;
@@ -323,7 +323,7 @@ mod tests {
         let (thrust, weight) = (Vector3::new(0.3, 0.1, -0.2), Vector3::new(0.0, 0.0, -1.5));
         let torques = vec![Torque::InBody(thrust), Torque::Aligning { arm, field: weight }];
         let system = System::with(PrincipalMoments::try_from(moments).unwrap(), torques).unwrap();
-        let law = Law::of(&system).unwrap().in_units(1.0);
+        let law = Law::of(&system, 1.0).unwrap();
         let start = Quaternion::new(0.5, -0.1, 0.7, 0.2).normalize();
         let spin = Vector3::new(0.5, 2.0, -0.4);
         let mut fast = Series::<f64, LENGTH>::new(&law);

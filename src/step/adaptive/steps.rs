@@ -8,7 +8,6 @@ use super::{Run, STIFF, STIFF_STEPS, largest, ratio};
 use crate::body::State;
 use crate::error::{Error, Refusal, Subject};
 use crate::number::Analytic;
-use crate::step::torque::Torque;
 use num_traits::FromPrimitive;
 
 /// After this number of stiff steps, damping is solved for.
@@ -43,8 +42,7 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
         if run.flips.is_none() {
             return Pair::new(run).map(Self::Pair);
         }
-        let function = run.system.torques().iter().any(|torque| matches!(torque, Torque::Function(_)));
-        let why = if function {
+        let why = if !run.system.sum_of_torques().functions.is_empty() {
             "steps under a torque that is a function have no series: give the torque by its name, or look for changes of sign"
         } else {
             "steps under two gravity gradients, or three rates of periodic torques, have no series: look for changes of sign"
@@ -78,22 +76,18 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
         done
     }
 
-    /// After some steps held back by losses: solves for those that are damping, once the motion is slow.
+    /// After some steps that stiffness keeps short: solves for damping, once the motion is slow.
     fn solve_damping(&mut self, run: &mut Run<T>, budget: usize) -> Result<(), Error> {
         let (system, state) = (&run.system, &run.state);
-        let decay = largest(system.drag().component_mul(system.inverse()).as_slice());
+        let sum = system.sum_of_torques();
+        let decay = largest(sum.damping.component_mul(system.inverse()).as_slice());
         if run.stiff < DAMPED_STEPS && decay * run.last <= LONG {
             return Ok(());
         }
         let change = change(run);
-        let watched = run.flips.is_some() || run.derivatives.is_some();
-        let dissipates = system.torques().iter().any(|torque| matches!(torque, Torque::Dissipation(_)));
-        if !watched && !dissipates && decay * run.last > LONG {
-            let periodic = |torque: &Torque<T>| match torque {
-                Torque::Periodic { rate, .. } => rate.size(),
-                _ => 0.0,
-            };
-            let rate = system.torques().iter().map(periodic).fold(change, f64::max);
+        let tracked = run.flips.is_some() || run.derivatives.is_some();
+        if !tracked && sum.dissipation.is_zero() && decay * run.last > LONG {
+            let rate = sum.periodic.iter().map(|torque| torque.rate.size()).fold(change, f64::max);
             if decay > FASTER * largest(system.omega(&state.momentum).as_slice()).max(rate) {
                 *self = Self::Collocation(Collocation::new(run));
                 run.stiff = DAMPED_STEPS;
@@ -106,7 +100,9 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
         // To the end, or until nothing is left of the momentum.
         let left = run.ahead().abs().min(FADED / change) / run.last.abs();
         if run.stiff == STIFF_STEPS && left > budget as f64 {
-            return Err(run.unfinished("losses far faster than the motion keep its steps short"));
+            return Err(
+                run.unfinished("damping or dissipation far faster than the motion keeps its steps short")
+            );
         }
         Ok(())
     }

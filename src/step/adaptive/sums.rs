@@ -40,7 +40,7 @@ fn add_two<T: Analytic + Copy>(sum: &mut [T; 2], a: [T; 2], b: [T; 2]) {
 pub(super) type Pairs<T> = [[T; 2]; 3];
 
 #[inline(always)]
-fn doubled<T: Copy>(&[x, y, z, _]: &Lanes<T>) -> Pairs<T> {
+fn pairs_of<T: Copy>(&[x, y, z, _]: &Lanes<T>) -> Pairs<T> {
     [[y; 2], [x; 2], [z; 2]]
 }
 
@@ -114,7 +114,7 @@ pub(super) fn sums<T: Analytic + Copy, const N: usize, const ACROSS: bool>(
     for k in 1..n {
         sums.add::<ACROSS>(&q[k], &v[k], &g[k], w[k]);
     }
-    sums.add::<ACROSS>(&q[0], &v[0], &g[0], doubled(&v[n - 1]));
+    sums.add::<ACROSS>(&q[0], &v[0], &g[0], pairs_of(&v[n - 1]));
     sums
 }
 
@@ -131,7 +131,7 @@ pub(super) fn across_sums<T: Analytic + Copy, const N: usize>(
     for k in 1..n {
         add_across(&mut sums, &g[k], w[k]);
     }
-    add_across(&mut sums, &g[0], doubled(&up[n - 1]));
+    add_across(&mut sums, &g[0], pairs_of(&up[n - 1]));
     sums
 }
 
@@ -150,8 +150,8 @@ pub(super) fn own_sums<T: Analytic + Copy, const N: usize>(
         add_across(&mut across, &g[k], w[k]);
         add_pairs(&mut pairs, &g[k], own[k]);
     }
-    add_across(&mut across, &g[0], doubled(&up[n - 1]));
-    add_pairs(&mut pairs, &g[0], doubled(&g[n - 1]));
+    add_across(&mut across, &g[0], pairs_of(&up[n - 1]));
+    add_pairs(&mut pairs, &g[0], pairs_of(&g[n - 1]));
     (across, pairs)
 }
 
@@ -184,6 +184,6 @@ impl<T: Copy, const N: usize> Coefficients<T, N> {
     #[inline(always)]
     pub(super) fn set(&mut self, power: usize, value: Lanes<T>) {
         self.up[power] = value;
-        self.down[N - 1 - power] = doubled(&value);
+        self.down[N - 1 - power] = pairs_of(&value);
     }
 }

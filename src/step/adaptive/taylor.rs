@@ -1,7 +1,7 @@
 //! Steps by Taylor series, as long as their last terms allow.
 
 use super::derivatives::Derivatives;
-use super::law::{InUnits, Law};
+use super::law::{Law, Rates};
 use super::logarithm::{exponential, logarithm};
 use super::series::{LENGTH, MOST, Series};
 use super::{Run, TRIES, largest, ratio, smallest};
@@ -17,10 +17,10 @@ use num_traits::FromPrimitive;
 /// The series about the start of the last step, and about its end.
 #[derive(Debug, Clone)]
 pub(super) struct Taylor<T: nalgebra::Scalar> {
+    /// In units of time of this number of seconds, a power of two.
     law: Law<T>,
-    /// The law in units of time of this number of seconds, a power of two.
-    in_units: InUnits<T>,
     unit: f64,
+    rates: Rates,
     series: Box<Series<T, LENGTH>>,
     /// That of the first order about the end of a step: it tells the step's error, and begins the next.
     next: Series<T, 2>,
@@ -33,24 +33,24 @@ pub(super) struct Taylor<T: nalgebra::Scalar> {
 impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     /// None where the law is no polynomial.
     pub(super) fn new(system: &System<T>, tolerance: f64) -> Option<Self> {
-        let law = Law::of(system)?;
-        let in_units = law.in_units(T::one());
-        let (series, next) = (Box::new(Series::new(&in_units)), Series::new(&in_units));
-        Some(Self { law, in_units, unit: 1.0, series, next, ready: false, most: order(tolerance) })
+        let law = Law::of(system, T::one())?;
+        let (series, next) = (Box::new(Series::new(&law)), Series::new(&law));
+        let rates = Rates::of(system, &law);
+        Some(Self { law, unit: 1.0, rates, series, next, ready: false, most: order(tolerance) })
     }
 
     /// Begins the next series at a state and a time, s after the start of the run.
     fn begin(&mut self, run: &Run<T>, state: &State<T>, time: f64) {
         let unit = Run::number(self.unit);
         let spin = run.system.omega(&state.momentum).map(|x| x * unit).into();
-        self.next.begin(&self.in_units, &state.attitude, spin, *run.system.time() + Run::number(time));
-        self.next.extend_to(1, &self.in_units);
+        self.next.begin(&self.law, &state.attitude, spin, *run.system.time() + Run::number(time));
+        self.next.extend_to(1, &self.law);
     }
 
     /// What the torques change the momentum by in a unit of time, times the unit.
-    fn gained(&self) -> [T; 3] {
-        let torque = self.next.torque(&self.in_units);
-        core::array::from_fn(|i| torque[i] * self.law.moments[i])
+    fn gained(&self, run: &Run<T>) -> [T; 3] {
+        let torque = self.next.torque(&self.law);
+        core::array::from_fn(|i| torque[i] * run.system.moments()[i])
     }
 
     /// The coefficients about the state now; the longest step that keeps the last of them below the
@@ -65,12 +65,12 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
         self.series.begin_as(&self.next);
         let (mut power, mut below) = (left, false);
         if left > 1.0 {
-            self.series.extend_to(self.most, &self.in_units);
+            self.series.extend_to(self.most, &self.law);
         } else {
             // To the end is less than a unit: it may take fewer coefficients. They are made three at a time.
             for order in 2..=self.most {
                 if self.series.order < order {
-                    self.series.extend_to((order + 2).min(self.most), &self.in_units);
+                    self.series.extend_to((order + 2).min(self.most), &self.law);
                 }
                 power *= left;
                 let small = self.series.size(order, weights, derivatives) * power <= 0.1 * tolerance;
@@ -100,7 +100,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
         scale: f64,
     ) -> (State<T>, f64) {
         let [q, w, dq, dw] = self.series.at(x);
-        let mut end = self.moved(&run.state, &q, &w);
+        let mut end = self.moved(run, &run.state, &q, &w);
         end.momentum.apply(|x| {
             if derivatives.is_none() && x.size() > 0.0 && x.size() < smallest::<T>() {
                 *x = T::zero();
@@ -112,7 +112,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
         let [turned, spun] = self.next.rate();
         let turned: [T; 4] = core::array::from_fn(|i| turned[i] - dq[i]);
         let spun: [T; 3] = core::array::from_fn(|i| spun[i] - dw[i]);
-        let pushed: [T; 3] = core::array::from_fn(|i| spun[i] * self.law.moments[i] * per);
+        let pushed: [T; 3] = core::array::from_fn(|i| spun[i] * run.system.moments()[i] * per);
         let share = x.size() / (self.series.order as f64 + 1.0);
         let error = share * largest(&[largest(&turned), ratio(largest(&pushed), scale)]);
         let derivatives =
@@ -121,11 +121,11 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     }
 
     /// A state after these changes of attitude and spin in units.
-    fn moved(&self, start: &State<T>, q: &[T; 4], w: &[T; 4]) -> State<T> {
+    fn moved(&self, run: &Run<T>, start: &State<T>, q: &[T; 4], w: &[T; 4]) -> State<T> {
         let (s, per) = (&start.attitude.coords, Run::number(1.0 / self.unit));
         State {
             attitude: Quaternion::new(s.w + q[3], s.x + q[0], s.y + q[1], s.z + q[2]),
-            momentum: Vector3::from_fn(|i, _| start.momentum[i] + self.law.moments[i] * w[i] * per),
+            momentum: Vector3::from_fn(|i, _| start.momentum[i] + run.system.moments()[i] * w[i] * per),
         }
     }
 }
@@ -134,7 +134,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     /// The state `time` seconds after the start of the last step, where the body was in the state `start`.
     pub(super) fn within(&self, run: &Run<T>, start: &State<T>, time: f64) -> State<T> {
         let [q, w] = self.series.value(Run::number(time / self.unit));
-        let mut there = self.moved(start, &q, &w);
+        let mut there = self.moved(run, start, &q, &w);
         run.project(&mut there);
         there
     }
@@ -152,8 +152,8 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     /// cancel, as in a body that hangs at rest, what is left of them is their rounding.
     fn scale(&self, run: &Run<T>, unit: f64) -> (bool, f64) {
         let least = smallest::<T>() / run.tolerance;
-        let held = largest(run.state.momentum.as_slice()) + largest(&self.gained()) / unit;
-        let rounding = self.law.torque_size() * unit * 8.0 * T::rounding() / run.tolerance;
+        let held = largest(run.state.momentum.as_slice()) + largest(&self.gained(run)) / unit;
+        let rounding = self.rates.torque * unit * 8.0 * T::rounding() / run.tolerance;
         (held > least, held.max(least).max(rounding))
     }
 
@@ -161,8 +161,8 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     pub(super) fn advance(&mut self, run: &mut Run<T>) -> Result<(), Error> {
         let remaining = run.duration - run.time;
         let omega = run.system.omega(&run.state.momentum);
-        let decay = self.law.fastest_decay(&run.state.momentum);
-        let rate = self.law.rate(&omega, decay);
+        let decay = self.rates.fastest_decay(&run.state.momentum);
+        let rate = self.rates.fastest(&omega, decay);
         // Within a factor of four of the time in which the motion changes; else the law is put in units anew.
         let rate_in_units = rate * self.unit;
         let unit = if (0.5..=4.0).contains(&rate_in_units) {
@@ -177,13 +177,14 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
             return Err(run.no_step(unit));
         }
         if unit != self.unit {
-            (self.in_units, self.unit, self.ready) = (self.law.in_units(Run::number(unit)), unit, false);
+            self.law = Law::of(&run.system, Run::number(unit)).unwrap_or_else(|| self.law.clone());
+            (self.unit, self.ready) = (unit, false);
         }
         if !core::mem::take(&mut self.ready) {
             self.begin(run, &run.state, run.time);
         }
         let (moves, scale) = self.scale(run, unit);
-        let weights = [0, 1, 2].map(|i| ratio(self.law.moments[i].size() / unit, scale).min(f64::MAX));
+        let weights = [0, 1, 2].map(|i| ratio(run.system.moments()[i].size() / unit, scale).min(f64::MAX));
         let left = remaining.abs() / unit;
         let attitude = run.state.attitude.coords.as_slice();
         let spin = omega.map(|x| x * Run::number(unit));

@@ -7,7 +7,7 @@ use crate::step::system::System;
 /// An integer over another.
 type Ratio = (i32, u32);
 
-/// Each stage's weights of the slopes before it. The last row is the step of order 5.
+/// Each stage's weights of the rates before it. The last row is the step of order 5.
 const STAGES: [&[Ratio]; 6] = [
     &[(1, 5)],
     &[(3, 40), (9, 40)],
@@ -22,12 +22,12 @@ fn number<T: Analytic>((n, d): Ratio) -> T {
     if n < 0 { -size } else { size }
 }
 
-fn combined<T: Analytic>(start: &State<T>, slopes: &[Rate<T>], weights: &[Ratio], h: &T) -> State<T> {
-    slopes
+fn combined<T: Analytic>(start: &State<T>, rates: &[Rate<T>], weights: &[Ratio], h: &T) -> State<T> {
+    rates
         .iter()
         .zip(weights)
         .filter(|(_, weight)| weight.0 != 0)
-        .fold(start.clone(), |sum, (slope, &weight)| sum.plus(slope, h.clone() * number::<T>(weight)))
+        .fold(start.clone(), |sum, (rate, &weight)| sum.plus(rate, h.clone() * number::<T>(weight)))
 }
 
 /// The times of the stages after the first as fractions of the step: the sums of their weights.
@@ -35,13 +35,13 @@ const NODES: [Ratio; 6] = [(1, 5), (3, 10), (4, 5), (8, 9), (1, 1), (1, 1)];
 
 pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     let first = system.rate(start);
-    let mut slopes: [Rate<T>; 6] = core::array::from_fn(|_| first.clone());
+    let mut rates: [Rate<T>; 6] = core::array::from_fn(|_| first.clone());
     let [inner @ .., last] = &STAGES;
     for (k, weights) in inner.iter().enumerate() {
-        let near = combined(start, &slopes, weights, h);
-        slopes[k + 1] = system.rate_after(&near, &(number::<T>(NODES[k]) * h.clone()));
+        let near = combined(start, &rates, weights, h);
+        rates[k + 1] = system.rate_after(&near, &(number::<T>(NODES[k]) * h.clone()));
     }
-    combined(start, &slopes, last, h)
+    combined(start, &rates, last, h)
 }
 
 #[cfg(test)]

@@ -189,9 +189,9 @@ struct Tableau<T, const N: usize> {
 pub(crate) fn gauss_4<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
     let half = T::one() / T::integer(2);
     let off = T::one() / T::integer(3).sqrt();
-    let far = off.clone() * half.clone();
+    let apart = off.clone() * half.clone();
     let tableau = Tableau {
-        nodes: [half.clone() - far.clone(), half.clone() + far],
+        nodes: [half.clone() - apart.clone(), half.clone() + apart],
         weights: [half.clone(), half],
         off: [[T::zero(), -off.clone()], [off, T::zero()]],
     };
@@ -271,7 +271,7 @@ fn stages<T: Analytic, const N: usize>(
             momentum: momenta.clone(),
         })
     };
-    // Slopes along a line from the start to the end of a step straight ahead.
+    // Rates along a line from the start to the end of a step straight ahead.
     let last = system.rate_after(&start.plus(&first, h.clone()), &(time.clone() + h.clone()));
     let bend = last.plus(&first, -T::one());
     let guess = core::array::from_fn(|i| first.plus(&bend, nodes[i].clone()).times(&weights[i]));

@@ -122,9 +122,9 @@ impl<N, D> Equation<N, D> {
                 *near.part(j) += units.part(j).clone() * nudge.clone();
                 let mut there = (self.next)(&near);
                 for (i, row) in rows.iter_mut().enumerate().take(S::COUNT) {
-                    let slope = (there.part(i).clone() - here.part(i).clone())
+                    let derivative = (there.part(i).clone() - here.part(i).clone())
                         / (nudge.clone() * units.part(i).clone());
-                    row[j] = if i == j { T::one() - slope } else { -slope };
+                    row[j] = if i == j { T::one() - derivative } else { -derivative };
                 }
             }
             for (i, row) in rows.iter_mut().enumerate().take(S::COUNT) {

@@ -1,9 +1,10 @@
 //! The explicit Euler method [Eul68](crate::references) and the classical fourth-order Runge-Kutta method
 //! [Kut01](crate::references), for any number type.
 
-use crate::body::{Rate, State};
+use crate::body::{State, along};
 use crate::number::{Analytic, Field};
 use crate::step::system::System;
+use nalgebra::Vector3;
 
 /// Straight ahead along the rates at the start.
 pub(crate) fn euler<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
@@ -38,10 +39,37 @@ pub fn rk4<S, R, T: Field>(start: &S, h: T, rate: impl Fn(&S) -> R, plus: impl F
     plus(&plus(&plus(&first, &k2, third.clone()), &k3, third), &k4, sixth)
 }
 
-/// One step of a body; the time goes along with the state.
-pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
-    let rate = |(state, time): &(State<T>, T)| system.rate_after(state, time);
-    let plus =
-        |(state, time): &(State<T>, T), rate: &Rate<T>, h: T| (state.plus(rate, h.clone()), time.clone() + h);
+/// [`rk4`] under a law of the time since the start too.
+pub(crate) fn rk4_in_time<S: Clone, R, T: Field>(
+    start: &S,
+    h: &T,
+    rate: impl Fn(&S, &T) -> R,
+    plus: impl Fn(&S, &R, T) -> S,
+) -> S {
+    let rate = |(state, time): &(S, T)| rate(state, time);
+    let plus = |(state, time): &(S, T), rate: &R, h: T| (plus(state, rate, h.clone()), time.clone() + h);
     rk4(&(start.clone(), T::zero()), h.clone(), rate, plus).0
+}
+
+/// One step of a body.
+pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
+    rk4_in_time(start, h, |state, time| system.rate_after(state, time), State::plus)
+}
+
+/// The turn since the start of a step, by axis and angle, and a momentum; or their rates.
+#[derive(Clone)]
+pub(crate) struct Turning<T: nalgebra::Scalar> {
+    pub(crate) turn: Vector3<T>,
+    pub(crate) momentum: Vector3<T>,
+}
+
+impl<T: Analytic> Turning<T> {
+    /// The start of a step from this momentum.
+    pub(crate) fn from(momentum: &Vector3<T>) -> Self {
+        Self { turn: Vector3::from_fn(|_, _| T::zero()), momentum: momentum.clone() }
+    }
+
+    pub(crate) fn plus(&self, rate: &Self, h: T) -> Self {
+        Self { turn: along(&self.turn, &rate.turn, &h), momentum: along(&self.momentum, &rate.momentum, &h) }
+    }
 }

@@ -15,13 +15,13 @@ pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> 
     let start = system.kick(start, half.clone());
     let omega = system.omega(&start.momentum);
     let none = Vector3::from_fn(|_, _| T::zero());
-    let slope = |omega: &Vector3<T>| {
+    let change = |omega: &Vector3<T>| {
         euler::angular_acceleration(system.moments(), omega, &none).map(|x| x * h.clone())
     };
     let over = |x: &Vector3<T>, n: u32| x.map(|x| x / T::integer(n));
-    let k1 = slope(&omega);
-    let k2 = slope(&(&omega + &k1));
-    let k3 = slope(&(&omega + over(&(&k1 + &k2), 4)));
+    let k1 = change(&omega);
+    let k2 = change(&(&omega + &k1));
+    let k3 = change(&(&omega + over(&(&k1 + &k2), 4)));
     let end = &omega + over(&(&k1 + &k2), 6) + over(&k3, 6).map(|x| x * T::integer(4));
     let first = attitude::turn(&omega.map(|x| x * h.clone()));
     let second = attitude::turn(&k1.map(|x| x * h.clone() / T::integer(2)));

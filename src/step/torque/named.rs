@@ -1,8 +1,7 @@
 //! Torques by what makes them, with their units.
 
-use super::{Instant, Torque};
-use crate::attitude;
-use crate::number::{Analytic, Field};
+use super::Torque;
+use crate::number::Field;
 use alloc::boxed::Box;
 use nalgebra::Vector3;
 
@@ -43,7 +42,7 @@ impl<T: Field> Torque<T> {
     /// use nalgebra::{UnitQuaternion, Vector3};
     /// use tumbling::step::{Stepper, Torque};
     /// use tumbling::{Body, Inertia};
-    /// // A hundredth of a radian off, 2 kg m² at 8 N m/rad: half a swing in pi/2 s.
+    /// // A hundredth of a radian off, 2 kg m² at 8 N m/rad: half an oscillation in pi/2 s.
     /// let inertia = Inertia::from_moments(1.0, 2.0, 2.5)?;
     /// let leaning = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 0.01);
     /// let body = Body::spinning(inertia, leaning, &Vector3::zeros())?;
@@ -101,7 +100,7 @@ impl<T: Field> Torque<T> {
     /// fires. The time is that of the [`Stepper`](crate::step::Stepper).
     ///
     /// An adaptive run ends a step where a torque begins and where it ends. Methods of a fixed step, and
-    /// kicks, take it or leave it by the time at which they ask.
+    /// kicks, apply it where the time at which they evaluate torques lies between.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
@@ -120,32 +119,4 @@ impl<T: Field> Torque<T> {
     pub fn during(start: T, end: T, torque: Self) -> Self {
         Self::During { start, end, torque: Box::new(torque) }
     }
-}
-
-impl<T: Analytic> Torque<T> {
-    /// Whether a torque from one time to another acts at this one.
-    pub(super) fn acts_at(&self, time: &T) -> bool {
-        let Self::During { start, end, .. } = self else { return true };
-        before_or_at(start, time) && !before_or_at(end, time)
-    }
-
-    /// The gravity gradient.
-    pub(super) fn gradient(&self, now: &Instant<'_, T>) -> Vector3<T> {
-        let Instant { inverse, time, rotation, .. } = *now;
-        let Self::GravityGradient { strength, direction, orbit } = self else {
-            return Vector3::from_fn(|_, _| T::zero());
-        };
-        let mut here = direction.clone();
-        if !time.is_zero() && orbit.iter().any(|x| !x.is_zero()) {
-            let back = attitude::turn(&orbit.map(|x| -(x * time.clone())));
-            here = attitude::rotate_inverse(&back, direction);
-        }
-        let n = rotation.tr_mul(&here);
-        n.cross(&n.component_div(inverse)).map(|x| x * strength.clone())
-    }
-}
-
-/// Whether `a <= b`: a number type has no order, but a square root of what is not below zero.
-pub(in crate::step) fn before_or_at<T: Analytic>(a: &T, b: &T) -> bool {
-    !(b.clone() - a.clone()).sqrt().size().is_nan()
 }

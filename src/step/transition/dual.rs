@@ -20,8 +20,8 @@ impl From<f64> for Dual {
 
 impl Dual {
     /// A function of it, by the function's value and derivative.
-    fn by(&self, value: f64, slope: f64) -> Self {
-        Self { value, derivatives: self.derivatives.map(|x| x * slope) }
+    fn by(&self, value: f64, derivative: f64) -> Self {
+        Self { value, derivatives: self.derivatives.map(|x| x * derivative) }
     }
 }
 
@@ -110,12 +110,12 @@ impl Analytic for Dual {
         // Of the root's square `s`: the cosine falls by half the sinc, and the sinc by (sinc - cosine) / 2s,
         // of which the first terms are left where it cancels.
         let s = self.value;
-        let slope = if s.abs() < 1e-2 {
+        let derivative = if s.abs() < 1e-2 {
             -1.0 / 6.0 + s * (1.0 / 60.0 - s * (1.0 / 1680.0 - s / 90_720.0))
         } else {
             (cosine - sinc) / (2.0 * s)
         };
-        (self.by(cosine, -0.5 * sinc), self.by(sinc, slope))
+        (self.by(cosine, -0.5 * sinc), self.by(sinc, derivative))
     }
     fn size(&self) -> f64 {
         self.value.abs()

@@ -19,8 +19,8 @@ fn solved<T: Analytic>(
     let columns: [Vector3<T>; 3] = core::array::from_fn(|k| {
         let axis = Vector3::from_fn(|i, _| if i == k { T::one() } else { T::zero() });
         let moment = axis.map(|x| x * system.moments()[k].clone());
-        let slope = omega.cross(&moment) - start.momentum.cross(&axis) + axis.map(|x| x * drag[k].clone());
-        moment + slope.map(|x| x * h.clone())
+        let rate = omega.cross(&moment) - start.momentum.cross(&axis) + axis.map(|x| x * drag[k].clone());
+        moment + rate.map(|x| x * h.clone())
     });
     let [a, b, c] = &columns;
     // Cramer's rule: three unknowns, any number type.
@@ -44,6 +44,6 @@ pub(crate) fn one_newton<T: Analytic>(system: &System<T>, start: &State<T>, h: &
 
 pub(crate) fn linearised<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     let impulse = system.rate(start).momentum.map(|x| x * h.clone());
-    let change = solved(system, start, h, &impulse, &system.drag());
+    let change = solved(system, start, h, &impulse, &system.sum_of_torques().damping);
     ended(system, start, h, &change)
 }

@@ -5,6 +5,7 @@ use super::turn::turned;
 use crate::attitude;
 use crate::body::State;
 use crate::number::Analytic;
+use crate::step::methods::rk4::{Turning, rk4_in_time};
 use crate::step::system::System;
 use nalgebra::Vector3;
 
@@ -16,44 +17,32 @@ pub(crate) fn corrected<T: Analytic>(system: &System<T>, start: &State<T>, h: &T
     stepped(system, start, h, turn_rate)
 }
 
-/// Runge-Kutta 4 for the momentum in body axes and for the turn since the start, whose rate is `slope(turn,
-/// spin)`.
+/// Runge-Kutta 4 for the momentum in body axes and for the turn since the start, whose rate is
+/// `turn_rate(turn, spin)`.
 fn stepped<T: Analytic>(
     system: &System<T>,
     start: &State<T>,
     h: &T,
-    slope: impl Fn(&Vector3<T>, &Vector3<T>) -> Vector3<T>,
+    turn_rate: impl Fn(&Vector3<T>, &Vector3<T>) -> Vector3<T>,
 ) -> State<T> {
-    let scaled = |v: &Vector3<T>, factor: &T| v.map(|x| x * factor.clone());
-    // The rates of turn and momentum `time` after the start, along rates found before.
-    let rates = |before: Option<&(Vector3<T>, Vector3<T>)>, time: &T| {
-        let (turn, momentum) = match before {
-            None => (Vector3::from_fn(|_, _| T::zero()), start.momentum.clone()),
-            Some((turn, push)) => (scaled(turn, time), &start.momentum + scaled(push, time)),
-        };
-        let omega = system.omega(&momentum);
+    let rate = |Turning { turn, momentum }: &Turning<T>, time: &T| {
         // A free body's momentum does not depend on the attitude.
         let attitude = if system.is_free() {
             start.attitude.clone()
         } else {
-            attitude::product(&start.attitude, &attitude::turn(&turn))
+            attitude::product(&start.attitude, &attitude::turn(turn))
         };
-        (slope(&turn, &omega), system.rate_after(&State { attitude, momentum }, time).momentum)
+        let here = State { attitude, momentum: momentum.clone() };
+        Turning {
+            turn: turn_rate(turn, &system.omega(momentum)),
+            momentum: system.rate_after(&here, time).momentum,
+        }
     };
-    let half = h.clone() / T::integer(2);
-    let k1 = rates(None, &T::zero());
-    let k2 = rates(Some(&k1), &half);
-    let k3 = rates(Some(&k2), &half);
-    let k4 = rates(Some(&k3), h);
-    let mean = |a: &Vector3<T>, b: &Vector3<T>, c: &Vector3<T>, d: &Vector3<T>| {
-        let middle = b + c;
-        (a + d + &middle + &middle).map(|x| x / T::integer(6))
-    };
-    let momentum = &start.momentum + scaled(&mean(&k1.1, &k2.1, &k3.1, &k4.1), h);
-    State { attitude: turned(&start.attitude, &mean(&k1.0, &k2.0, &k3.0, &k4.0), h), momentum }
+    let end = rk4_in_time(&Turning::from(&start.momentum), h, rate, Turning::plus);
+    State { attitude: turned(&start.attitude, &end.turn, &T::one()), momentum: end.momentum }
 }
 
-/// The rate of the rotation momentum `v`, for the spin `w` in the axes that it turns: `w + v x w / 2 + c v x
+/// The rate of the rotation vector `v`, for the spin `w` in the axes that it turns: `w + v x w / 2 + c v x
 /// (v x w)`, with `c = (1 - (|v|/2) cot(|v|/2)) / |v|^2`. It is infinite at whole turns.
 fn turn_rate<T: Analytic>(turn: &Vector3<T>, omega: &Vector3<T>) -> Vector3<T> {
     let once = turn.cross(omega);
