@@ -210,7 +210,6 @@ impl FreeMotion {
     /// The spin along the principal axes.
     fn omega_along(&self, time: f64) -> Vector3<f64> {
         match &self.law {
-            _ if time == 0.0 => self.start,
             Law::AtRest | Law::Steady(_) => self.start,
             Law::Symmetric(precession) => precession.omega(time),
             Law::Elliptic(motion) => motion.omega(time),

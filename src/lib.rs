@@ -31,7 +31,7 @@
 //!
 //! - [`number`]: what the laws run on.
 //! - [`attitude`]: rotations as quaternions.
-//! - [`inertia`]: the tensor: apply, invert once, shift, turn to the world. [`PrincipalAxes`] and
+//! - [`inertia`]: the tensor: apply, invert once, turn to the world. [`PrincipalAxes`] and
 //!   [`PrincipalMoments`] follow from it.
 //! - [`solid`]: a shape and a mass give [`MassProperties`]: mass, centre, tensor.
 //! - [`body`]: a [`Body`] has inertia, attitude and angular momentum; its spin is derived. [`body::named`]

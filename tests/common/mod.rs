@@ -13,6 +13,7 @@ pub type Exact = BigRational;
 pub fn refused<T: std::fmt::Debug>(result: Result<T, Error>, kind: ErrorKind, words: &str) -> Error {
     let error = result.expect_err(words);
     let sentence = error.to_string();
+    assert!(!sentence.contains("  "), "{sentence}");
     assert!(
         error.kind() == kind && sentence.contains(words),
         "{:?}, not {kind:?} with '{words}': {sentence}",

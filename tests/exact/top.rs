@@ -437,7 +437,7 @@ fn what_is_too_small_to_square_is_refused_and_not_taken_for_zero() {
 }
 
 proptest! {
-    // Rounding of the tensor turns the axis by rounding over the gap between the moments.
+    // Rounding of the tensor turns the axis by rounding over the difference of the moments.
     #[test]
     fn a_tilted_top_of_nearly_equal_moments_moves_as_in_its_own_axes(
         frame in attitude(), start in attitude(), omega in generic_spin(), digits in 0.0..12.0_f64, t in -3.0..3.0_f64,

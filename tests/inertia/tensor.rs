@@ -9,36 +9,36 @@ use proptest::prelude::*;
 use tumbling::solid::Compound;
 use tumbling::{Body, ErrorKind, Inertia, MassProperties, PrincipalMoments};
 
-/// The gap of the very numbers given, with no rounding before the last step.
-fn exact_gap(inertia: &Inertia, omega: &Vector3<f64>) -> f64 {
+/// The angle of the very numbers given, with no rounding before the last step.
+fn exact_angle(inertia: &Inertia, omega: &Vector3<f64>) -> f64 {
     let w = exact_vector(omega);
     let l = times(&exact_matrix(&inertia.matrix()), &w);
     let c = cross(&w, &l);
-    // tan² of the gap is rational; its root is taken after rounding.
+    // tan² of the angle is rational; its root is taken after rounding.
     let tangent_squared = dot(&c, &c) / (dot(&w, &l) * dot(&w, &l));
     rounded(&tangent_squared).sqrt().atan()
 }
 
 /// Eight roundings on the way (three components, a length, a dot product, the angle; root and angle of the
 /// truth), each of half a unit in the last place at most.
-const GAP_MARGIN: f64 = 4.0 * f64::EPSILON;
+const ANGLE_MARGIN: f64 = 4.0 * f64::EPSILON;
 
 proptest! {
     #[test]
-    fn the_gap_is_right_to_its_last_digits_for_any_spin(inertia in any_tensor(), omega in vector(3.0)) {
-        let (ours, truth) = (inertia.angle_to_momentum(&omega).unwrap(), exact_gap(&inertia, &omega));
-        prop_assert!((ours - truth).abs() <= GAP_MARGIN * truth, "{ours:e} {truth:e}");
+    fn the_angle_is_right_to_its_last_digits_for_any_spin(inertia in any_tensor(), omega in vector(3.0)) {
+        let (ours, truth) = (inertia.angle_to_momentum(&omega).unwrap(), exact_angle(&inertia, &omega));
+        prop_assert!((ours - truth).abs() <= ANGLE_MARGIN * truth, "{ours:e} {truth:e}");
     }
 
-    // Along an axis as the library finds it the gap is rounding; tilt by 1e-12 and it must still be right.
+    // Along an axis as the library finds it the angle is rounding; tilt by 1e-12 and it must still be right.
     #[test]
-    fn the_gap_is_right_to_its_last_digits_a_hair_off_a_principal_axis(
+    fn the_angle_is_right_to_its_last_digits_a_hair_off_a_principal_axis(
         inertia in any_tensor(), hair in vector(1.0), exponent in -14..-3_i32, axis in 0..3_usize, size in -150..150_i32,
     ) {
         let along = inertia.principal().frame().column(axis).into_owned();
         let omega = (along + hair * 10_f64.powi(exponent)) * 10_f64.powi(size);
-        let (ours, truth) = (inertia.angle_to_momentum(&omega).unwrap(), exact_gap(&inertia, &omega));
-        prop_assert!((ours - truth).abs() <= GAP_MARGIN * truth, "{ours:e} {truth:e}");
+        let (ours, truth) = (inertia.angle_to_momentum(&omega).unwrap(), exact_angle(&inertia, &omega));
+        prop_assert!((ours - truth).abs() <= ANGLE_MARGIN * truth, "{ours:e} {truth:e}");
     }
 
     #[test]
@@ -89,7 +89,7 @@ fn turning_at_the_end_of_the_range_is_finite_or_refused() {
 }
 
 #[test]
-fn along_a_turned_rod_there_is_no_momentum_and_so_no_gap() {
+fn along_a_turned_rod_there_is_no_momentum_and_so_no_angle() {
     let q = UnitQuaternion::from_euler_angles(0.5, -0.6, 2.7);
     let rod = Inertia::from_moments(1.0, 1.0, 0.0).unwrap().turned(q).unwrap();
     refused(
@@ -97,7 +97,7 @@ fn along_a_turned_rod_there_is_no_momentum_and_so_no_gap() {
         ErrorKind::Undefined,
         "the angular momentum is the zero vector",
     );
-    // A needle of 1e-12 is no rod: along itself it has momentum, and the gap is small.
+    // A needle of 1e-12 is no rod: along itself it has momentum, and the angle is small.
     let needle = Inertia::from_moments(1.0, 1.0, 1e-12).unwrap();
     assert_eq!(needle.angle_to_momentum(&Vector3::z()).unwrap(), 0.0);
 }
@@ -119,7 +119,7 @@ fn an_attitude_that_has_drifted_turns_as_its_direction_says_and_one_far_off_is_r
 }
 
 #[test]
-fn a_spin_without_direction_has_no_gap() {
+fn a_spin_without_direction_has_no_angle() {
     let tensor = Inertia::from_moments(1.0, 2.0, 2.5).unwrap();
     refused(tensor.angle_to_momentum(&Vector3::zeros()), ErrorKind::Undefined, "the spin is the zero vector");
     refused(tensor.about_axis(&Vector3::zeros()), ErrorKind::Undefined, "the axis is the zero vector");

@@ -181,12 +181,6 @@ impl<W: Solver> Ensemble<W> {
         &self.refused
     }
 
-    /// The memory that the prepared bodies hold, bytes.
-    #[must_use]
-    pub fn bytes(&self) -> usize {
-        self.tiles.iter().map(|tile| tile.solver.bytes() + size_of::<Tile<W>>() + tile.places.len() * 8).sum()
-    }
-
     /// Answers every body at each of `times` (s, in any order) and puts the answers out as they come: with
     /// the feature `threads` from several threads at once, tiles in no particular order.
     ///

@@ -19,10 +19,6 @@ pub trait Solver: Debug + Clone + Send + Sync {
     #[must_use]
     fn of(motions: &[FreeMotion]) -> Self;
 
-    /// Bytes held.
-    #[must_use]
-    fn bytes(&self) -> usize;
-
     /// `put` gets the number of the time, that of the body, and the answer.
     ///
     /// # Errors
@@ -42,9 +38,6 @@ impl<T: Lane + Send + Sync> Solver for Batch<T> {
     fn of(motions: &[FreeMotion]) -> Self {
         Self::new(motions)
     }
-    fn bytes(&self) -> usize {
-        Self::bytes(self)
-    }
     #[inline]
     fn each(&self, times: &[f64], put: impl FnMut(usize, usize, Instant)) -> Result<(), Error> {
         Self::each(self, times, put)
@@ -57,9 +50,6 @@ impl<T: Lane + Send + Sync> Solver for Batch<T, Vector3<f64>> {
 
     fn of(motions: &[FreeMotion]) -> Self {
         Self::new(motions)
-    }
-    fn bytes(&self) -> usize {
-        Self::bytes(self)
     }
     #[inline]
     fn each(&self, times: &[f64], put: impl FnMut(usize, usize, Vector3<f64>)) -> Result<(), Error> {
