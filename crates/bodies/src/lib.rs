@@ -32,17 +32,23 @@
 //! book's. `sides` with `moments` say what is drawn. `spin` (rad/s) is the speed in figures and films;
 //! without it, that follows from the size.
 
+mod document;
 mod error;
 mod file;
 mod files;
 mod mesh;
 mod model;
 mod named;
+mod scene;
 mod shape;
 mod surface;
+mod table;
 mod urdf;
 
+pub use document::from_toml;
 pub use error::Error;
 pub use files::read_text;
 pub use model::BodyModel;
+pub use scene::SceneBodies;
 pub use surface::Surface;
+pub use table::{Spin, Table};
