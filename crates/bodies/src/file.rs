@@ -292,7 +292,11 @@ impl<'a> Reader<'a> {
     /// A body of the book, or of another file.
     fn named(&self) -> Result<BodyModel, Error> {
         let name = self.table.body.as_ref().map_or("", |name| name.get_ref());
-        BodyModel::load_from(name, self.files).map_err(|error| self.wrong(self.by, error))
+        // Of files in files the outermost and the innermost place are said.
+        BodyModel::load_from(name, self.files).map_err(|error| match error.file {
+            Some(_) if self.files.depth > 0 => error,
+            _ => self.wrong(self.by, error),
+        })
     }
 
     /// The body turned about the origin of its axes, then moved.
@@ -375,6 +379,15 @@ mod tests {
             ("[[part]]\nsides = [1, 2, 3]\nmass = 1\nspin = 1", "line 4, `spin`: it is the whole body's"),
             ("points = [[1, 0, 0, 0]]", "line 1, `points`"),
             ("mass = 1\nname = \"a\\u0000b\"\nsides = [1, 2, 3]", "line 2, `name`: '\\0' is not a character"),
+            (
+                &format!("name = '{}'\nsides = [1, 2, 3]\nmass = 1", "n".repeat(2_000_000)),
+                "line 1, `name`: a name of 2000000 characters: at most 100",
+            ),
+            (
+                "sides = [1, 2, 3]\nmass = 1\nattitude = [1, 0, 0, 0]",
+                "line 3, `attitude`: it is of a body in a scene",
+            ),
+            ("moments = [1, 2, 1e-400]", "line 1, `moments`: 1e-400 is closer to zero"),
             ("sides = [1, 2, 3]\nmass = 1\nat = [1e300, 0, 0]", "line 3, `at`: so far away that rounding"),
         ] {
             let error = body(text).unwrap_err().to_string();

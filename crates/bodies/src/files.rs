@@ -157,4 +157,24 @@ mod tests {
         }
         std::fs::remove_dir_all(&folder).unwrap();
     }
+
+    /// Seventeen parts of a megabyte each, and a file that names itself: what is read is counted in all.
+    #[test]
+    fn the_files_that_parts_name_are_counted_together_and_a_file_in_itself_ends() {
+        let folder = std::env::temp_dir().join(format!("tumbling-parts-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let link = "<link name='a'><inertial><mass value='1'/>\
+            <inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial></link>";
+        let long = format!("<robot>{link}{}</robot>", " ".repeat(1 << 20));
+        std::fs::write(folder.join("long.urdf"), long).unwrap();
+        let parts =
+            |count: usize| BodyModel::from_toml(&"[[part]]\nurdf = 'long.urdf'\n".repeat(count), &folder);
+        assert!(parts(15).is_ok());
+        let error = parts(16).unwrap_err().to_string();
+        assert!(error.contains("line 32, `urdf`") && error.contains("of all files together"), "{error}");
+        std::fs::write(folder.join("self.toml"), "body = 'self.toml'").unwrap();
+        let error = BodyModel::load(folder.join("self.toml").to_str().unwrap()).unwrap_err().to_string();
+        assert!(error.contains("a file in a file: at most 30"), "{error}");
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
 }

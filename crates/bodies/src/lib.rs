@@ -29,8 +29,11 @@
 //!
 //! Other fields are `mesh = "part.stl"` (or `.obj`, next to the file; `unit = 0.001` for millimetres) with
 //! `mass` or `density`, `urdf = "robot.urdf"` with `link = "arm"`, and `body = "hammer"` for one of the
-//! book's. `sides` with `moments` say what is drawn. `spin` (rad/s) is the speed in figures and films;
-//! without it, that follows from the size.
+//! book's or `body = "other.toml"`. `sides` with `moments` say what is drawn. `spin` (rad/s) is the speed in
+//! figures and films; without it, that follows from the size.
+//!
+//! A scene's bodies are such tables too, with a spin of three numbers or a momentum, and an attitude
+//! ([`Table`], [`SceneBodies`]).
 
 mod document;
 mod error;

@@ -5,7 +5,7 @@ use std::ops::Range;
 use toml::Spanned;
 use tumbling::Subject;
 
-/// A body or one of its parts, as a TOML file has it; [`Reader::model`](crate::Reader::model) makes one of it.
+/// A body or one of its parts, as a TOML file has it.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Table {

@@ -226,6 +226,7 @@ mod tests {
             ("value='2'", "value='-2'", 6, "the mass is -2.0"),
             ("iyz='0'", "", 7, "`iyz` is missing"),
             ("xyz='0.1 0.2 0.3'", "xyz='0.1 0.2'", 5, "3 numbers expected"),
+            ("xyz='0.1 0.2 0.3'", "xyz='0.1 inf 0.3'", 5, "`origin`: a number of `xyz` is inf"),
         ] {
             let error = read(&ARM.replace(from, to), Some("arm"), 0.0).unwrap_err();
             assert_eq!(error.line, Some(line), "{error}");

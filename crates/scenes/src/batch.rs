@@ -2,8 +2,8 @@
 //!
 //! Bodies whose motion is known in closed form are answered in lanes; those that stand still or are driven by
 //! a torque each by itself. Blocks of 256 bodies at 16 times come out in order: the memory needed grows with
-//! neither the times nor, beyond some blocks, the bodies. With the feature `threads` several blocks are worked on at once, and within a block each driven
-//! body on any thread, its plan too.
+//! neither the times nor, beyond some blocks, the bodies. With the feature `threads` several blocks are
+//! worked on at once, and within a block each driven body on any thread, its plan too.
 //!
 //! Driven bodies have no lanes. A step by Taylor series is made of rows of four numbers already, which the
 //! compiler takes as vectors. Four bodies in lanes that took their steps in common, the shortest of the four,

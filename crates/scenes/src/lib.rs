@@ -3,8 +3,8 @@
 //!
 //! A [`Scene`] is a plain value. [`Scene::plan`] chooses for one of its bodies how to answer: a [`Plan`]
 //! explains in words what it leaves out ([`Plan::explain`]), and gives the states one after another
-//! ([`Plan::states`]), so that a long run takes no more memory than a short one. [`batch`] answers many bodies
-//! in lanes and on all cores.
+//! ([`Plan::states`]), so that a long run takes no more memory than a short one. [`batch`] answers many
+//! bodies in lanes and on all cores.
 //!
 //! ```
 //! use nalgebra::Vector3;
@@ -24,12 +24,12 @@
 //! # Accuracy
 //!
 //! One number bounds the error of every state: the angle of the attitude (rad), the spin relative to the
-//! largest spin that the motion has had, and the energy relative to the largest that it has had; of a flip under
-//! a torque, how far the body turns while it is late. A free body
-//! is answered in closed form, as accurately as its conditioning permits; a finer accuracy is refused, with
-//! the finest that can be had. Under a torque a method and a step are chosen and then tried: the run is
-//! compared with a finer one, and refined until the two agree to half of the accuracy, or to a tenth if the
-//! coarser is to answer. That is evidence, not proof.
+//! largest spin that the motion has had, and the energy relative to the largest that it has had; of a flip
+//! under a torque, how far the body turns while it is late (rad). A free body is answered in closed form, as
+//! accurately as its conditioning permits; a finer accuracy is refused, with the finest that can be had.
+//! Under a torque a tolerance is chosen and then tried: the run is compared with a finer one, and refined
+//! until the two agree to half of the accuracy, or to a tenth if the coarser is to answer. That is evidence,
+//! not proof.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))] // of clippy.toml
 

@@ -59,8 +59,8 @@ pub(crate) struct Rates {
     decay: f64,
     /// Of the torques that take no energy, on average over the scene's time, N m.
     mean: f64,
-    /// The fastest swing about where a torque points, rad/s.
-    swing: f64,
+    /// The fastest libration about where a torque points, rad/s.
+    libration: f64,
 }
 
 impl Rates {
@@ -71,10 +71,10 @@ impl Rates {
     pub(crate) fn of(start: &Checked, torques: &[Torque<f64>], end: f64) -> Result<Self, Error> {
         let mut rates = Self { spin: start.omega.norm(), ..Self::default() };
         torques.iter().try_for_each(|torque| rates.add(torque, end, end, start))?;
-        // A constant torque spins the body up; one that aligns swings it.
+        // A constant torque spins the body up; one that aligns makes it librate.
         let gained = rates.mean / start.moments.vector().min() * end;
-        let gained = if rates.swing > 0.0 { gained.min(rates.swing) } else { gained };
-        rates.spin = rates.spin.max(gained).max(rates.swing);
+        let gained = if rates.libration > 0.0 { gained.min(rates.libration) } else { gained };
+        rates.spin = rates.spin.max(gained).max(rates.libration);
         Ok(rates)
     }
 
@@ -91,13 +91,13 @@ impl Rates {
             Torque::InBody(value) | Torque::InWorld(value) => value.norm(),
             Torque::Aligning { arm, field } => {
                 let torque = arm.norm() * field.norm();
-                self.swing = self.swing.max((torque * lightest).sqrt());
+                self.libration = self.libration.max((torque * lightest).sqrt());
                 torque
             }
             Torque::GravityGradient { strength, orbit, .. } => {
                 // The size of n x I n is at most half of this.
                 let most = strength * (moments.max() - moments.min());
-                self.swing = self.swing.max((most * lightest).sqrt());
+                self.libration = self.libration.max((most * lightest).sqrt());
                 self.spin = self.spin.max(orbit.norm());
                 0.5 * most
             }

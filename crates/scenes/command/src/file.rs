@@ -1,7 +1,7 @@
 //! A scene from the text of a TOML file.
 //!
-//! A body is a table as [`tumbling_bodies`] reads it, with its start: `spin` or `momentum`, and `attitude`. So
-//! it is given by moments, a solid, parts, a mesh, a name of the book, another file, or a link of a robot.
+//! A body is a table as [`tumbling_bodies`] reads it, with its start: `spin` or `momentum`, and `attitude`.
+//! So it is given by moments, a solid, parts, a mesh, a name of the book, another file, or a link of a robot.
 
 mod torque;
 

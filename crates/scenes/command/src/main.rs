@@ -15,7 +15,8 @@
 //! which belong to no one time, are in the summary; where only they are requested it is printed anyway.
 //!
 //! A body that cannot be answered gets a line on standard error and the program ends with 1 after answering
-//! the others. It ends with 2 for a file that is no scene, wrong arguments, or answers that cannot be written.
+//! the others. It ends with 2 for a file that is no scene, wrong arguments, or answers that cannot be
+//! written.
 
 mod file;
 

@@ -192,9 +192,9 @@ fn flips_under_torques_are_where_the_spin_about_the_middle_axis_changes_its_sign
     let top = Torque::gravity(&Vector3::new(0.125, 0.25, 0.5), 1.5);
     let push = Torque::during(2.0, 5.0, Torque::InBody(Vector3::new(0.1, -0.2, 0.3)));
     for (torques, least) in [
-        (vec![Torque::Damping(Vector3::new(0.02, 0.04, 0.05))], 4),
-        (vec![top.clone(), push], 4),
-        (vec![top, Torque::Dissipation(0.002)], 4),
+        (vec![Torque::Damping(Vector3::new(0.02, 0.04, 0.05))], 3),
+        (vec![top.clone(), push], 3),
+        (vec![top, Torque::Dissipation(0.002)], 3),
     ] {
         let outputs = Outputs { flips: true, ..SPIN };
         let (end, samples) = (20.0, 20_000_u32);
