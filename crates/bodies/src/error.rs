@@ -18,20 +18,28 @@ pub struct Error {
 }
 
 impl Error {
-    pub(crate) fn new(why: impl fmt::Display) -> Self {
+    /// What is wrong, of no place.
+    #[must_use]
+    pub fn new(why: impl fmt::Display) -> Self {
         Self { file: None, line: None, field: None, why: why.to_string() }
     }
 
-    pub(crate) fn at(text: &str, span: &Range<usize>, why: impl fmt::Display) -> Self {
+    /// What is wrong at a place of a text.
+    #[must_use]
+    pub fn at(text: &str, span: &Range<usize>, why: impl fmt::Display) -> Self {
         let before = text.bytes().take(span.start).filter(|&byte| byte == b'\n').count();
         Self { line: Some(before + 1), ..Self::new(why) }
     }
 
-    pub(crate) fn of_field(self, field: &str) -> Self {
+    /// With the field.
+    #[must_use]
+    pub fn of_field(self, field: &str) -> Self {
         Self { field: Some(field.to_owned()), ..self }
     }
 
-    pub(crate) fn in_file(self, file: &Path) -> Self {
+    /// With the file, if it is not in another.
+    #[must_use]
+    pub fn in_file(self, file: &Path) -> Self {
         Self { file: self.file.or_else(|| Some(file.display().to_string())), ..self }
     }
 }

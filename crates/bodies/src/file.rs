@@ -1,37 +1,42 @@
-//! A body from the text of a TOML file.
+//! A body from its table in a TOML file.
 
-mod table;
-
+use crate::document::from_toml;
 use crate::error::Error;
-use crate::files::read_text;
-use crate::model::BodyModel;
-use crate::shape::{KINDS, Sizes, Weight, shaped, sides};
+use crate::files::{DEEPEST, Files};
+use crate::model::{BodyModel, nameable};
+use crate::shape::{KINDS, Weight, shaped};
 use crate::surface::{FARTHEST, Surface};
+use crate::table::{GIVEN_BY, Spin, Table, fields_of};
 use crate::{mesh, urdf};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use std::fmt::Display;
 use std::ops::Range;
-use std::path::Path;
-use table::{GIVEN_BY, Table, fields_of};
 use toml::Spanned;
-use tumbling::body::named::NamedBody;
-use tumbling::solid::{Compound, Mesh};
+use tumbling::solid::{Compound, Cuboid, Mesh};
 use tumbling::{Inertia, MassProperties};
 
-/// How many parts a body may have, and how deep they may be nested.
+/// How many parts a body may have.
 const MOST_PARTS: usize = 10_000;
-const DEEPEST: usize = 30;
 
-/// Where a table stands, and what it names.
-struct Reader<'a> {
-    text: &'a str,
-    folder: &'a Path,
+pub(crate) fn read(text: &str, files: &Files<'_>) -> Result<BodyModel, Error> {
+    let table: Table = from_toml(text)?;
+    for (field, span) in table.present() {
+        let in_scene = matches!(&table.spin, Some(spin) if matches!(spin.get_ref(), Spin::Vector(_)));
+        if ["momentum", "attitude"].contains(&field) || (field == "spin" && in_scene) {
+            let why = "it is of a body in a scene: here, `spin` is one number";
+            return Err(Error::at(text, &span, why).of_field(field));
+        }
+    }
+    model(text, &table, &(0..0), files)
 }
 
-pub(crate) fn read(text: &str, folder: &Path) -> Result<BodyModel, Error> {
-    let table: Table = toml::from_str(text).map_err(|error| match error.span() {
-        Some(span) => Error::at(text, &span, error.message()),
-        None => Error::new(error.message()),
-    })?;
+/// The body of a table of a text; the table begins at a place in it.
+pub(crate) fn model(
+    text: &str,
+    table: &Table,
+    span: &Range<usize>,
+    files: &Files<'_>,
+) -> Result<BodyModel, Error> {
     let (count, depth) = table.parts();
     let first = table.part.as_ref().map_or(0..0, Spanned::span);
     for (found, of, most) in
@@ -42,320 +47,284 @@ pub(crate) fn read(text: &str, folder: &Path) -> Result<BodyModel, Error> {
             return Err(Error::at(text, &first, why).of_field("part"));
         }
     }
-    Reader { text, folder }.body(&table, &(0..0))
+    Reader::new(text, table, span, files)?.body()
 }
 
-impl Reader<'_> {
-    fn wrong(&self, span: &Range<usize>, field: &str, why: impl std::fmt::Display) -> Error {
+/// What a table says, and where.
+struct Reader<'a> {
+    text: &'a str,
+    files: &'a Files<'a>,
+    table: &'a Table,
+    span: &'a Range<usize>,
+    present: Vec<(&'static str, Range<usize>)>,
+    /// The one field that says what the body is.
+    by: &'static str,
+}
+
+fn number(field: &Option<Spanned<f64>>) -> f64 {
+    field.as_ref().map_or(0.0, |x| *x.get_ref())
+}
+
+impl<'a> Reader<'a> {
+    fn new(
+        text: &'a str,
+        table: &'a Table,
+        span: &'a Range<usize>,
+        files: &'a Files<'a>,
+    ) -> Result<Self, Error> {
+        let present = table.present();
+        let has = |name: &str| present.iter().any(|(field, _)| *field == name);
+        let Some((by, with)) = GIVEN_BY.into_iter().find(|(name, _)| has(name)) else {
+            let all = GIVEN_BY.map(|(name, _)| format!("`{name}`")).join(", ");
+            let why = format!("what the body is is missing: one of {all}");
+            return Err(Error::at(text, span, why));
+        };
+        let reader = Self { text, files, table, span, present, by };
+        let sizes = match &table.shape {
+            Some(shape) => reader.sizes_of(shape.get_ref())?,
+            None => &["sides"][..usize::from(by == "sides")],
+        };
+        let always = ["at", "turn", "spin", "momentum", "attitude"];
+        let goes = |field: &str| field == by || [with, sizes, &always].iter().any(|all| all.contains(&field));
+        match reader.present.iter().find(|(field, _)| !goes(field)) {
+            Some((field, _)) => Err(reader.wrong(field, format!("it does not go with `{by}`"))),
+            None => Ok(reader),
+        }
+    }
+
+    /// An error at a field, or at the table's head where it has none of this name.
+    fn wrong(&self, field: &str, why: impl Display) -> Error {
+        let span = self.present.iter().find(|(name, _)| *name == field).map_or(self.span, |(_, span)| span);
         Error::at(self.text, span, why).of_field(field)
     }
 
+    /// The first of these fields that there is, or the one that says what the body is.
+    fn blamed(&self, fields: &[&'static str]) -> &'static str {
+        let has = |field: &&&str| self.present.iter().any(|(name, _)| name == *field);
+        fields.iter().find(has).copied().unwrap_or(self.by)
+    }
+
     /// A refusal of the library, at the field that it speaks of or at the one that says what the body is.
-    fn refused(&self, table: &Table, by: &(&'static str, Range<usize>), error: &tumbling::Error) -> Error {
-        let (meant, present) = (fields_of(error.subject()), table.present());
-        let found = meant.iter().find_map(|meant| present.iter().find(|(field, _)| field == meant));
-        let (field, span) = found.unwrap_or(by);
-        self.wrong(span, field, error)
+    fn refused(&self, error: &tumbling::Error) -> Error {
+        self.wrong(self.blamed(fields_of(error.subject())), error)
     }
 
-    /// The one field that says what the body is; all others must go with it.
-    fn given_by(&self, table: &Table, span: &Range<usize>) -> Result<(&'static str, Range<usize>), Error> {
-        let present = table.present();
-        let by = GIVEN_BY.iter().find_map(|(name, with)| {
-            let (name, span) = present.iter().find(|(field, _)| field == name)?;
-            Some((*name, span.clone(), *with))
-        });
-        let Some((name, span, with)) = by else {
-            let all: Vec<String> = GIVEN_BY.iter().map(|(name, _)| format!("`{name}`")).collect();
-            let why = format!("what the body is is missing: one of {}", all.join(", "));
-            return Err(Error::at(self.text, span, why));
-        };
-        let sizes = match (&table.shape, name) {
-            (Some(shape), _) => self.sizes_of(shape.get_ref(), &shape.span())?,
-            (None, "sides") => &["sides"],
-            _ => &[][..],
-        };
-        for (field, span) in &present {
-            let goes = *field == name
-                || with.contains(field)
-                || sizes.contains(field)
-                || ["at", "turn", "spin"].contains(field);
-            if !goes {
-                return Err(self.wrong(span, field, format!("it does not go with `{name}`")));
-            }
-        }
-        Ok((name, span))
+    fn sizes_of(&self, shape: &str) -> Result<&'static [&'static str], Error> {
+        let kind = KINDS.iter().find(|(name, _)| *name == shape);
+        kind.map(|(_, sizes)| *sizes).ok_or_else(|| {
+            let names = KINDS.map(|(name, _)| name).join(", ");
+            self.wrong("shape", format!("no shape is called `{shape}`; there are {names}"))
+        })
     }
 
-    fn sizes_of(&self, shape: &str, span: &Range<usize>) -> Result<&'static [&'static str], Error> {
-        let Some(kind) = KINDS.iter().find(|kind| kind.name == shape) else {
-            let names: Vec<&str> = KINDS.iter().map(|kind| kind.name).collect();
-            return Err(self.wrong(
-                span,
-                "shape",
-                format!("no shape is called `{shape}`; there are {}", names.join(", ")),
-            ));
-        };
-        Ok(kind.all)
-    }
-
-    /// A body as its table says, placed and turned.
-    fn body(&self, table: &Table, span: &Range<usize>) -> Result<BodyModel, Error> {
-        let by = self.given_by(table, span)?;
-        let found = match by.0 {
-            "points" => self.points(table, &by),
-            "mesh" => self.mesh(table, &by),
-            "part" => self.parts(table, &by),
-            "moments" => self.moments(table, &by),
-            "urdf" => self.urdf(table, &by),
-            "body" => self.named(table, &by),
-            _ => self.shape(table, &by),
+    /// The body, placed and turned.
+    fn body(&self) -> Result<BodyModel, Error> {
+        let mut found = match self.by {
+            "points" => self.points(),
+            "mesh" => self.mesh(),
+            "part" => self.parts(),
+            "moments" => self.moments(),
+            "urdf" => self.urdf(),
+            "body" => self.named(),
+            _ => self.shape(),
         }?;
-        self.drawable(table, &by, &found)?;
-        let name = table.name.as_ref().map(|name| self.name(name)).transpose()?;
-        let name = name.unwrap_or_else(|| found.name.clone());
-        let spin = table.spin.as_ref().map(|spin| self.spin(spin)).transpose()?;
-        self.placed(table, BodyModel { name, spin, ..found })
+        found.drawable().map_err(|why| self.wrong(self.extreme(), why))?;
+        if let Some(name) = &self.table.name {
+            let wrong = |why| Error::at(self.text, &name.span(), why).of_field("name");
+            found.name = nameable(name.get_ref()).map_err(wrong)?.to_owned();
+        }
+        if let Some(Spin::Speed(spin)) = self.table.spin.as_ref().map(Spanned::get_ref) {
+            if !(*spin > 0.0 && spin.is_finite()) {
+                return Err(self.wrong("spin", format!("{spin} rad/s is not above zero and finite")));
+            }
+            found.spin = Some(*spin);
+        }
+        self.placed(found)
     }
 
-    /// That what is drawn has a size that can be computed with, or else which field is to blame.
-    fn drawable(
-        &self,
-        table: &Table,
-        by: &(&'static str, Range<usize>),
-        found: &BodyModel,
-    ) -> Result<(), Error> {
-        let Err(why) = found.drawable() else { return Ok(()) };
-        let size = |field: &Option<Spanned<f64>>| field.as_ref().map_or(1.0, |x| x.get_ref().abs());
+    /// Of the fields that make a body large or small, that whose number is the farthest from 1.
+    fn extreme(&self) -> &'static str {
+        let t = self.table;
+        let one = |field: &Option<Spanned<f64>>| vec![number(field)];
+        let list = |field: &Option<Spanned<[f64; 3]>>| field.iter().flat_map(|x| *x.get_ref()).collect();
         let sizes = [
-            ("radius", size(&table.radius)),
-            ("height", size(&table.height)),
-            ("length", size(&table.length)),
+            ("unit", one(&t.unit)),
+            ("sides", t.sides.as_ref().map(|sides| sides.get_ref().clone()).unwrap_or_default()),
+            ("semiaxes", list(&t.semiaxes)),
+            ("vertices", t.vertices.iter().flat_map(|x| x.get_ref().as_flattened().to_vec()).collect()),
+            ("radius", one(&t.radius)),
+            ("height", one(&t.height)),
+            ("length", one(&t.length)),
+            ("moments", list(&t.moments)),
+            ("mass", if self.by == "moments" { one(&t.mass) } else { Vec::new() }),
         ];
-        let largest = sizes.into_iter().max_by(|a, b| a.1.total_cmp(&b.1)).map_or("", |size| size.0);
-        // Too large a box is that of too large moments or of too small a mass.
-        let moment = found.inertia.matrix().amax();
-        let off = |x: f64| x.log10().abs();
-        let weight = if off(size(&table.mass)) > off(moment) { "mass" } else { "moments" };
-        let meant: &[&str] = match by.0 {
-            "moments" if table.sides.is_none() => &[weight],
-            _ => &["unit", "sides", "semiaxes", "vertices", largest],
+        let off = |sizes: &[f64]| {
+            sizes.iter().filter(|x| **x != 0.0).map(|x| x.abs().log10().abs()).fold(0.0, f64::max)
         };
-        let present = table.present();
-        let blamed = meant.iter().find_map(|meant| present.iter().find(|(field, _)| field == meant));
-        let (field, span) = blamed.unwrap_or(by);
-        Err(self.wrong(span, field, why))
+        let most = sizes.iter().max_by(|a, b| off(&a.1).total_cmp(&off(&b.1)));
+        most.filter(|(_, sizes)| off(sizes) > 0.0).map_or(self.by, |(name, _)| name)
     }
 
-    fn weight(&self, table: &Table, by: &(&'static str, Range<usize>)) -> Result<Weight, Error> {
-        match (&table.mass, &table.density) {
+    fn weight(&self) -> Result<Weight, Error> {
+        match (&self.table.mass, &self.table.density) {
             (Some(mass), None) => Ok(Weight::Mass(*mass.get_ref())),
             (None, Some(density)) => Ok(Weight::Density(*density.get_ref())),
-            (None, None) => Err(self.wrong(
-                &by.1,
-                by.0,
-                "`mass` (kg) or `density` (kg/m³) is missing, which goes with it",
-            )),
-            (Some(_), Some(density)) => Err(self.wrong(
-                &density.span(),
-                "density",
-                "either `mass` or `density` is expected, not both",
-            )),
+            (None, None) => {
+                Err(self.wrong(self.by, "`mass` (kg) or `density` (kg/m³) is missing, which goes with it"))
+            }
+            (Some(_), Some(_)) => {
+                Err(self.wrong("density", "either `mass` or `density` is expected, not both"))
+            }
         }
     }
 
-    fn shape(&self, table: &Table, by: &(&'static str, Range<usize>)) -> Result<BodyModel, Error> {
-        let name = table.shape.as_ref().map_or("box", |shape| shape.get_ref());
-        let present = table.present();
-        let needed = KINDS.iter().find(|kind| kind.name == name).map_or(&[][..], |kind| kind.all);
-        let absent = |field: &&&str| **field != "inner" && present.iter().all(|p| p.0 != **field);
+    fn shape(&self) -> Result<BodyModel, Error> {
+        let name = self.table.shape.as_ref().map_or("box", |shape| shape.get_ref());
+        let needed = self.sizes_of(name)?;
+        let absent = |field: &&&str| **field != "inner" && self.present.iter().all(|p| p.0 != **field);
         if let Some(missing) = needed.iter().find(absent) {
-            return Err(self.wrong(&by.1, by.0, format!("`{missing}` is missing, which a {name} has")));
+            return Err(self.wrong(self.by, format!("`{missing}` is missing, which a {name} has")));
         }
-        let count = sides(name);
-        if let Some(given) = table.sides.as_ref().filter(|given| given.get_ref().len() != count) {
-            let why = format!("{count} numbers are expected here, not {}", given.get_ref().len());
-            return Err(self.wrong(&given.span(), "sides", why));
-        }
-        let number = |field: &Option<Spanned<f64>>| field.as_ref().map_or(0.0, |x| *x.get_ref());
-        let sizes = Sizes {
-            sides: table.sides.as_ref().map(|s| s.get_ref().clone()).unwrap_or_default(),
-            radius: number(&table.radius),
-            inner: number(&table.inner),
-            height: number(&table.height),
-            length: number(&table.length),
-            semiaxes: table.semiaxes.as_ref().map(|s| *s.get_ref()).unwrap_or_default(),
-            vertices: table.vertices.as_ref().map(|s| *s.get_ref()).unwrap_or_default(),
-        };
+        let sides = self.sides(if name == "plate" { 2 } else { 3 })?;
         let (properties, surface) =
-            shaped(name, &sizes, self.weight(table, by)?).map_err(|error| self.refused(table, by, &error))?;
-        let sides = (name == "box").then(|| <[f64; 3]>::try_from(sizes.sides).ok()).flatten();
-        Ok(BodyModel { sides, ..model(properties, vec![surface]) })
+            shaped(name, self.table, &sides, self.weight()?).map_err(|error| self.refused(&error))?;
+        let sides = if name == "box" { sides.try_into().ok() } else { None };
+        Ok(BodyModel { sides, ..BodyModel::of(properties, vec![surface]) })
     }
 
-    /// What it is called: one line, as drawings and pages can write it.
-    fn name(&self, given: &Spanned<String>) -> Result<String, Error> {
-        let name = given.get_ref();
-        match name.chars().find(|c| c.is_control()) {
-            Some(c) => Err(self.wrong(&given.span(), "name", format!("{c:?} is not a character to write"))),
-            None => Ok(name.clone()),
+    /// The sides, so many of them; none where there are none.
+    fn sides(&self, count: usize) -> Result<Vec<f64>, Error> {
+        match self.table.sides.as_ref().map(Spanned::get_ref) {
+            Some(sides) if sides.len() != count => {
+                Err(self.wrong("sides", format!("{count} numbers are expected here, not {}", sides.len())))
+            }
+            sides => Ok(sides.cloned().unwrap_or_default()),
         }
     }
 
-    /// How fast it spins, rad/s.
-    fn spin(&self, given: &Spanned<f64>) -> Result<f64, Error> {
-        let spin = *given.get_ref();
-        let why = || self.wrong(&given.span(), "spin", format!("{spin} rad/s is not above zero and finite"));
-        if spin > 0.0 && spin.is_finite() { Ok(spin) } else { Err(why()) }
-    }
-
-    /// The three edges of a box.
-    fn edges(&self, given: &Spanned<Vec<f64>>) -> Result<[f64; 3], Error> {
-        let wrong = |why: String| self.wrong(&given.span(), "sides", why);
-        let count = given.get_ref().len();
-        let edges = <[f64; 3]>::try_from(given.get_ref().as_slice())
-            .map_err(|_| wrong(format!("3 numbers are expected here, not {count}")))?;
-        let [a, b, c] = edges;
-        tumbling::solid::Cuboid::new(a, b, c).map_err(|error| wrong(error.to_string()))?;
-        Ok(edges)
-    }
-
-    fn points(&self, table: &Table, by: &(&'static str, Range<usize>)) -> Result<BodyModel, Error> {
-        let rows = table.points.as_ref().map(|points| points.get_ref().as_slice()).unwrap_or_default();
+    fn points(&self) -> Result<BodyModel, Error> {
+        let rows = self.table.points.as_ref().map(|points| points.get_ref().as_slice()).unwrap_or_default();
         let points: Vec<_> = rows.iter().map(|&[mass, x, y, z]| (mass, Vector3::new(x, y, z))).collect();
-        let properties =
-            MassProperties::of_points(&points).map_err(|error| self.wrong(&by.1, by.0, error))?;
-        Ok(model(properties, vec![Surface::points(points.into_iter().map(|point| point.1).collect())]))
+        let properties = MassProperties::of_points(&points).map_err(|error| self.wrong(self.by, error))?;
+        let places = points.into_iter().map(|point| point.1).collect();
+        Ok(BodyModel::of(properties, vec![Surface::points(places)]))
     }
 
-    fn mesh(&self, table: &Table, by: &(&'static str, Range<usize>)) -> Result<BodyModel, Error> {
-        let file = table.mesh.as_ref().map_or("", |file| file.get_ref());
-        let unit = table.unit.as_ref().map_or(1.0, |unit| *unit.get_ref());
-        if let Some(given) = table.unit.as_ref().filter(|_| !(unit > 0.0 && unit.is_finite())) {
-            return Err(self.wrong(&given.span(), "unit", format!("{unit} is not above 0 and finite")));
+    fn mesh(&self) -> Result<BodyModel, Error> {
+        let file = self.table.mesh.as_ref().map_or("", |file| file.get_ref());
+        let unit = self.table.unit.as_ref().map_or(1.0, |unit| *unit.get_ref());
+        if !(unit > 0.0 && unit.is_finite()) {
+            return Err(self.wrong("unit", format!("{unit} is not above 0 and finite")));
         }
-        let (mut vertices, faces) =
-            mesh::read(&self.folder.join(file)).map_err(|error| self.wrong(&by.1, by.0, error))?;
+        let triangles = mesh::read(&self.files.folder.join(file), self.files);
+        let (mut vertices, faces) = triangles.map_err(|error| self.wrong(self.by, error))?;
         for vertex in &mut vertices {
             *vertex *= unit;
         }
-        let weight = self.weight(table, by)?;
-        let properties = Mesh::new(&vertices, &faces)
-            .and_then(|mesh| weight.of(&mesh))
-            .map_err(|error| self.refused(table, by, &error))?;
+        let weight = self.weight()?;
+        let properties = Mesh::new(&vertices, &faces).and_then(|mesh| weight.of(&mesh));
         let faces = faces.into_iter().map(|face| face.to_vec()).collect();
-        Ok(model(properties, vec![Surface { vertices, faces, convex: false }]))
+        let surface = Surface { vertices, faces, convex: false };
+        Ok(BodyModel::of(properties.map_err(|error| self.refused(&error))?, vec![surface]))
     }
 
-    fn parts(&self, table: &Table, by: &(&'static str, Range<usize>)) -> Result<BodyModel, Error> {
+    fn parts(&self) -> Result<BodyModel, Error> {
         let (mut whole, mut surfaces) = (Compound::new(), Vec::new());
-        for part in table.part.iter().flat_map(Spanned::get_ref) {
-            let found = self.body(part.get_ref(), &part.span())?;
-            if let Some(spin) = &part.get_ref().spin {
-                return Err(self.wrong(&spin.span(), "spin", "it is the whole body's, not a part's"));
+        for part in self.table.part.iter().flat_map(Spanned::get_ref) {
+            let span = part.span();
+            let reader = Reader::new(self.text, part.get_ref(), &span, self.files)?;
+            let found = reader.body()?;
+            let of_whole = ["spin", "momentum", "attitude"];
+            if let Some((field, _)) = reader.present.iter().find(|(field, _)| of_whole.contains(field)) {
+                return Err(reader.wrong(field, "it is the whole body's, not a part's"));
             }
-            let Some(mass) = found.mass else {
-                return Err(Error::at(
-                    self.text,
-                    &part.span(),
-                    "`mass` (kg) is missing: a part without is no part",
-                ));
-            };
+            let why = "`mass` (kg) is missing: a part without is no part";
+            let mass = found.mass.ok_or_else(|| Error::at(self.text, &span, why))?;
             let of_part = MassProperties::new(mass, &found.centre, found.inertia);
-            whole = whole.at(of_part.map_err(|error| self.wrong(&by.1, by.0, error))?, &Vector3::zeros());
+            whole = whole.at(of_part.map_err(|error| self.wrong(self.by, error))?, &Vector3::zeros());
             surfaces.extend(found.surfaces);
         }
-        let properties = whole.properties().map_err(|error| self.wrong(&by.1, by.0, error))?;
-        Ok(model(properties, surfaces))
+        let properties = whole.properties().map_err(|error| self.wrong(self.by, error))?;
+        Ok(BodyModel::of(properties, surfaces))
     }
 
-    fn moments(&self, table: &Table, by: &(&'static str, Range<usize>)) -> Result<BodyModel, Error> {
-        let [xx, yy, zz] = table.moments.as_ref().map(|m| *m.get_ref()).unwrap_or_default();
-        let [xy, xz, yz] = table.products.as_ref().map(|p| *p.get_ref()).unwrap_or_default();
+    fn moments(&self) -> Result<BodyModel, Error> {
+        let (moments, products) = self.table.tensor().unwrap_or_default();
+        let ([xx, yy, zz], [xy, xz, yz]) = (moments, products);
         let matrix = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
-        let found = match &table.tolerance {
+        let found = match &self.table.tolerance {
             Some(tolerance) => Inertia::within(&matrix, *tolerance.get_ref()),
             None => Inertia::try_from(matrix).map(|inertia| (inertia, 0.0)),
         };
-        let (inertia, moved) = found.map_err(|error| self.refused(table, by, &error))?;
-        let mass = table.mass.as_ref().map(|mass| *mass.get_ref());
-        if let Some(mass) = mass {
-            MassProperties::new(mass, &Vector3::zeros(), inertia)
-                .map_err(|error| self.refused(table, by, &error))?;
-        }
+        let (inertia, moved) = found.map_err(|error| self.refused(&error))?;
+        let mass = self.table.mass.as_ref().map(|mass| *mass.get_ref());
+        // Any mass will do where none is given: it is not kept.
+        let properties = MassProperties::new(mass.unwrap_or(1.0), &Vector3::zeros(), inertia)
+            .map_err(|error| self.refused(&error))?;
+        let given = self.table.sides.is_some();
+        let sides: Option<[f64; 3]> = if given { self.sides(3)?.try_into().ok() } else { None };
         // Sides say what is drawn.
-        let sides = table.sides.as_ref().map(|given| self.edges(given)).transpose()?;
-        let surfaces = sides.iter().map(|sides| Surface::cuboid(&(*sides).into())).collect();
-        Ok(BodyModel {
-            name: String::new(),
-            mass,
-            centre: Vector3::zeros(),
-            inertia,
-            moved,
-            surfaces,
-            spin: None,
-            sides,
-        })
-    }
-
-    fn urdf(&self, table: &Table, by: &(&'static str, Range<usize>)) -> Result<BodyModel, Error> {
-        let path = self.folder.join(table.urdf.as_ref().map_or("", |file| file.get_ref()));
-        let text = read_text(&path).map_err(|error| self.wrong(&by.1, by.0, error))?;
-        let link = table.link.as_ref().map(|link| link.get_ref().as_str());
-        let tolerance = table.tolerance.as_ref().map_or(0.0, |tolerance| *tolerance.get_ref());
-        if let Some(given) = table.tolerance.as_ref().filter(|_| !(tolerance >= 0.0 && tolerance.is_finite()))
-        {
-            let why = format!("{tolerance} is not a finite number, zero or above");
-            return Err(self.wrong(&given.span(), "tolerance", why));
+        if let Some([a, b, c]) = sides {
+            Cuboid::new(a, b, c).map_err(|error| self.wrong("sides", error))?;
         }
-        urdf::read(&text, link, tolerance).map_err(|error| match &table.link {
+        let surfaces = sides.iter().map(|sides| Surface::cuboid(&(*sides).into())).collect();
+        Ok(BodyModel { mass, moved, sides, ..BodyModel::of(properties, surfaces) })
+    }
+
+    fn urdf(&self) -> Result<BodyModel, Error> {
+        let path = self.files.folder.join(self.table.urdf.as_ref().map_or("", |file| file.get_ref()));
+        let text = self.files.text(&path).map_err(|error| self.wrong(self.by, error))?;
+        let link = self.table.link.as_ref().map(|link| link.get_ref().as_str());
+        let tolerance = number(&self.table.tolerance);
+        if !(tolerance >= 0.0 && tolerance.is_finite()) {
+            let why = format!("{tolerance} is not a finite number, zero or above");
+            return Err(self.wrong("tolerance", why));
+        }
+        urdf::read(&text, link, tolerance).map_err(|error| match link {
             // Without a line: not an element of the file, but the name that is not in it.
-            Some(link) if error.line.is_none() && error.field.as_deref() == Some("link") => {
-                self.wrong(&link.span(), "link", error.why)
+            Some(_) if error.line.is_none() && error.field.as_deref() == Some("link") => {
+                self.wrong("link", error.why)
             }
-            _ => self.wrong(&by.1, by.0, error.in_file(&path)),
+            _ => self.wrong(self.by, error.in_file(&path)),
         })
     }
 
-    fn named(&self, table: &Table, by: &(&'static str, Range<usize>)) -> Result<BodyModel, Error> {
-        let name = table.body.as_ref().map_or("", |name| name.get_ref());
-        let body = NamedBody::ALL.into_iter().find(|&body| crate::model::word(body) == name);
-        let body =
-            body.ok_or_else(|| self.wrong(&by.1, by.0, format!("no body of the book is called `{name}`")))?;
-        BodyModel::named(body)
+    /// A body of the book, or of another file.
+    fn named(&self) -> Result<BodyModel, Error> {
+        let name = self.table.body.as_ref().map_or("", |name| name.get_ref());
+        // Of files in files the outermost and the innermost place are said.
+        BodyModel::load_from(name, self.files).map_err(|error| match error.file {
+            Some(_) if self.files.depth > 0 => error,
+            _ => self.wrong(self.by, error),
+        })
     }
 
     /// The body turned about the origin of its axes, then moved.
-    fn placed(&self, table: &Table, found: BodyModel) -> Result<BodyModel, Error> {
-        let mut found = found;
-        if let Some(turn) = &table.turn {
+    fn placed(&self, mut found: BodyModel) -> Result<BodyModel, Error> {
+        if let Some(turn) = &self.table.turn {
             let [x, y, z, degrees] = *turn.get_ref();
-            let axis = Vector3::new(x, y, z);
-            let wrong = |why: &dyn std::fmt::Display| self.wrong(&turn.span(), "turn", why);
-            let Some(axis) =
-                nalgebra::Unit::try_new(axis, 0.0).filter(|axis| axis.iter().all(|x| x.is_finite()))
-            else {
-                return Err(wrong(
-                    &"x, y and z must be a direction, of finite numbers that are not all zero",
-                ));
-            };
+            let axis = nalgebra::Unit::try_new(Vector3::new(x, y, z), 0.0);
+            let axis = axis.filter(|axis| axis.iter().all(|x| x.is_finite())).ok_or_else(|| {
+                let why = "x, y and z must be a direction, of finite numbers that are not all zero";
+                self.wrong("turn", why)
+            })?;
             let attitude = UnitQuaternion::from_axis_angle(&axis, degrees.to_radians());
-            found.inertia = found.inertia.turned(attitude).map_err(|error| wrong(&error))?;
+            found.inertia = found.inertia.turned(attitude).map_err(|error| self.wrong("turn", error))?;
             found.centre = attitude * found.centre;
             for surface in &mut found.surfaces {
                 *surface = surface.mapped(|p| attitude * p);
             }
             found.sides = None;
         }
-        if let Some(at) = &table.at {
+        if let Some(at) = &self.table.at {
             let place = Vector3::from(*at.get_ref());
             found.centre += place;
             if !found.centre.iter().all(|x| x.is_finite()) {
-                return Err(self.wrong(&at.span(), "at", "the place must be finite"));
+                return Err(self.wrong("at", "the place must be finite"));
             }
             let reach = found.surfaces.iter().flat_map(|s| &s.vertices).map(|p| p.amax()).fold(0.0, f64::max);
             if place.amax() > FARTHEST * reach && !found.surfaces.is_empty() {
-                return Err(self.wrong(&at.span(), "at", "so far away that rounding would change its shape"));
+                return Err(self.wrong("at", "so far away that rounding would change its shape"));
             }
             for surface in &mut found.surfaces {
                 *surface = surface.mapped(|p| p + place);
@@ -365,22 +334,10 @@ impl Reader<'_> {
     }
 }
 
-fn model(properties: MassProperties, surfaces: Vec<Surface>) -> BodyModel {
-    BodyModel {
-        name: String::new(),
-        mass: Some(properties.mass()),
-        centre: properties.centre(),
-        inertia: properties.inertia(),
-        moved: 0.0,
-        surfaces,
-        spin: None,
-        sides: None,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::path::Path;
 
     fn body(text: &str) -> Result<BodyModel, Error> {
         BodyModel::from_toml(text, Path::new(""))
@@ -406,10 +363,13 @@ mod tests {
             ("moments = [1, 2, 3.1]", "line 1, `moments`: no body has principal moments"),
             ("moments = [1, 2, 2]\nmass = 0", "line 2, `mass`: the mass is 0.0: it must be above zero"),
             ("moments = [1, 2, nan]", "line 1, `moments`"),
-            ("mass = 'a'", "line 1: invalid type"),
+            ("mass = 'a'", "line 1, `mass`: a number is expected here, not string \"a\""),
+            ("moments = [1, 2]", "line 1, `moments`: numbers in a list: 3"),
+            ("shape = 3", "line 1, `shape`: a string is expected here, not integer `3`"),
+            ("[[part]]\nmass = [1]", "line 2, `mass`: a number is expected here, not sequence"),
             (
                 "[[part]]\nsides = [1, 2, 3]\nmass = 1\n[[part]]\nmomets = [1]",
-                "line 5: unknown field `momets`",
+                "line 5, `momets`: no such field. Did you mean `moments`?",
             ),
             ("[[part]]\nmoments = [1, 2, 3]", "line 1: `mass` (kg) is missing"),
             ("[[part]]\nsides = [1, 2, 3]\nmass = 1\nturn = [0, 0, 0, 1]", "line 4, `turn`: x, y and z"),
@@ -419,6 +379,15 @@ mod tests {
             ("[[part]]\nsides = [1, 2, 3]\nmass = 1\nspin = 1", "line 4, `spin`: it is the whole body's"),
             ("points = [[1, 0, 0, 0]]", "line 1, `points`"),
             ("mass = 1\nname = \"a\\u0000b\"\nsides = [1, 2, 3]", "line 2, `name`: '\\0' is not a character"),
+            (
+                &format!("name = '{}'\nsides = [1, 2, 3]\nmass = 1", "n".repeat(2_000_000)),
+                "line 1, `name`: a name of 2000000 characters: at most 100",
+            ),
+            (
+                "sides = [1, 2, 3]\nmass = 1\nattitude = [1, 0, 0, 0]",
+                "line 3, `attitude`: it is of a body in a scene",
+            ),
+            ("moments = [1, 2, 1e-400]", "line 1, `moments`: 1e-400 is closer to zero"),
             ("sides = [1, 2, 3]\nmass = 1\nat = [1e300, 0, 0]", "line 3, `at`: so far away that rounding"),
         ] {
             let error = body(text).unwrap_err().to_string();

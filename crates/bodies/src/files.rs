@@ -1,15 +1,69 @@
 //! One rule for every file that a command line or another file names: a regular file, of a size that is said.
 
 use crate::error::Error;
+use std::cell::Cell;
 use std::fs::File;
 use std::io::Read as _;
 use std::path::Path;
 
-/// The most bytes that are read of a text.
+/// The most bytes that are read of texts: of one, and of all that one text names together.
 const TEXT: u64 = 16 << 20;
 
-/// The most bytes that are read of a mesh.
-pub(crate) const MESH: u64 = 256 << 20;
+/// The most bytes that are read of meshes.
+const MESH: u64 = 256 << 20;
+
+/// How deep bodies may be nested: parts, and files that name files.
+pub(crate) const DEEPEST: usize = 30;
+
+/// A folder, and how many bytes may still be read of the files that one text names.
+#[derive(Debug)]
+pub(crate) struct Files<'a> {
+    pub(crate) folder: &'a Path,
+    /// How many files name one another on the way here.
+    pub(crate) depth: usize,
+    left: &'a Left,
+}
+
+#[derive(Debug)]
+pub(crate) struct Left {
+    text: Cell<u64>,
+    mesh: Cell<u64>,
+}
+
+impl Default for Left {
+    fn default() -> Self {
+        Self { text: Cell::new(TEXT), mesh: Cell::new(MESH) }
+    }
+}
+
+impl<'a> Files<'a> {
+    pub(crate) fn new(folder: &'a Path, left: &'a Left) -> Self {
+        Self { folder, depth: 0, left }
+    }
+
+    /// The files next to one of them.
+    pub(crate) fn next_to<'b>(&self, path: &'b Path) -> Result<Files<'b>, Error>
+    where
+        'a: 'b,
+    {
+        if self.depth == DEEPEST {
+            return Err(Error::new(format!("a file in a file: at most {DEEPEST} are read")).in_file(path));
+        }
+        Ok(Files { folder: path.parent().unwrap_or(Path::new("")), depth: self.depth + 1, left: self.left })
+    }
+
+    pub(crate) fn text(&self, path: &Path) -> Result<String, Error> {
+        String::from_utf8(read(path, TEXT, &self.left.text)?).map_err(|error| {
+            let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+            let line = Some(before.iter().filter(|&&byte| byte == b'\n').count() + 1);
+            Error { line, ..Error::new("it is not UTF-8 text from here on") }.in_file(path)
+        })
+    }
+
+    pub(crate) fn mesh(&self, path: &Path) -> Result<Vec<u8>, Error> {
+        read(path, MESH, &self.left.mesh)
+    }
+}
 
 /// The text of a regular file of at most 16 MiB: not of a folder, a pipe or a device, which may never end.
 ///
@@ -22,15 +76,11 @@ pub(crate) const MESH: u64 = 256 << 20;
 /// assert_eq!(why, "/dev/zero: it is not a regular file");
 /// ```
 pub fn read_text(path: &Path) -> Result<String, Error> {
-    String::from_utf8(read(path, TEXT)?).map_err(|error| {
-        let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
-        let line = Some(before.iter().filter(|&&byte| byte == b'\n').count() + 1);
-        Error { line, ..Error::new("it is not UTF-8 text from here on") }.in_file(path)
-    })
+    Files::new(Path::new(""), &Left::default()).text(path)
 }
 
-/// The bytes of a regular file, up to a limit of size.
-pub(crate) fn read(path: &Path, most: u64) -> Result<Vec<u8>, Error> {
+/// The bytes of a regular file, if there are no more than are left of the most.
+fn read(path: &Path, most: u64, left: &Cell<u64>) -> Result<Vec<u8>, Error> {
     let unreadable = |error: std::io::Error| Error::new(format!("it cannot be read ({error})"));
     let read = || {
         // Before it is opened: to open a pipe waits for who writes to it.
@@ -43,9 +93,12 @@ pub(crate) fn read(path: &Path, most: u64) -> Result<Vec<u8>, Error> {
         if size == 0 {
             return Err(Error::new("it is empty"));
         }
-        if size > most {
-            return Err(Error::new(format!("it has {size} bytes: at most {most} are read")));
-        }
+        let Some(rest) = left.get().checked_sub(size) else {
+            let (all, left) = (format!("at most {most} are read"), left.get());
+            let all = if left == most { all } else { format!("{all} of all files together, {left} more") };
+            return Err(Error::new(format!("it has {size} bytes: {all}")));
+        };
+        left.set(rest);
         let mut bytes = Vec::new();
         let found = File::open(path).and_then(|file| file.take(size + 1).read_to_end(&mut bytes));
         let found = found.map_err(unreadable)?;
@@ -102,6 +155,26 @@ mod tests {
             let error = BodyModel::load(folder.join(name).to_str().unwrap()).unwrap_err();
             assert!(error.to_string().ends_with("zero.toml: it is not a regular file"), "{error}");
         }
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+
+    /// Seventeen parts of a megabyte each, and a file that names itself: what is read is counted in all.
+    #[test]
+    fn the_files_that_parts_name_are_counted_together_and_a_file_in_itself_ends() {
+        let folder = std::env::temp_dir().join(format!("tumbling-parts-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        let link = "<link name='a'><inertial><mass value='1'/>\
+            <inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial></link>";
+        let long = format!("<robot>{link}{}</robot>", " ".repeat(1 << 20));
+        std::fs::write(folder.join("long.urdf"), long).unwrap();
+        let parts =
+            |count: usize| BodyModel::from_toml(&"[[part]]\nurdf = 'long.urdf'\n".repeat(count), &folder);
+        assert!(parts(15).is_ok());
+        let error = parts(16).unwrap_err().to_string();
+        assert!(error.contains("line 32, `urdf`") && error.contains("of all files together"), "{error}");
+        std::fs::write(folder.join("self.toml"), "body = 'self.toml'").unwrap();
+        let error = BodyModel::load(folder.join("self.toml").to_str().unwrap()).unwrap_err().to_string();
+        assert!(error.contains("a file in a file: at most 30"), "{error}");
         std::fs::remove_dir_all(&folder).unwrap();
     }
 }

@@ -29,20 +29,29 @@
 //!
 //! Other fields are `mesh = "part.stl"` (or `.obj`, next to the file; `unit = 0.001` for millimetres) with
 //! `mass` or `density`, `urdf = "robot.urdf"` with `link = "arm"`, and `body = "hammer"` for one of the
-//! book's. `sides` with `moments` say what is drawn. `spin` (rad/s) is the speed in figures and films;
-//! without it, that follows from the size.
+//! book's or `body = "other.toml"`. `sides` with `moments` say what is drawn. `spin` (rad/s) is the speed in
+//! figures and films; without it, that follows from the size.
+//!
+//! A scene's bodies are such tables too, with a spin of three numbers or a momentum, and an attitude
+//! ([`Table`], [`SceneBodies`]).
 
+mod document;
 mod error;
 mod file;
 mod files;
 mod mesh;
 mod model;
 mod named;
+mod scene;
 mod shape;
 mod surface;
+mod table;
 mod urdf;
 
+pub use document::from_toml;
 pub use error::Error;
 pub use files::read_text;
 pub use model::BodyModel;
+pub use scene::SceneBodies;
 pub use surface::Surface;
+pub use table::{Spin, Table};

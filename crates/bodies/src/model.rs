@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::surface::{LARGEST, SMALLEST, Surface};
 use nalgebra::{Matrix3, Vector3};
 use tumbling::body::named::NamedBody;
-use tumbling::{Inertia, PrincipalAxes, PrincipalMoments};
+use tumbling::{Inertia, MassProperties, PrincipalAxes, PrincipalMoments};
 
 /// A body with a name, ready to be spun and drawn.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,6 +29,20 @@ pub struct BodyModel {
 }
 
 impl BodyModel {
+    /// Without a name and a spin.
+    pub(crate) fn of(properties: MassProperties, surfaces: Vec<Surface>) -> Self {
+        Self {
+            name: String::new(),
+            mass: Some(properties.mass()),
+            centre: properties.centre(),
+            inertia: properties.inertia(),
+            moved: 0.0,
+            surfaces,
+            spin: None,
+            sides: None,
+        }
+    }
+
     /// The principal moments (kg m², smallest first) and axes.
     #[must_use]
     pub fn principal(&self) -> PrincipalAxes {
@@ -96,6 +110,15 @@ impl BodyModel {
     #[must_use]
     pub fn has_size(&self) -> bool {
         !self.surfaces.is_empty() || self.mass.is_some()
+    }
+}
+
+/// A name in one line of at most a hundred characters, as drawings, pages and names of files can have it.
+pub(crate) fn nameable(name: &str) -> Result<&str, String> {
+    match (name.chars().find(|c| c.is_control()), name.chars().count()) {
+        (Some(c), _) => Err(format!("{c:?} is not a character to write")),
+        (None, count) if count > 100 => Err(format!("a name of {count} characters: at most 100 are read")),
+        _ => Ok(name),
     }
 }
 

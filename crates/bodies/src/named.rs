@@ -1,7 +1,7 @@
 //! A body by its name or by its file.
 
 use crate::error::Error;
-use crate::files::read_text;
+use crate::files::{Files, Left};
 use crate::model::{BodyModel, word};
 use crate::surface::Surface;
 use crate::{file, urdf};
@@ -25,18 +25,24 @@ impl BodyModel {
     /// # Ok::<(), tumbling_bodies::Error>(())
     /// ```
     pub fn load(argument: &str) -> Result<Self, Error> {
+        Self::load_from(argument, &Files::new(Path::new(""), &Left::default()))
+    }
+
+    /// As [`load`](Self::load), from a folder.
+    pub(crate) fn load_from(argument: &str, files: &Files<'_>) -> Result<Self, Error> {
         if let Some(body) = NamedBody::ALL.into_iter().find(|&body| word(body) == argument) {
             return Self::named(body);
         }
         let (path, link) = match argument.split_once('#') {
-            Some((path, link)) => (Path::new(path), Some(link)),
-            None => (Path::new(argument), None),
+            Some((path, link)) => (path, Some(link)),
+            None => (argument, None),
         };
+        let path = files.folder.join(path);
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
 
         let mut model = match ending.as_deref() {
-            Some("toml") => Self::from_toml(&read_text(path)?, path.parent().unwrap_or(Path::new(""))),
-            Some("urdf" | "xml") => Self::from_urdf(&read_text(path)?, link),
+            Some("toml") => file::read(&files.text(&path)?, &files.next_to(&path)?).and_then(Self::ready),
+            Some("urdf" | "xml") => Self::from_urdf(&files.text(&path)?, link),
             Some("stl" | "obj") => Err(Error::new(
                 "a mesh alone does not say what it weighs: name it in a TOML file, `mesh = \"...\"` with `mass = ...` (kg)",
             )),
@@ -49,7 +55,7 @@ impl BodyModel {
                 return Err(Error::new(why));
             }
         }
-        .map_err(|error| error.in_file(path))?;
+        .map_err(|error: Error| error.in_file(&path))?;
         if model.name.is_empty() {
             model.name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         }
@@ -72,16 +78,7 @@ impl BodyModel {
                 _ => None,
             };
         });
-        Ok(Self {
-            name: body.to_string(),
-            mass: Some(properties.mass()),
-            centre: properties.centre(),
-            inertia: properties.inertia(),
-            moved: 0.0,
-            surfaces,
-            spin: None,
-            sides,
-        })
+        Ok(Self { name: body.to_string(), sides, ..Self::of(properties, surfaces) })
     }
 
     /// From the text of a TOML file; the files that it names lie in `folder`. The name is empty where
@@ -90,7 +87,7 @@ impl BodyModel {
     /// # Errors
     /// The line, the field and the rule that it breaks.
     pub fn from_toml(text: &str, folder: &Path) -> Result<Self, Error> {
-        file::read(text, folder)?.ready()
+        file::read(text, &Files::new(folder, &Left::default()))?.ready()
     }
 
     /// From the text of a URDF file: the link of this name, or the only one with an `<inertial>` element.
@@ -111,7 +108,7 @@ impl BodyModel {
     }
 
     /// Refuses an ideal rod, whose spin about itself no momentum determines.
-    fn ready(self) -> Result<Self, Error> {
+    pub(crate) fn ready(self) -> Result<Self, Error> {
         self.inertia.inverse()?;
         self.moments()?;
         Ok(self)

@@ -1,6 +1,7 @@
 //! The solids of the library by their names in a file.
 
 use crate::surface::Surface;
+use crate::table::Table;
 use nalgebra::Vector3;
 use tumbling::solid::{
     Ball, Capsule, Cone, Cuboid, Cylinder, Ellipsoid, Solid, Tetrahedron, ThinDisk, ThinPlate, ThinRod,
@@ -25,46 +26,30 @@ impl Weight {
     }
 }
 
-/// A shape's name, and the fields of its sizes; all but `inner` are needed.
-pub(crate) struct Kind {
-    pub(crate) name: &'static str,
-    pub(crate) all: &'static [&'static str],
-}
-
-pub(crate) const KINDS: [Kind; 10] = [
-    Kind { name: "box", all: &["sides"] },
-    Kind { name: "ball", all: &["radius", "inner"] },
-    Kind { name: "capsule", all: &["radius", "length"] },
-    Kind { name: "cone", all: &["radius", "height"] },
-    Kind { name: "cylinder", all: &["radius", "height", "inner"] },
-    Kind { name: "disk", all: &["radius"] },
-    Kind { name: "ellipsoid", all: &["semiaxes"] },
-    Kind { name: "plate", all: &["sides"] },
-    Kind { name: "rod", all: &["length"] },
-    Kind { name: "tetrahedron", all: &["vertices"] },
+/// Each shape's name, and the fields of its sizes; all but `inner` are needed.
+pub(crate) const KINDS: [(&str, &[&str]); 10] = [
+    ("box", &["sides"]),
+    ("ball", &["radius", "inner"]),
+    ("capsule", &["radius", "length"]),
+    ("cone", &["radius", "height"]),
+    ("cylinder", &["radius", "height", "inner"]),
+    ("disk", &["radius"]),
+    ("ellipsoid", &["semiaxes"]),
+    ("plate", &["sides"]),
+    ("rod", &["length"]),
+    ("tetrahedron", &["vertices"]),
 ];
 
-/// The sizes that a file has, zero or empty where it has none, m.
-#[derive(Debug, Default)]
-pub(crate) struct Sizes {
-    pub(crate) sides: Vec<f64>,
-    pub(crate) radius: f64,
-    pub(crate) inner: f64,
-    pub(crate) height: f64,
-    pub(crate) length: f64,
-    pub(crate) semiaxes: [f64; 3],
-    pub(crate) vertices: [[f64; 3]; 4],
-}
-
-/// How many sides a shape of this name has.
-pub(crate) fn sides(name: &str) -> usize {
-    if name == "plate" { 2 } else { 3 }
-}
-
-/// Mass properties and surface of the shape with this name, one of [`KINDS`].
-pub(crate) fn shaped(name: &str, sizes: &Sizes, weight: Weight) -> Result<(MassProperties, Surface), Error> {
-    let Sizes { radius, inner, height, length, .. } = *sizes;
-    let side = |i: usize| sizes.sides.get(i).copied().unwrap_or_default();
+/// Mass properties and surface of the shape with this name, one of [`KINDS`], from the sizes in a table.
+pub(crate) fn shaped(
+    name: &str,
+    table: &Table,
+    sides: &[f64],
+    weight: Weight,
+) -> Result<(MassProperties, Surface), Error> {
+    let side = |i: usize| sides.get(i).copied().unwrap_or_default();
+    let [radius, inner, height, length] = [&table.radius, &table.inner, &table.height, &table.length]
+        .map(|size| size.as_ref().map_or(0.0, |x| *x.get_ref()));
     Ok(match name {
         "ball" if inner == 0.0 => {
             (weight.of(&Ball::new(radius)?)?, Surface::ellipsoid(&Vector3::repeat(radius)))
@@ -80,13 +65,14 @@ pub(crate) fn shaped(name: &str, sizes: &Sizes, weight: Weight) -> Result<(MassP
         }
         "disk" => (weight.of(&ThinDisk::new(radius)?)?, Surface::disk(radius)),
         "ellipsoid" => {
-            let [a, b, c] = sizes.semiaxes;
-            (weight.of(&Ellipsoid::new(a, b, c)?)?, Surface::ellipsoid(&sizes.semiaxes.into()))
+            let axes = Vector3::from(table.semiaxes.as_ref().map(|axes| *axes.get_ref()).unwrap_or_default());
+            (weight.of(&Ellipsoid::new(axes.x, axes.y, axes.z)?)?, Surface::ellipsoid(&axes))
         }
         "plate" => (weight.of(&ThinPlate::new(side(0), side(1))?)?, Surface::plate(side(0), side(1))),
         "rod" => (weight.of(&ThinRod::new(length)?)?, Surface::line(length)),
         "tetrahedron" => {
-            let vertices = sizes.vertices.map(Vector3::from);
+            let vertices = table.vertices.as_ref().map(|vertices| *vertices.get_ref()).unwrap_or_default();
+            let vertices = vertices.map(Vector3::from);
             (weight.of(&Tetrahedron::new(vertices)?)?, Surface::tetrahedron(vertices))
         }
         _ => {

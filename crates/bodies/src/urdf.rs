@@ -4,7 +4,7 @@
 //! <https://wiki.ros.org/urdf/XML/link>.
 
 use crate::error::Error;
-use crate::model::BodyModel;
+use crate::model::{BodyModel, nameable};
 use crate::surface::{FARTHEST, LARGEST, SMALLEST, Surface};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use roxmltree::{Document, Node};
@@ -89,8 +89,10 @@ fn origin(node: Node<'_, '_>) -> Result<(Vector3<f64>, UnitQuaternion<f64>), Err
     };
     let place = numbers::<3>(origin, "xyz")?.unwrap_or_default();
     let [roll, pitch, yaw] = numbers::<3>(origin, "rpy")?.unwrap_or_default();
-    if ![roll, pitch, yaw].iter().all(|x| x.is_finite()) {
-        return Err(wrong(origin, "the angles `rpy` must be finite"));
+    for (name, numbers) in [("xyz", place), ("rpy", [roll, pitch, yaw])] {
+        if let Some(x) = numbers.iter().find(|x| !x.is_finite()) {
+            return Err(wrong(origin, format!("a number of `{name}` is {x}: it must be finite")));
+        }
     }
     Ok((place.into(), UnitQuaternion::from_euler_angles(roll, pitch, yaw)))
 }
@@ -178,16 +180,9 @@ pub(crate) fn read(text: &str, name: Option<&str>, tolerance: f64) -> Result<Bod
     let (inertia, moved) = read().map_err(|error| wrong(tensor, error))?;
     let properties =
         MassProperties::new(number(mass, "value")?, &centre, inertia).map_err(|error| wrong(mass, error))?;
-    let model = BodyModel {
-        name: called(&link),
-        mass: Some(properties.mass()),
-        centre,
-        inertia,
-        moved,
-        surfaces: surfaces(link, inertial, &centre)?,
-        spin: None,
-        sides: None,
-    };
+    let surfaces = surfaces(link, inertial, &centre)?;
+    let name = nameable(&called(&link)).map_err(|why| wrong(link, why))?.to_owned();
+    let model = BodyModel { name, moved, ..BodyModel::of(properties, surfaces) };
     model.drawable().map_err(|why| wrong(tensor, why))?;
     Ok(model)
 }
@@ -231,6 +226,7 @@ mod tests {
             ("value='2'", "value='-2'", 6, "the mass is -2.0"),
             ("iyz='0'", "", 7, "`iyz` is missing"),
             ("xyz='0.1 0.2 0.3'", "xyz='0.1 0.2'", 5, "3 numbers expected"),
+            ("xyz='0.1 0.2 0.3'", "xyz='0.1 inf 0.3'", 5, "`origin`: a number of `xyz` is inf"),
         ] {
             let error = read(&ARM.replace(from, to), Some("arm"), 0.0).unwrap_err();
             assert_eq!(error.line, Some(line), "{error}");

@@ -1,10 +1,9 @@
 //! The bodies of a scene, however many: planned one by one, answered side by side.
 //!
-//! Bodies whose motion is known in closed form are answered in lanes, as an [`ensemble`](crate::ensemble) is;
-//! those that stand still or are driven by a torque each by itself. Blocks of [`TILE`] bodies at [`INSTANTS`]
-//! times come out in order: the memory needed grows with neither the times nor, beyond some blocks, the
-//! bodies. With the feature `threads` several blocks are worked on at once, and within a block each driven
-//! body on any thread, its plan too.
+//! Bodies whose motion is known in closed form are answered in lanes; those that stand still or are driven by
+//! a torque each by itself. Blocks of 256 bodies at 16 times come out in order: the memory needed grows with
+//! neither the times nor, beyond some blocks, the bodies. With the feature `threads` several blocks are
+//! worked on at once, and within a block each driven body on any thread, its plan too.
 //!
 //! Driven bodies have no lanes. A step by Taylor series is made of rows of four numbers already, which the
 //! compiler takes as vectors. Four bodies in lanes that took their steps in common, the shortest of the four,
@@ -43,8 +42,8 @@
 //! # Ok::<(), tumbling_scenes::Error>(())
 //! ```
 
-use crate::ensemble::{FourLanes, INSTANTS, TILE};
 use crate::error::Error;
+use crate::four_lanes::FourLanes;
 use crate::plan::Plan;
 use crate::scene::Scene;
 use crate::states::{Answer, States};
@@ -52,7 +51,14 @@ use nalgebra::Vector3;
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
 use std::ops::{ControlFlow, Range};
-use tumbling::exact::{Batch, FreeMotion};
+use tumbling::exact::Batch;
+
+/// The number of bodies that are sorted, worked on and put out together.
+const TILE: usize = 256;
+
+/// The number of instants that a tile is answered at before its answers are put out: they fit the processor's
+/// second cache with it.
+const INSTANTS: u64 = 16;
 
 /// The number of tiles in work at once, on any number of threads, so that the order is always the same.
 const AT_ONCE: usize = 32;
@@ -102,7 +108,7 @@ pub fn run<R: Send>(
             together(planned.iter().collect(), |(tile, plans)| ActiveTile::new(scene, *tile, plans));
         let mut from = 0;
         while from < times {
-            let to = times.min(from + INSTANTS as u64);
+            let to = times.min(from + INSTANTS);
             for done in together(active.iter_mut().collect(), |tile| work(&tile.block(from..to))) {
                 if take(done).is_break() {
                     return;
@@ -151,27 +157,25 @@ enum Lanes {
 
 impl<'p> ActiveTile<'p> {
     fn new(scene: &'p Scene, first: usize, plans: &'p [Result<Plan<'p>, Error>]) -> Self {
-        let of =
-            |(place, plan): (usize, &Result<Plan<'_>, Error>)| Some((place, plan.as_ref().ok()?.motion()?));
-        let mut moving: Vec<(usize, FreeMotion)> = plans.iter().enumerate().filter_map(of).collect();
-        if moving.len() < WORTH {
-            moving.clear();
+        let (mut motions, mut places, mut alone, mut wrong) = (vec![], vec![], vec![], vec![]);
+        let lanes = plans.iter().flatten().filter_map(Plan::moving).count() >= WORTH;
+        for (place, plan) in plans.iter().enumerate() {
+            match plan {
+                Ok(plan) => match plan.moving().filter(|_| lanes) {
+                    Some(motion) => {
+                        motions.push(*motion);
+                        places.push(place);
+                    }
+                    None => alone.push((place, plan.states())),
+                },
+                Err(error) => wrong.push((first + place, error.clone())),
+            }
         }
-        let (places, motions): (Vec<_>, Vec<_>) = moving.into_iter().unzip();
         let lanes = if scene.outputs().attitude {
             Lanes::Instants(Batch::new(&motions))
         } else {
             Lanes::Spins(Batch::new(&motions))
         };
-        let others = |place: &usize| places.binary_search(place).is_err();
-        let alone = (0..plans.len())
-            .filter(others)
-            .filter_map(|place| Some((place, plans.get(place)?.as_ref().ok()?.states())))
-            .collect();
-        let wrong = |(place, plan): (usize, &Result<Plan<'_>, Error>)| {
-            Some((first + place, plan.as_ref().err()?.clone()))
-        };
-        let wrong: Vec<_> = plans.iter().enumerate().filter_map(wrong).collect();
         let failed = plans.iter().map(Result::is_err).collect();
         Self { scene, first, plans, lanes, places, alone, room: Vec::new(), wrong, failed }
     }
@@ -194,18 +198,17 @@ impl<'p> ActiveTile<'p> {
             }
             _ => {}
         };
-        let plan = |body: usize| Some((*places.get(body)?, plans.get(*places.get(body)?)?.as_ref().ok()?));
+        let mut answer = |time: usize, body: usize, omega, attitude| {
+            let place = places[body];
+            if let Ok(plan) = &plans[place] {
+                put(time, place, plan.state(at[time], omega, attitude));
+            }
+        };
         let answered = match lanes {
-            Lanes::Spins(spins) => spins.each(&at, |time, body, omega| {
-                if let Some((place, plan)) = plan(body) {
-                    put(time, place, plan.state(at[time], &omega, None));
-                }
-            }),
-            Lanes::Instants(batch) => batch.each(&at, |time, body, instant| {
-                if let Some((place, plan)) = plan(body) {
-                    put(time, place, plan.state(at[time], &instant.omega, Some(&instant.attitude)));
-                }
-            }),
+            Lanes::Spins(spins) => spins.each(&at, |time, body, omega| answer(time, body, omega, None)),
+            Lanes::Instants(batch) => {
+                batch.each(&at, |time, body, at| answer(time, body, at.omega, Some(at.attitude)))
+            }
         };
         // The times of a scene are finite; if one were not, no body in lanes would have an answer.
         if let Err(error) = answered {

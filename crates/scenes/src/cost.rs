@@ -1,7 +1,8 @@
 //! What an answer costs: processor instructions, as counted.
 
 use crate::plan::Plan;
-use crate::strategy::{Driven, Strategy};
+use crate::prices;
+use crate::strategy::Strategy;
 
 /// Processor instructions that an answer is expected to take.
 ///
@@ -26,20 +27,20 @@ impl Plan<'_> {
     #[must_use]
     pub fn cost(&self) -> Cost {
         let outputs = self.scene.outputs();
-        let driven = |driven: &Driven| {
+        if let Some(driven) = &self.driven {
             let states = self.scene.times().count();
-            let all = driven.control.price(states, driven.steps, driven.stiff);
-            Cost { once: driven.trials, state: all / states as f64 }
-        };
-        match &self.strategy {
-            Strategy::Nothing if outputs.flips => Cost { once: ELLIPTIC, state: 132.0 },
-            Strategy::Nothing | Strategy::Constant { .. } => Cost { once: 1900.0, state: 85.0 },
-            Strategy::Rotation { .. } => Cost { once: 2200.0, state: 405.0 },
-            Strategy::SymmetricTop(_) if outputs.attitude => Cost { once: 2900.0, state: 930.0 },
-            Strategy::SymmetricTop(_) => Cost { once: 2900.0, state: 400.0 },
-            Strategy::EllipticSpin(_) => Cost { once: ELLIPTIC, state: 635.0 },
-            Strategy::Elliptic(_) => Cost { once: ELLIPTIC, state: 1220.0 },
-            Strategy::ExactDrift(one) | Strategy::Adaptive(one) => driven(one),
+            let all = prices::run(driven.tolerance, states, driven.steps, driven.stiff);
+            return Cost { once: driven.trials, state: all / states as f64 };
         }
+        let (once, state) = match self.strategy {
+            Strategy::Nothing if outputs.flips => (ELLIPTIC, 132.0),
+            Strategy::Nothing | Strategy::Constant => (1900.0, 85.0),
+            Strategy::Rotation => (2200.0, 405.0),
+            Strategy::SymmetricTop if outputs.attitude => (2900.0, 930.0),
+            Strategy::SymmetricTop => (2900.0, 400.0),
+            Strategy::EllipticSpin => (ELLIPTIC, 635.0),
+            Strategy::Elliptic | Strategy::Adaptive => (ELLIPTIC, 1220.0),
+        };
+        Cost { once, state }
     }
 }

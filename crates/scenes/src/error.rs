@@ -1,9 +1,8 @@
-//! Why a scene, one of its bodies or a file cannot be answered.
+//! Why a scene or one of its bodies cannot be answered.
 
-use nalgebra::Vector3;
 use std::fmt;
 
-/// What is wrong with a scene, a body, a torque or a file.
+/// What is wrong with a scene, a body or a torque.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -26,22 +25,6 @@ pub enum Error {
         value: f64,
         /// The rule: "it must ...".
         rule: String,
-    },
-    /// A finite input gives a result that a finite `f64` cannot hold.
-    OutOfRange {
-        /// What the result stands for.
-        what: &'static str,
-        /// What came out instead: an infinity or NaN.
-        value: f64,
-    },
-    /// Fewer items than needed.
-    TooFew {
-        /// What the items are.
-        what: &'static str,
-        /// The number given.
-        count: usize,
-        /// The number needed.
-        needed: usize,
     },
     /// Something is wrong with one body.
     Body {
@@ -87,15 +70,6 @@ pub enum Error {
     },
     /// The library refuses a number or a motion.
     Library(tumbling::Error),
-    /// A file that is not a scene.
-    File {
-        /// The line, from 1; none where the whole file is meant.
-        line: Option<usize>,
-        /// The field, where it is one.
-        field: Option<String>,
-        /// What is wrong, and what was expected.
-        why: String,
-    },
 }
 
 /// A field of an [`InitialState`](crate::InitialState), by its name in a file.
@@ -139,12 +113,6 @@ impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Value { what, value, rule } => write!(f, "{what} is {value:?}: {rule}"),
-            Self::OutOfRange { what, value } => {
-                write!(f, "{what} comes out as {value:?}: its true value is beyond what a finite f64 holds")
-            }
-            Self::TooFew { what, count, needed } => {
-                write!(f, "{count} {what} given: at least {needed} needed")
-            }
             Self::Body { index, source } => write!(f, "body {index}: {source}"),
             Self::Field { source, .. } => source.fmt(f),
             Self::Torque { index, source } => write!(f, "torque {index}: {source}"),
@@ -159,12 +127,6 @@ impl fmt::Display for Error {
             ),
             Self::Undefined { what, why } => write!(f, "{what} is requested, but {why}"),
             Self::Library(error) => error.fmt(f),
-            Self::File { line, field, why } => match (line, field) {
-                (Some(line), Some(field)) => write!(f, "line {line}, `{field}`: {why}"),
-                (Some(line), None) => write!(f, "line {line}: {why}"),
-                (None, Some(field)) => write!(f, "`{field}`: {why}"),
-                (None, None) => f.write_str(why),
-            },
         }
     }
 }
@@ -179,30 +141,21 @@ impl std::error::Error for Error {
     }
 }
 
-fn broken(what: &'static str, value: f64, rule: &str) -> Error {
-    Error::Value { what, value, rule: rule.to_owned() }
-}
-
 /// `value` if it is finite.
 pub(crate) fn finite(what: &'static str, value: f64) -> Result<f64, Error> {
-    if value.is_finite() { Ok(value) } else { Err(broken(what, value, "it must be a finite number")) }
+    within(what, value, value.is_finite(), "it must be a finite number")
 }
 
 /// `value` if it is finite and above zero.
 pub(crate) fn positive(what: &'static str, value: f64) -> Result<f64, Error> {
-    if finite(what, value)? > 0.0 { Ok(value) } else { Err(broken(what, value, "it must be above zero")) }
+    within(what, finite(what, value)?, value > 0.0, "it must be above zero")
 }
 
 /// `value` if it is finite and not below zero.
 pub(crate) fn not_negative(what: &'static str, value: f64) -> Result<f64, Error> {
-    if finite(what, value)? >= 0.0 {
-        Ok(value)
-    } else {
-        Err(broken(what, value, "it must not be below zero"))
-    }
+    within(what, finite(what, value)?, value >= 0.0, "it must not be below zero")
 }
 
-/// `vector` if its three components are finite.
-pub(crate) fn finite_vector(what: &'static str, vector: &Vector3<f64>) -> Result<(), Error> {
-    vector.iter().try_for_each(|&x| finite(what, x).map(drop))
+fn within(what: &'static str, value: f64, holds: bool, rule: &str) -> Result<f64, Error> {
+    if holds { Ok(value) } else { Err(Error::Value { what, value, rule: rule.to_owned() }) }
 }

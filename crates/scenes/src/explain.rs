@@ -2,8 +2,8 @@
 
 use crate::cost::Cost;
 use crate::plan::Plan;
-use crate::strategy::Strategy;
-use crate::torques::is_loss;
+use crate::strategy::{Driven, Strategy};
+use crate::torques::is_damping;
 use std::fmt::Write as _;
 
 /// A count of instructions in two digits.
@@ -43,94 +43,71 @@ impl Plan<'_> {
     }
 
     fn equal(&self) -> usize {
-        let [a, b, c] = self.body.moments.into();
+        let [a, b, c] = self.start.moments.into();
         usize::from(a == b) + usize::from(b == c) + usize::from(c == a)
     }
 
     fn chosen(&self) -> String {
         let outputs = self.scene.outputs();
-        let step = |step: Option<f64>| step.map_or_else(String::new, |step| format!("{step:.3e} s"));
-        match &self.strategy {
-            Strategy::Nothing if outputs.flips => {
-                "the instants of the flips, from the period and the phase".into()
-            }
-            Strategy::Nothing if !self.scene.torques().is_empty() => "nothing".into(),
-            Strategy::Nothing => "what follows from energy and momentum".into(),
-            Strategy::Constant { attitude: None, .. } => {
-                "the spin as it is at the start, for all time".into()
-            }
-            Strategy::Constant { .. } => "the body as it lies, for all time".into(),
-            Strategy::Rotation { .. } => "one even turn about one axis: a sine and a cosine".into(),
-            Strategy::SymmetricTop(_) if outputs.attitude => {
-                "two even turns, one after the other: two sines and cosines".into()
-            }
-            Strategy::SymmetricTop(_) => "the spin circles the axis evenly: one sine and cosine".into(),
-            Strategy::EllipticSpin(_) => "the spin by Jacobi's functions".into(),
-            Strategy::Elliptic(_) => "spin and attitude by Jacobi's and theta functions".into(),
-            Strategy::ExactDrift(driven) => {
-                format!("the exact free motion between kicks, in steps of up to {}", step(driven.step()))
-            }
-            Strategy::Adaptive(driven) => {
-                let tolerance = driven.tolerance().unwrap_or_default();
-                let stiff = if driven.stiff {
-                    ", collocation where damping is much faster than the motion"
-                } else {
-                    ""
-                };
-                format!("Taylor series, {tolerance:.1e} allowed to each step{stiff}")
-            }
+        if let Some(driven) = &self.driven {
+            let stiff =
+                if driven.stiff { ", collocation where damping is much faster than the motion" } else { "" };
+            return format!("Taylor series, {:.1e} allowed to each step{stiff}", driven.tolerance);
         }
+        match self.strategy {
+            Strategy::Nothing if outputs.flips => "the instants of the flips, from the period and the phase",
+            Strategy::Nothing if !self.scene.torques().is_empty() => "nothing",
+            Strategy::Nothing => "what follows from energy and momentum",
+            Strategy::Constant if outputs.attitude => "the body as it lies, for all time",
+            Strategy::Constant => "the spin as it is at the start, for all time",
+            Strategy::Rotation => "one even turn about one axis: a sine and a cosine",
+            Strategy::SymmetricTop if outputs.attitude => {
+                "two even turns, one after the other: two sines and cosines"
+            }
+            Strategy::SymmetricTop => "the spin circles the axis evenly: one sine and cosine",
+            Strategy::EllipticSpin => "the spin by Jacobi's functions",
+            Strategy::Elliptic | Strategy::Adaptive => "spin and attitude by Jacobi's and theta functions",
+        }
+        .to_owned()
     }
 
-    fn left_out(&self) -> Vec<String> {
-        let outputs = self.scene.outputs();
-        let mut out: Vec<&str> = Vec::new();
-        match &self.strategy {
+    fn left_out(&self) -> Vec<&str> {
+        let (moves, free) = (self.strategy != Strategy::Nothing, self.scene.torques().is_empty());
+        let mut out = Vec::new();
+        match self.strategy {
             Strategy::Nothing => out.push("all motion, since nothing that moves is requested"),
-            Strategy::Constant { .. } | Strategy::Rotation { .. } => out.push(match self.equal() {
+            Strategy::Constant | Strategy::Rotation => out.push(match self.equal() {
                 3 => "the gyroscopic term, since all three moments are equal",
-                _ if self.body.omega == nalgebra::Vector3::zeros() => "all motion, since the body is at rest",
+                _ if self.start.omega == nalgebra::Vector3::zeros() => "all motion, since the body is at rest",
                 _ => "the gyroscopic term, since the spin is along a principal axis or within the plane of two equal moments",
             }),
-            Strategy::SymmetricTop(_) => out.push("elliptic functions, since two moments are equal"),
-            Strategy::EllipticSpin(_) | Strategy::Elliptic(_) => {}
-            Strategy::ExactDrift(_) => out.push("small steps, since the torque is weak"),
-            Strategy::Adaptive(_) => out.push("kicks, whose errors fall with the square of the step alone"),
+            Strategy::SymmetricTop => out.push("elliptic functions, since two moments are equal"),
+            Strategy::EllipticSpin | Strategy::Elliptic | Strategy::Adaptive => {}
         }
-        let moves = !matches!(self.strategy, Strategy::Nothing);
-        if self.scene.torques().is_empty() || !moves {
-            if moves {
-                out.push("steps through time, since no torque acts");
-            }
-        } else {
-            out.push(if self.scene.torques().iter().any(is_loss) {
+        if !free {
+            out.push(if self.scene.torques().iter().any(is_damping) {
                 "the closed form, since damping acts"
             } else {
                 "the closed form, since a torque acts"
             });
+        } else if moves {
+            out.push("steps through time, since no torque acts");
+            if !self.scene.outputs().attitude {
+                out.push("the attitude, which is not requested");
+            }
         }
-        if moves && self.scene.torques().is_empty() && !outputs.attitude {
-            out.push("the attitude, which is not requested");
-        }
-        out.into_iter().map(str::to_owned).collect()
+        out
     }
 
     fn accuracy_line(&self) -> String {
         let requested = self.scene.accuracy();
-        if let Some(driven) = self.strategy.driven() {
-            return format!(
-                "{requested:.0e} requested; two runs of different steps were {:.0e} apart, and one of {} steps is taken",
-                driven.observed_difference(),
-                driven.steps()
-            );
-        }
-        match &self.strategy {
-            Strategy::Nothing if !self.scene.torques().is_empty() => {
-                format!("{requested:.0e} requested; nothing is computed")
-            }
-            _ => format!(
-                "{requested:.0e} requested; the closed form is as accurate as the rounding of the start permits"
+        let how = match &self.driven {
+            Some(Driven { difference, steps, .. }) => format!(
+                "two runs of different steps were {difference:.0e} apart, and one of {steps} steps is taken"
             ),
-        }
+            None if !self.scene.torques().is_empty() => "nothing is computed".to_owned(),
+            None => "the closed form is as accurate as the rounding of the start permits".to_owned(),
+        };
+        format!("{requested:.0e} requested; {how}")
     }
 }

@@ -1,7 +1,7 @@
 //! Ways to answer for a free body, and how accurate they can be.
 
-use crate::error::Error;
-use crate::initial_state::Principal;
+use crate::error::{Error, finite};
+use crate::initial_state::Checked;
 use crate::outputs::Outputs;
 use crate::strategy::Strategy;
 use nalgebra::Vector3;
@@ -11,47 +11,34 @@ use tumbling::exact::{FreeMotion, Regime};
 /// an input.
 const ROUNDINGS: f64 = 16.0;
 
-/// The cheapest way.
+/// The cheapest way to the outputs of a motion up to the time `end`.
 pub(crate) fn strategy(
-    body: &Principal,
+    body: &Checked,
+    motion: &FreeMotion,
     outputs: Outputs,
     end: f64,
     accuracy: f64,
 ) -> Result<Strategy, Error> {
-    if !(outputs.attitude || outputs.spin || outputs.angle_to_momentum || outputs.flips) {
-        return Ok(Strategy::Nothing);
-    }
-    let motion = FreeMotion::new(body.moments, &body.omega)?;
-    let in_body = |wanted: bool| wanted.then(|| body.in_body(body.omega));
-    let elementary = || {
-        let turned = (body.omega.norm() * end).max(1.0);
-        allowed(accuracy, ROUNDINGS * f64::EPSILON * turned * coarsening(body))
+    let elementary = |strategy| {
+        let turned = (body.along.norm() * end).max(1.0);
+        allowed(accuracy, ROUNDINGS * f64::EPSILON * turned * coarsening(body)).map(|()| strategy)
     };
-    let regime = motion.regime();
-    match regime {
+    match motion.regime() {
         Regime::AtRest | Regime::Steady { .. } | Regime::SymmetricTop { .. }
             if !(outputs.attitude || outputs.spin) =>
         {
             Ok(Strategy::Nothing)
         }
-        Regime::AtRest => Ok(Strategy::Constant {
-            spin: in_body(outputs.spin),
-            attitude: outputs.attitude.then_some(body.attitude),
-        }),
-        Regime::Steady { .. } if !outputs.attitude => {
-            Ok(Strategy::Constant { spin: in_body(true), attitude: None })
-        }
-        Regime::Steady { .. } => {
-            let (motion, spin) = (Box::new(motion), in_body(outputs.spin));
-            elementary().map(|()| Strategy::Rotation { motion, spin })
-        }
-        Regime::SymmetricTop { .. } => elementary().map(|()| Strategy::SymmetricTop(Box::new(motion))),
-        _ => {
-            attainable(&motion, regime, body, end, accuracy)?;
+        Regime::AtRest => Ok(Strategy::Constant),
+        Regime::Steady { .. } if !outputs.attitude => Ok(Strategy::Constant),
+        Regime::Steady { .. } => elementary(Strategy::Rotation),
+        Regime::SymmetricTop { .. } => elementary(Strategy::SymmetricTop),
+        regime => {
+            attainable(motion, regime, body, end, accuracy)?;
             Ok(match outputs {
-                Outputs { attitude: true, .. } => Strategy::Elliptic(Box::new(motion)),
+                Outputs { attitude: true, .. } => Strategy::Elliptic,
                 Outputs { spin: true, .. } | Outputs { angle_to_momentum: true, .. } => {
-                    Strategy::EllipticSpin(Box::new(motion))
+                    Strategy::EllipticSpin
                 }
                 _ => Strategy::Nothing,
             })
@@ -64,11 +51,11 @@ fn allowed(requested: f64, attainable: f64) -> Result<(), Error> {
 }
 
 /// The largest factor by which the rounding of a number of the body exceeds that of its own size.
-fn coarsening(body: &Principal) -> f64 {
+fn coarsening(body: &Checked) -> f64 {
     let share = |rounded: &Vector3<f64>, size: &Vector3<f64>| {
         rounded.zip_map(size, |rounded, size| if rounded == 0.0 { 1.0 } else { rounded / size }).max()
     };
-    let speed = Vector3::repeat(body.omega.norm().max(f64::MIN_POSITIVE));
+    let speed = Vector3::repeat(body.along.norm().max(f64::MIN_POSITIVE));
     share(&body.rounded.moments, &body.moments.vector()).max(share(&body.rounded.omega, &speed)).max(1.0)
 }
 
@@ -78,14 +65,12 @@ fn coarsening(body: &Principal) -> f64 {
 fn attainable(
     motion: &FreeMotion,
     regime: Regime,
-    body: &Principal,
+    body: &Checked,
     end: f64,
     accuracy: f64,
 ) -> Result<(), Error> {
-    let speed = motion.omega(0.0)?.norm();
-    if !(speed * end).is_finite() {
-        return Err(Error::OutOfRange { what: "the angle turned up to the last time", value: speed * end });
-    }
+    let speed = body.along.norm();
+    finite("the angle turned up to the last time", speed * end)?;
     let complement = match regime {
         Regime::Elliptic { complement, .. } => complement,
         _ => 0.0,
@@ -97,11 +82,14 @@ fn attainable(
     if accuracy >= bound {
         return Ok(());
     }
+    // By the numbers along the principal axes, whose roundings are known.
+    let framed = body.along != body.omega;
+    let along = if framed { FreeMotion::new(body.moments, &body.along)? } else { *motion };
     let mut worst = 1.0_f64;
     let rounded = body.rounded;
     let flip = motion.flips(0.0, end)?.next_back();
     for time in flip.into_iter().chain([end]) {
-        let (by_start, by_tensor) = motion.sensitivities(time)?;
+        let (by_start, by_tensor) = along.sensitivities(time)?;
         for j in 0..3 {
             let change = |row: usize| {
                 by_start.fixed_view::<3, 1>(row, 3 + j).norm() * rounded.omega[j]

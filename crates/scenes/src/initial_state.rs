@@ -1,8 +1,9 @@
 //! A body at the start of a scene, as described and along its principal axes.
 
-use crate::error::{Error, Field, finite_vector};
-use nalgebra::{Rotation3, UnitQuaternion, Vector3};
+use crate::error::{Error, Field, finite};
+use nalgebra::{UnitQuaternion, Vector3};
 use tumbling::attitude;
+use tumbling::dynamics::observe;
 use tumbling::exact::FreeMotion;
 use tumbling::{Body, Inertia, PrincipalMoments, Subject};
 
@@ -116,78 +117,65 @@ impl InitialState {
         attitude::checked(self.attitude).map_err(|error| Error::of_field(Field::Attitude)(error.into()))
     }
 
-    /// Along the principal axes, checked.
-    pub(crate) fn principal(&self) -> Result<Principal, Error> {
+    /// Checked, with what its plan goes by.
+    pub(crate) fn checked(&self) -> Result<Checked, Error> {
         let attitude = self.checked_attitude()?;
-        finite_vector("a product of inertia", &self.products).map_err(Error::of_field(Field::Products))?;
-        let (checked, frame) = self.principal_moments().map_err(|error| self.of_tensor(error))?;
-        let moments = checked.vector();
-        let along = |v: &Vector3<f64>| frame.map_or(*v, |frame| frame.inverse() * v);
-        let wrong = Error::of_field(self.start_field());
-        let omega = match &self.start {
-            Start::Spin(omega) => {
-                finite_vector("the spin", omega).map_err(&wrong)?;
-                along(omega)
+        let products = self.products.iter().zip(["xy", "xz", "yz"]);
+        for (&product, what) in products {
+            finite(what, product).map_err(Error::of_field(Field::Products))?;
+        }
+        let framed = self.products != Vector3::zeros();
+        let (inertia, omega, moments) = match self.start {
+            Start::Spin(omega) if !framed => {
+                let moments = PrincipalMoments::try_from(self.moments);
+                let moments = moments.map_err(|error| self.of_tensor(error))?;
+                (Inertia::from(moments), omega, moments)
             }
-            Start::Momentum(momentum) => {
-                finite_vector("the angular momentum", momentum).map_err(&wrong)?;
-                along(&(attitude.inverse() * momentum)).component_div(&moments)
+            _ => {
+                let body = self.body()?;
+                let moments = match framed {
+                    true => body.inertia().principal().try_into(),
+                    false => self.moments.try_into(),
+                };
+                let moments = moments.map_err(|error| self.of_tensor(error))?;
+                (body.inertia(), body.omega_body(), moments)
             }
         };
-        finite_vector("the spin", &omega).map_err(wrong)?;
-        let rounded = self.rounded(&moments, &omega, frame.is_some(), attitude != UnitQuaternion::identity());
-        let world = frame.map_or(attitude, |frame| attitude * frame);
-        Ok(Principal { moments: checked, omega, frame, world, attitude, rounded })
+        let wrong = Error::of_field(self.start_field());
+        omega.iter().try_for_each(|&x| finite("the spin", x).map(drop)).map_err(wrong)?;
+        let along = if framed { inertia.principal().frame().tr_mul(&omega) } else { omega };
+        let rounded = self.rounded(&moments.vector(), &along, framed);
+        Ok(Checked { inertia, omega, attitude, moments, along, rounded })
     }
 
-    /// The principal moments, and the turn from principal to body axes where they are not the same.
-    fn principal_moments(&self) -> Result<(PrincipalMoments, Option<UnitQuaternion<f64>>), tumbling::Error> {
-        if self.products == Vector3::zeros() {
-            return Ok((self.moments.try_into()?, None));
-        }
-        let axes = Inertia::new(self.moments.into(), self.products.into())?.principal();
-        Ok((
-            axes.try_into()?,
-            Some(UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(axes.frame()))),
-        ))
-    }
-
-    /// What the way to the principal axes has rounded: the moments of a tensor relative to the largest of
-    /// them, a turned vector relative to its length.
-    fn rounded(
-        &self,
-        moments: &Vector3<f64>,
-        omega: &Vector3<f64>,
-        framed: bool,
-        lies_turned: bool,
-    ) -> Rounded {
+    /// What the way from these numbers to those along the principal axes has rounded: the moments of a tensor
+    /// relative to the largest of them, a turned momentum relative to its length.
+    fn rounded(&self, moments: &Vector3<f64>, omega: &Vector3<f64>, framed: bool) -> Rounded {
         let (largest, length) = (moments.max(), moments.component_mul(omega).norm());
-        Rounded {
-            moments: if framed { Vector3::repeat(largest) } else { *moments },
-            omega: match self.start {
-                // The moment that the momentum is divided by is rounded too.
-                Start::Momentum(_) if framed => {
-                    moments.zip_map(omega, |moment, w| (length + w.abs() * largest) / moment)
-                }
-                Start::Momentum(_) if lies_turned => moments.map(|moment| length / moment),
-                Start::Spin(_) if framed => Vector3::repeat(omega.norm()),
-                _ => omega.abs(),
-            },
-        }
+        let turned = matches!(self.start, Start::Momentum(_)) && self.attitude != UnitQuaternion::identity();
+        let omega = if framed {
+            // The moment that the momentum is divided by is rounded too.
+            moments.zip_map(omega, |moment, w| (length + w.abs() * largest) / moment)
+        } else if turned {
+            moments.map(|moment| length / moment)
+        } else {
+            omega.abs()
+        };
+        Rounded { moments: if framed { Vector3::repeat(largest) } else { *moments }, omega }
     }
 }
 
-/// A body along its principal axes.
+/// A body at the start, and along its principal axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Principal {
-    pub(crate) moments: PrincipalMoments,
+pub(crate) struct Checked {
+    pub(crate) inertia: Inertia,
+    /// In body axes, rad/s.
     pub(crate) omega: Vector3<f64>,
-    /// Principal axes to body axes, where they are not the same.
-    pub(crate) frame: Option<UnitQuaternion<f64>>,
-    /// Principal axes to world, at the start.
-    pub(crate) world: UnitQuaternion<f64>,
-    /// Body to world, at the start.
+    /// Body to world.
     pub(crate) attitude: UnitQuaternion<f64>,
+    pub(crate) moments: PrincipalMoments,
+    /// The spin along the principal axes, rad/s.
+    pub(crate) along: Vector3<f64>,
     pub(crate) rounded: Rounded,
 }
 
@@ -198,9 +186,15 @@ pub(crate) struct Rounded {
     pub(crate) omega: Vector3<f64>,
 }
 
-impl Principal {
-    #[inline(always)]
-    pub(crate) fn in_body(&self, vector: Vector3<f64>) -> Vector3<f64> {
-        self.frame.map_or(vector, |frame| frame * vector)
+impl Checked {
+    /// Whether it has a middle axis: three different moments.
+    pub(crate) fn can_flip(&self) -> bool {
+        let [a, b, c] = self.moments.into();
+        a != b && b != c && c != a
+    }
+
+    /// The kinetic energy at a spin in body axes, J.
+    pub(crate) fn energy(&self, omega: &Vector3<f64>) -> Result<f64, Error> {
+        finite("the energy", observe::energy(omega, &self.inertia.momentum(omega)))
     }
 }

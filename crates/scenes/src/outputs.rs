@@ -11,7 +11,7 @@ pub struct Outputs {
     pub energy: bool,
     /// The angle between spin and momentum, at each time.
     pub angle_to_momentum: bool,
-    /// The instants up to the end at which the spin along the middle axis changes sign. Of free bodies alone.
+    /// The instants up to the end at which the spin along the middle axis changes sign.
     pub flips: bool,
     /// The path of the spin in the body. Of free bodies alone.
     pub polhode: bool,

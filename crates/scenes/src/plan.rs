@@ -1,23 +1,24 @@
 //! How to answer for one body.
 
+use crate::driven;
 use crate::error::Error;
-use crate::initial_state::{InitialState, Principal};
-use crate::outputs::Outputs;
+use crate::free;
+use crate::initial_state::{Checked, InitialState};
 use crate::scene::Scene;
-use crate::strategy::Strategy;
-use crate::{driven, free};
+use crate::strategy::{Driven, Strategy};
 use nalgebra::Vector3;
-use tumbling::dynamics::observe;
-use tumbling::exact::Polhode;
-use tumbling::exact::{Flips, FreeMotion};
-use tumbling::{Inertia, PrincipalMoments};
+use tumbling::exact::{Flips, FreeMotion, Polhode};
 
 /// How to answer for one body of a scene.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Plan<'a> {
     pub(crate) scene: &'a Scene,
-    pub(crate) body: Principal,
+    pub(crate) start: Checked,
     pub(crate) strategy: Strategy,
+    /// Of a free body, if it is used.
+    pub(crate) motion: Option<Box<FreeMotion>>,
+    /// Of a body under torques that is stepped.
+    pub(crate) driven: Option<Driven>,
     /// Where it does not change.
     pub(crate) energy: Option<f64>,
     pub(crate) angle_to_momentum: Option<f64>,
@@ -30,99 +31,87 @@ impl Scene {
     /// [`Error::Body`] with a field that no body has, [an output that it does not have](Error::Undefined), an
     /// accuracy that [cannot be had](Error::Unattainable), or a motion that leaves `f64`.
     pub fn plan(&self, index: usize) -> Result<Plan<'_>, Error> {
-        let Some(body) = self.bodies().get(index) else {
-            return Err(Error::TooFew {
-                what: "bodies",
-                count: self.bodies().len(),
-                needed: index.saturating_add(1),
-            });
-        };
-        Plan::new(self, body).map_err(|source| Error::Body { index, source: Box::new(source) })
+        let of_body = |source| Error::Body { index, source: Box::new(source) };
+        let body = self.bodies().get(index).ok_or_else(|| {
+            let rule = format!("it must be below the number of bodies, {}", self.bodies().len());
+            of_body(Error::Value { what: "the number of a body", value: index as f64, rule })
+        })?;
+        Plan::new(self, body).map_err(of_body)
     }
 }
 
 impl<'a> Plan<'a> {
-    pub(crate) fn new(scene: &'a Scene, state: &InitialState) -> Result<Self, Error> {
-        let body = state.principal()?;
+    fn new(scene: &'a Scene, state: &InitialState) -> Result<Self, Error> {
+        let start = state.checked()?;
         let outputs = scene.outputs();
         let free = scene.torques().is_empty();
-        let strategy = if free {
-            free::strategy(&body, outputs, scene.times().end(), scene.accuracy())?
-        } else {
-            refuse_of_driven(outputs)?;
-            if outputs.states() { driven::strategy(&body, scene)? } else { Strategy::Nothing }
-        };
-        let energy = if outputs.energy && free { Some(energy(body.moments, &body.omega)?) } else { None };
-        if outputs.angle_to_momentum && body.omega == Vector3::zeros() {
-            return Err(Error::Undefined {
-                what: "the angle between spin and momentum",
-                why: "a body at rest has neither",
-            });
+        let of_motion = outputs.attitude || outputs.spin || outputs.angle_to_momentum || outputs.flips;
+        let (mut strategy, mut motion, mut driven) = (Strategy::Nothing, None, None);
+        if free && of_motion {
+            let found = Box::new(state.motion()?);
+            strategy = free::strategy(&start, &found, outputs, scene.times().end(), scene.accuracy())?;
+            motion = Some(found);
+        } else if !free {
+            refuse_polhode_of_driven(scene, outputs.polhode)?;
+            if of_motion || outputs.energy {
+                strategy = Strategy::Adaptive;
+                driven = Some(driven::chosen(&start, &state.body()?, scene)?);
+            }
+        }
+        if outputs.angle_to_momentum && start.omega == Vector3::zeros() {
+            let (what, why) = ("the angle between spin and momentum", "a body at rest has neither");
+            return Err(Error::Undefined { what, why });
         }
         let steady = matches!(
             strategy,
-            Strategy::Nothing
-                | Strategy::Constant { .. }
-                | Strategy::Rotation { .. }
-                | Strategy::SymmetricTop(_)
+            Strategy::Nothing | Strategy::Constant | Strategy::Rotation | Strategy::SymmetricTop
         );
-        let angle_to_momentum = if outputs.angle_to_momentum && steady {
-            Some(Inertia::from(body.moments).angle_to_momentum(&body.omega)?)
-        } else {
-            None
-        };
-        Ok(Self { scene, body, strategy, energy, angle_to_momentum })
+        let kept =
+            (outputs.angle_to_momentum && steady).then(|| start.inertia.angle_to_momentum(&start.omega));
+        let energy = (outputs.energy && free).then(|| start.energy(&start.omega));
+        Ok(Self {
+            scene,
+            start,
+            strategy,
+            motion,
+            driven,
+            energy: energy.transpose()?,
+            angle_to_momentum: kept.transpose()?,
+        })
     }
 
     /// The strategy chosen.
     #[must_use]
-    pub fn strategy(&self) -> &Strategy {
-        &self.strategy
+    pub fn strategy(&self) -> Strategy {
+        self.strategy
     }
 
-    /// The kinetic energy, J, where it is requested and constant.
+    /// How a body under torques is stepped.
     #[must_use]
-    pub fn energy(&self) -> Option<f64> {
-        self.energy
+    pub fn driven(&self) -> Option<&Driven> {
+        self.driven.as_ref()
     }
 
-    /// The angle between spin and momentum, rad, where it is requested and constant.
-    #[must_use]
-    pub fn angle_to_momentum(&self) -> Option<f64> {
-        self.angle_to_momentum
-    }
-
-    /// The free motion that the states are taken from, along the body's principal axes and from their
-    /// attitude at the start; none where nothing moves, or under a torque.
-    ///
-    /// The motions of many such bodies may be answered [side by side](tumbling::exact::Batch) and each answer
-    /// completed by [`state`](Self::state).
-    #[must_use]
-    pub fn motion(&self) -> Option<FreeMotion> {
-        self.free_motion().copied()
-    }
-
-    pub(crate) fn free_motion(&self) -> Option<&FreeMotion> {
-        match &self.strategy {
-            Strategy::Rotation { motion, .. }
-            | Strategy::SymmetricTop(motion)
-            | Strategy::EllipticSpin(motion)
-            | Strategy::Elliptic(motion) => Some(motion),
-            _ => None,
-        }
-    }
-
-    /// The flips up to the end of the scene, in order, without a step of the motion.
+    /// The flips up to the end of the scene, in order: the instants at which the spin along the middle axis
+    /// changes sign. Of a free body without a step of its motion; of a body with two equal moments none.
     ///
     /// # Errors
-    /// Under a torque, or as [`FreeMotion::flips`].
-    pub fn flips(&self) -> Result<Flips, Error> {
-        refuse_driven(self.scene, FLIPS)?;
+    /// As [`FreeMotion::flips`], or under a torque as [`Stepper::flips`](tumbling::step::Stepper::flips).
+    pub fn flips(&self) -> Result<FlipTimes, Error> {
         let end = self.scene.times().end();
-        Ok(match self.free_motion() {
-            Some(motion) => motion.flips(0.0, end)?,
-            None => FreeMotion::new(self.body.moments, &self.body.omega)?.flips(0.0, end)?,
-        })
+        if let Some(motion) = &self.motion {
+            return Ok(FlipTimes::Free(motion.flips(0.0, end)?));
+        }
+        if self.scene.torques().is_empty() {
+            return Ok(FlipTimes::Free(
+                FreeMotion::new(self.start.moments, &self.start.along)?.flips(0.0, end)?,
+            ));
+        }
+        let found = match &self.driven {
+            Some(driven) if self.start.can_flip() => driven.stepper.clone().flips(end)?,
+            _ => Vec::new(),
+        };
+        Ok(FlipTimes::Driven(found.into_iter()))
     }
 
     /// The path of the spin in the body, along its principal axes, from energy and momentum alone.
@@ -130,29 +119,46 @@ impl<'a> Plan<'a> {
     /// # Errors
     /// Under a torque, or a period beyond `f64`.
     pub fn polhode(&self) -> Result<Polhode, Error> {
-        refuse_driven(self.scene, POLHODE)?;
-        Ok(Polhode::new(self.body.moments, &self.body.omega)?)
+        refuse_polhode_of_driven(self.scene, true)?;
+        Ok(Polhode::new(self.start.moments, &self.start.along)?)
     }
 }
 
-const FLIPS: &str = "the list of flips";
-const POLHODE: &str = "the polhode";
-const WHY: &str = "a torque acts: what it follows from is not conserved";
-
-fn refuse_driven(scene: &Scene, what: &'static str) -> Result<(), Error> {
-    if scene.torques().is_empty() { Ok(()) } else { Err(Error::Undefined { what, why: WHY }) }
+fn refuse_polhode_of_driven(scene: &Scene, requested: bool) -> Result<(), Error> {
+    if !requested || scene.torques().is_empty() {
+        return Ok(());
+    }
+    let why = "a torque acts: what it follows from is not conserved";
+    Err(Error::Undefined { what: "the polhode", why })
 }
 
-fn refuse_of_driven(outputs: Outputs) -> Result<(), Error> {
-    match (outputs.flips, outputs.polhode) {
-        (true, _) => Err(Error::Undefined { what: FLIPS, why: WHY }),
-        (_, true) => Err(Error::Undefined { what: POLHODE, why: WHY }),
-        _ => Ok(()),
+/// Instants of flips, s, in order.
+#[derive(Debug, Clone)]
+pub enum FlipTimes {
+    /// Of a free body, each computed as it is reached.
+    Free(Flips),
+    /// Of a body under torques.
+    Driven(std::vec::IntoIter<f64>),
+}
+
+impl FlipTimes {
+    /// The number of flips still to come, without a visit to each.
+    #[must_use]
+    pub fn remaining(&self) -> u64 {
+        match self {
+            Self::Free(flips) => flips.remaining(),
+            Self::Driven(flips) => flips.len() as u64,
+        }
     }
 }
 
-/// Half of `w . I w`, J.
-pub(crate) fn energy(moments: PrincipalMoments, omega: &Vector3<f64>) -> Result<f64, Error> {
-    let energy = observe::energy(omega, &moments.vector().component_mul(omega));
-    if energy.is_finite() { Ok(energy) } else { Err(Error::OutOfRange { what: "the energy", value: energy }) }
+impl Iterator for FlipTimes {
+    type Item = f64;
+
+    fn next(&mut self) -> Option<f64> {
+        match self {
+            Self::Free(flips) => flips.next(),
+            Self::Driven(flips) => flips.next(),
+        }
+    }
 }

@@ -53,7 +53,7 @@ impl Scene {
     ) -> Result<Self, Error> {
         let bodies: Vec<InitialState> = bodies.into_iter().map(Into::into).collect();
         if bodies.is_empty() {
-            return Err(Error::TooFew { what: "bodies", count: 0, needed: 1 });
+            positive("the number of bodies", 0.0)?;
         }
         let any = PrincipalMoments::new(1.0, 1.0, 1.0)?;
         for (index, torque) in torques.iter().enumerate() {
@@ -62,11 +62,8 @@ impl Scene {
         }
         times.validate()?;
         if positive("the accuracy", accuracy)? >= 1.0 {
-            return Err(Error::Value {
-                what: "the accuracy",
-                value: accuracy,
-                rule: "it must be below 1".to_owned(),
-            });
+            let (what, rule) = ("the accuracy", "it must be below 1".to_owned());
+            return Err(Error::Value { what, value: accuracy, rule });
         }
         if accuracy < 2.0 * f64::EPSILON {
             return Err(Error::Unattainable { requested: accuracy, attainable: 2.0 * f64::EPSILON });

@@ -39,9 +39,7 @@ impl Times {
     pub fn validate(&self) -> Result<(), Error> {
         match self {
             Self::Given(times) => {
-                if times.is_empty() {
-                    return Err(Error::TooFew { what: "times", count: 0, needed: 1 });
-                }
+                positive("the number of times", times.len() as f64)?;
                 for &time in times {
                     not_negative("a time", time)?;
                 }

@@ -1,26 +1,15 @@
-//! Trial runs: a scene is stepped and stepped again finer, until two runs agree.
+//! Trial runs: a scene is stepped and stepped again with a finer tolerance, until two runs agree.
 
 use crate::error::Error;
 use crate::outputs::Outputs;
 use crate::prices;
-use crate::step_control::{StepControl, Stepping, Stop};
-use nalgebra::UnitQuaternion;
-use tumbling::attitude;
+use nalgebra::{UnitQuaternion, Vector3};
 use tumbling::dynamics::observe;
-use tumbling::step::{State, System};
+use tumbling::step::{State, Stepper, Torque};
+use tumbling::{Body, attitude};
 
-/// Rounds of refinement before a trial is given up.
-const ROUNDS: usize = 30;
-
-/// What a trial showed to be accurate enough.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Chosen {
-    pub(crate) control: StepControl,
-    /// The largest difference from a run of other steps.
-    pub(crate) difference: f64,
-    /// The number of steps of the run.
-    pub(crate) steps: usize,
-}
+/// The least tolerance that an adaptive [`Stepper`] takes: below it a step's error is rounding.
+pub(crate) const LEAST_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 
 /// What trial runs may take, and what they took.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,66 +20,75 @@ pub(crate) struct Budget {
     pub(crate) spent: f64,
 }
 
-/// The states of a run at the times compared, with its number of steps.
-type Run = Result<(Vec<State<f64>>, usize), Stop>;
+/// Why a run ended early.
+#[derive(Debug, Clone, PartialEq)]
+enum Stop {
+    /// The steps allowed are used up.
+    OutOfSteps,
+    /// A step is refused.
+    Refused(Error),
+}
+
+/// What two runs are compared by.
+#[derive(Debug, Clone, Default, PartialEq)]
+struct Run {
+    /// At the times compared, with the spin in body axes.
+    states: Vec<(Vector3<f64>, State<f64>)>,
+    flips: Vec<f64>,
+    /// The number of steps.
+    steps: usize,
+}
 
 pub(crate) struct Trial<'a> {
-    pub(crate) system: &'a System<f64>,
-    pub(crate) start: &'a State<f64>,
+    pub(crate) body: &'a Body,
+    pub(crate) torques: &'a [Torque<f64>],
     /// At which runs are compared.
     pub(crate) times: &'a [f64],
     pub(crate) outputs: Outputs,
     pub(crate) accuracy: f64,
-    pub(crate) end: f64,
     /// Radians from start to end.
     pub(crate) turned: f64,
 }
 
 impl Trial<'_> {
-    /// The expected number of steps of a run.
-    fn steps(&self, control: StepControl) -> f64 {
-        match control {
-            StepControl::ExactDrift(step) => self.end / step,
-            StepControl::Tolerance(_) => self.turned / prices::RADIANS,
-        }
+    /// A stepper at the start with this tolerance, and at most this number of steps from one time to the
+    /// next.
+    pub(crate) fn stepper(&self, tolerance: f64, budget: usize) -> Result<Stepper, Error> {
+        let stepper = Stepper::adaptive(self.body, tolerance, budget)?;
+        Ok(stepper.with_torques(self.torques.iter().cloned())?)
     }
 
     /// Refines until two runs agree to half of the accuracy, and takes the finer, or to a tenth, and takes
-    /// the coarser; in at most the steps of the budget in all.
-    pub(crate) fn refined(&self, first: StepControl, budget: &mut Budget) -> Result<Chosen, Error> {
-        self.worth_trying(first, budget.left)?;
-        let all = budget.left;
-        let mut control = first;
-        let mut best = f64::INFINITY;
-        let mut coarse = self.run(control, None, budget);
-        for _ in 0..ROUNDS {
-            if coarse == Err(Stop::OutOfSteps) {
+    /// the coarser; in at most the steps of the budget in all. Returns the tolerance, the difference from the
+    /// other run and the number of steps.
+    ///
+    /// A tolerance is finer by a hundred, which costs a quarter more: errors fall with it on average only,
+    /// and where the motion multiplies them two runs ten times apart were seen to be wrong by the same.
+    pub(crate) fn refined(&self, first: f64, budget: &mut Budget) -> Result<(f64, f64, usize), Error> {
+        let (all, steps) = (budget.left, self.turned / prices::RADIANS);
+        self.worth_trying(steps, all)?;
+        let (mut tolerance, mut best) = (first, f64::INFINITY);
+        let mut coarse = self.run(tolerance, budget);
+        while coarse != Err(Stop::OutOfSteps) {
+            let finer = (0.01 * tolerance).max(LEAST_TOLERANCE);
+            if finer == tolerance || steps > budget.left as f64 {
                 break;
             }
-            let observed = coarse.as_ref().map_or(f64::INFINITY, |_| best);
-            let finer =
-                control.finer(if observed.is_finite() { 0.5 * self.accuracy / observed } else { 0.0 });
-            if finer == control || self.steps(finer) > budget.left as f64 {
-                break;
-            }
-            let fine = self.run(finer, Some(control), budget);
+            let fine = self.run(finer, budget);
             let difference = match (&coarse, &fine) {
-                (Ok((a, _)), Ok((b, _))) => self.apart(a, b),
+                (Ok(a), Ok(b)) => self.apart(a, b),
                 _ => f64::INFINITY,
             };
-            // Halving the step halves an error at least: what is so much better than requested is right by
-            // the coarser run already.
-            for (control, run, share) in [(control, &coarse, 0.1), (finer, &fine, 0.5)] {
+            // What is so much better than requested is right by the coarser run already.
+            for (tolerance, run, share) in [(tolerance, &coarse, 0.1), (finer, &fine, 0.5)] {
                 if difference <= share * self.accuracy
-                    && let Ok((_, steps)) = run
+                    && let Ok(Run { steps, .. }) = run
                 {
-                    return Ok(Chosen { control, difference, steps: *steps });
+                    return Ok((tolerance, difference, *steps));
                 }
             }
             best = best.min(difference);
-            // What was cut for the comparison alone is put back before it is compared with the next.
-            coarse = if self.cuts(finer, control) { self.run(finer, None, budget) } else { fine };
-            control = finer;
+            (coarse, tolerance) = (fine, finer);
         }
         match coarse {
             // Agreement is half of the accuracy; as much again, for roundings differ with the steps that
@@ -103,83 +101,81 @@ impl Trial<'_> {
         }
     }
 
-    /// Refuses a run that is known to take more steps than are left.
-    fn worth_trying(&self, control: StepControl, left: usize) -> Result<(), Error> {
-        let (steps, what) = (self.steps(control), "the number of steps that the torques require");
-        if steps.is_nan() {
-            return Err(Error::OutOfRange { what, value: steps });
+    /// Refuses what is known to take more steps than two runs may.
+    fn worth_trying(&self, steps: f64, left: usize) -> Result<(), Error> {
+        let most = left / 2;
+        if steps <= most as f64 {
+            return Ok(());
         }
-        if steps > left as f64 {
-            let rule = format!("it must not be above {left}, the most that are tried");
-            return Err(Error::Value { what, value: steps, rule });
+        let rule = format!("it must not be above {most}, the most that are tried");
+        Err(Error::Value { what: "the number of steps that the torques require", value: steps, rule })
+    }
+
+    fn run(&self, tolerance: f64, budget: &mut Budget) -> Result<Run, Stop> {
+        let mut run = Run::default();
+        let done = self.fill(&mut run, tolerance, budget.left);
+        budget.left = budget.left.saturating_sub(run.steps);
+        budget.spent += prices::run(tolerance, self.times.len() as u64, run.steps, false);
+        done.map(|()| run)
+    }
+
+    /// In at most `left` steps.
+    fn fill(&self, run: &mut Run, tolerance: f64, left: usize) -> Result<(), Stop> {
+        let mut stepper = self.stepper(tolerance, left).map_err(Stop::Refused)?;
+        let flips = self.outputs.flips;
+        for &time in self.times {
+            let there = if flips {
+                stepper.flips(time).map(|found| run.flips.extend(found))
+            } else {
+                stepper.step_to(time).map(drop)
+            };
+            run.steps = stepper.steps_of_run();
+            if run.steps > left || (run.steps == left && there.is_err()) {
+                return Err(Stop::OutOfSteps);
+            }
+            there.map_err(|error| Stop::Refused(error.into()))?;
+            run.states.push((stepper.omega(), stepper.state()));
         }
         Ok(())
     }
 
-    /// Whether a finer step is not finer everywhere: between some of the times both are one step, or as many.
-    fn cuts(&self, finer: StepControl, coarser: StepControl) -> bool {
-        let mut from = 0.0;
-        self.times.iter().any(|&to| {
-            let between = to - std::mem::replace(&mut from, to);
-            between > 0.0 && finer.count(between) < coarser.count(between).map(|count| 2 * count)
-        })
-    }
-
-    /// With `over` a coarser one, at least twice its steps between each two times: what takes one step either
-    /// way would agree with itself.
-    fn run(&self, control: StepControl, over: Option<StepControl>, budget: &mut Budget) -> Run {
-        let mut now = 0.0;
-        let whole = budget.left;
-        let mut of_run = whole;
-        let mut states = Vec::with_capacity(self.times.len());
-        let mut on = |of_run: &mut usize| {
-            let mut stepping = Stepping::new(control, self.system, self.start, *of_run)?;
-            for &time in self.times {
-                let between = time - std::mem::replace(&mut now, time);
-                let least = over.and_then(|coarser| coarser.count(between)).map_or(1, |count| 2 * count);
-                states.push(stepping.to(time, least, of_run)?);
-            }
-            Ok::<(), Stop>(())
-        };
-        let done = on(&mut of_run);
-        let taken = whole - of_run;
-        budget.left -= taken;
-        budget.spent += control.price(self.times.len() as u64, taken, false);
-        done.map(|()| (states, taken))
-    }
-
-    /// The largest angle between two runs' attitudes, or difference of spin, or of energy, relative to the
-    /// largest so far; of attitude and energy where they are requested.
-    fn apart(&self, a: &[State<f64>], b: &[State<f64>]) -> f64 {
+    /// The largest difference of spin between two runs, or of energy, relative to the largest so far, or the
+    /// largest angle between their attitudes, or the angle turned between their flips; of all but the spin
+    /// where they are requested. Infinite where one is not a number, or only one of the two runs has a flip.
+    fn apart(&self, a: &Run, b: &Run) -> f64 {
+        let Outputs { energy: rich, attitude, flips, .. } = self.outputs;
         let (mut fastest, mut richest, mut worst) = (0.0_f64, 0.0_f64, 0.0_f64);
-        let over = |x: f64, y: f64| if y > 0.0 { x / y } else { 0.0 };
-        for (one, other) in a.iter().zip(b) {
-            let (w, v) = (self.system.omega(&one.momentum), self.system.omega(&other.momentum));
+        let share = |x: f64, y: f64| if y > 0.0 { x / y } else { 0.0 };
+        for ((w, one), (v, other)) in a.states.iter().zip(&b.states) {
             fastest = fastest.max(v.norm());
-            let spin = over((w - v).norm(), fastest);
-            let energy = if self.outputs.energy {
-                let [d, e] = [(&w, one), (&v, other)].map(|(w, motion)| observe::energy(w, &motion.momentum));
+            let spin = share((w - v).norm(), fastest);
+            let energy = if rich {
+                let [d, e] = [(w, one), (v, other)].map(|(w, state)| observe::energy(w, &state.momentum));
                 richest = richest.max(e);
-                over((d - e).abs(), richest)
+                share((d - e).abs(), richest)
             } else {
                 0.0
             };
-            worst = worst.max(spin).max(energy);
-            // A difference that is not a number is no agreement.
             if spin.is_nan() || energy.is_nan() {
                 return f64::INFINITY;
             }
+            worst = worst.max(spin).max(energy);
         }
-        if self.outputs.attitude { worst.max(largest_angle(a, b)) } else { worst }
+        if flips {
+            let pairs = a.flips.iter().zip(&b.flips);
+            let late = pairs.map(|(one, other)| (one - other).abs()).fold(0.0, f64::max);
+            worst = if a.flips.len() == b.flips.len() { worst.max(late * fastest) } else { f64::INFINITY };
+        }
+        if attitude { worst.max(largest_angle(a, b)) } else { worst }
     }
 }
 
 /// The largest angle between two runs' attitudes: from the end, where it mostly is, and with an arctangent
 /// only where the chord says that it may be larger than those before; infinite where one is not a number.
-fn largest_angle(a: &[State<f64>], b: &[State<f64>]) -> f64 {
+fn largest_angle(a: &Run, b: &Run) -> f64 {
     let (mut largest, mut longest) = (0.0_f64, 0.0_f64);
-    for (one, other) in a.iter().zip(b).rev() {
-        let [p, q] = [one, other].map(|motion| UnitQuaternion::from_quaternion(motion.attitude));
+    for ((_, one), (_, other)) in a.states.iter().zip(&b.states).rev() {
+        let [p, q] = [one, other].map(|state| UnitQuaternion::from_quaternion(state.attitude));
         let (minus, plus) = (p.coords - q.coords, p.coords + q.coords);
         let chord = minus.norm_squared().min(plus.norm_squared());
         // With room for the rounding of two attitudes that agree.
@@ -198,41 +194,31 @@ fn largest_angle(a: &[State<f64>], b: &[State<f64>]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::{Quaternion, Vector3};
+    use crate::InitialState;
+    use nalgebra::Quaternion;
 
     /// A needle turns fast about its light axis, and its energy is in the heavy ones: a percent of the spin
     /// is two thirds of it.
     #[test]
     fn runs_that_agree_in_spin_and_not_in_energy_are_apart_where_energy_is_requested() {
-        let system = System::free([1e-4, 1.0, 1.0].try_into().unwrap()).unwrap();
-        let [a, b] = [0.1, 0.2].map(|heavy| State {
-            attitude: Quaternion::identity(),
-            momentum: system.momentum(&Vector3::new(10.0, heavy, 0.0)),
+        let moments = Vector3::new(1e-4, 1.0, 1.0);
+        let start = InitialState::spinning(moments, Vector3::x());
+        let [a, b] = [0.1, 0.2].map(|heavy| {
+            let omega = Vector3::new(10.0, heavy, 0.0);
+            let momentum = moments.component_mul(&omega);
+            Run {
+                states: vec![(omega, State { attitude: Quaternion::identity(), momentum })],
+                ..Run::default()
+            }
         });
         let apart = |energy| {
-            let (times, accuracy, end, turned) = (&[1.0][..], 0.1, 1.0, 10.0);
             let outputs = Outputs { spin: true, energy, ..Outputs::NOTHING };
-            let trial = Trial { system: &system, start: &a, times, outputs, accuracy, end, turned };
-            trial.apart(std::slice::from_ref(&a), std::slice::from_ref(&b))
+            let (body, times, torques) = (start.body().unwrap(), &[1.0], &[]);
+            let trial = Trial { body: &body, torques, times, outputs, accuracy: 0.1, turned: 10.0 };
+            trial.apart(&a, &b)
         };
         assert!((apart(false) - 0.01).abs() < 1e-5);
         // 0.005 + 0.005 J and 0.005 + 0.02 J.
         assert!((apart(true) - 0.6).abs() < 1e-12);
-    }
-
-    /// Between times that are closer than a step two runs would take the same one, and agree whatever it is
-    /// worth.
-    #[test]
-    fn a_finer_run_has_twice_the_steps_between_any_two_times() {
-        let system = System::free([1.0, 2.0, 2.5].try_into().unwrap()).unwrap();
-        let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.1, 2.0, 0.3) };
-        let times = &[0.01, 0.02, 1.0][..];
-        let (accuracy, end, turned) = (0.1, 1.0, 1.0);
-        let outputs = Outputs { spin: true, ..Outputs::NOTHING };
-        let trial = Trial { system: &system, start: &start, times, outputs, accuracy, end, turned };
-        let [coarse, fine] = [0.5, 0.25].map(StepControl::ExactDrift);
-        let steps = |by, over| trial.run(by, over, &mut Budget { left: 1000, spent: 0.0 }).unwrap().1;
-        assert_eq!((steps(coarse, None), steps(fine, None), steps(fine, Some(coarse))), (4, 6, 8));
-        assert!(trial.cuts(fine, coarse) && !trial.cuts(StepControl::ExactDrift(0.005), coarse));
     }
 }

@@ -15,18 +15,21 @@
 //! which belong to no one time, are in the summary; where only they are requested it is printed anyway.
 //!
 //! A body that cannot be answered gets a line on standard error and the program ends with 1 after answering
-//! the others; a file that cannot be read, with 2.
+//! the others. It ends with 2 for a file that is no scene, wrong arguments, or answers that cannot be
+//! written.
+
+mod file;
 
 use clap::Parser as _;
+use file::File;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::fmt::Write as _;
 use std::io::{self, BufWriter, ErrorKind, IsTerminal as _, Write};
 use std::ops::ControlFlow;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use tumbling_scenes::batch::{self, Block};
-use tumbling_scenes::file::{self, File};
-use tumbling_scenes::{Answer, Error, Outputs, Plan};
+use tumbling_scenes::{Answer, Error, FlipTimes, Outputs, Plan};
 
 const HELP: &str = "FILE.toml has the bodies, the torques and what is requested:
 
@@ -36,7 +39,9 @@ const HELP: &str = "FILE.toml has the bodies, the torques and what is requested:
     wants = [\"spin\", \"flips\"]  # of spin, attitude, energy, angle-to-momentum, flips, polhode
 
     [[body]]                     # as many as you like
-    moments = [1.0, 2.0, 2.5]    # kg m^2: xx, yy, zz; with products = [xy, xz, yz] where there are any
+    body = \"phone\"               # a body of the book, FILE.toml or FILE.urdf#LINK; or what such a file holds:
+                                 #   moments = [xx, yy, zz], kg m^2, with products = [xy, xz, yz]; or a shape,
+                                 #   parts, a mesh (`cargo doc -p tumbling-bodies` has all fields)
     spin = [0.01, 10.0, 0.0]     # rad/s, body axes; or momentum = [..], kg m^2/s, world axes
     attitude = [1, 0, 0, 0]      # body to world, scalar part first; this one if left out
 
@@ -88,12 +93,11 @@ fn main() -> ExitCode {
         _ => Show::States,
     };
     let name = path.to_string_lossy().into_owned();
-    let text = tumbling_bodies::read_text(&path).map_err(|error| error.to_string());
-    let read = |text: String| file::read(&text).map_err(|error| format!("{name}: {error}"));
-    let file = match text.and_then(read) {
+    let read = |text| file::read(text, path.parent().unwrap_or(Path::new("")));
+    let file = match tumbling_bodies::read_text(&path).and_then(read) {
         Ok(file) => file,
-        Err(why) => {
-            complain(&why);
+        Err(error) => {
+            complain(&error.in_file(&path).to_string());
             return ExitCode::from(2);
         }
     };
@@ -118,8 +122,6 @@ fn answer(file: &File, show: Show, name: &str, out: &mut impl Write) -> io::Resu
     let show = if show == Show::States && !outputs.states() { Show::Summary } else { show };
     if show == Show::States {
         writeln!(out, "{}", columns(outputs).join(","))?;
-    }
-    if show == Show::States {
         if outputs.flips || outputs.polhode {
             complain(&format!("{name}: flips and polhode belong to no one time: see --summary"));
         }
@@ -127,31 +129,28 @@ fn answer(file: &File, show: Show, name: &str, out: &mut impl Write) -> io::Resu
     }
     let mut failed = 0;
     let mut alike: Vec<(String, Vec<usize>)> = Vec::new();
-    for (index, place) in file.bodies.iter().enumerate() {
-        let mut report = |error: Error| {
-            failed += 1;
-            complain(&format!("{name}: {}", place.error(&error)));
-        };
-        let plan = match scene.plan(index) {
-            Ok(plan) => plan,
-            Err(error) => {
-                report(error);
-                continue;
-            }
-        };
-        let done = match show {
-            Show::Summary => summary(&plan, index, outputs, out)?,
-            _ => {
-                let text = plan.explain();
-                match alike.iter_mut().find(|(other, _)| *other == text) {
-                    Some((_, bodies)) => bodies.push(index),
-                    None => alike.push((text, vec![index])),
+    for index in 0..scene.bodies().len() {
+        let of_body = |source| Error::Body { index, source: Box::new(source) };
+        let found = scene.plan(index).and_then(|plan| match show {
+            Show::Plan => Ok((plan.explain(), None)),
+            _ => summary(&plan, index, outputs).map_err(of_body),
+        });
+        match found {
+            Ok((text, _)) if show == Show::Plan => match alike.iter_mut().find(|(other, _)| *other == text) {
+                Some((_, bodies)) => bodies.push(index),
+                None => alike.push((text, vec![index])),
+            },
+            Ok((text, flips)) => {
+                out.write_all(text.as_bytes())?;
+                // One at a time: they may be more than memory holds.
+                for flip in flips.into_iter().flatten() {
+                    writeln!(out, "            at {flip:.16e} s")?;
                 }
-                Ok(())
             }
-        };
-        if let Err(error) = done {
-            report(Error::Body { index, source: Box::new(error) });
+            Err(error) => {
+                failed += 1;
+                complain(&file.error(index, &error).in_file(Path::new(name)).to_string());
+            }
         }
     }
     for (text, bodies) in alike {
@@ -179,9 +178,8 @@ fn states(file: &File, name: &str, out: &mut impl Write) -> io::Result<usize> {
         let (lines, states, wrong) = block;
         for (index, error) in wrong {
             failed += 1;
-            if let Some(place) = file.bodies.get(index) {
-                bar.suspend(|| complain(&format!("{name}: {}", place.error(&error))));
-            }
+            let error = file.error(index, &error).in_file(Path::new(name));
+            bar.suspend(|| complain(&error.to_string()));
         }
         written = out.write_all(lines.as_bytes());
         bar.inc(states);
@@ -236,57 +234,38 @@ fn columns(outputs: Outputs) -> Vec<&'static str> {
     names
 }
 
-fn summary(
-    plan: &Plan<'_>,
-    index: usize,
-    outputs: Outputs,
-    out: &mut impl Write,
-) -> io::Result<Result<(), Error>> {
-    writeln!(out, "body {index}")?;
-    let last = match plan.states().last() {
-        Some(Ok(last)) => last,
-        Some(Err(error)) => return Ok(Err(error)),
-        None => return Ok(Ok(())),
-    };
-    writeln!(out, "at {} s", last.time)?;
+/// A body in a few lines, and its flips.
+fn summary(plan: &Plan<'_>, index: usize, outputs: Outputs) -> Result<(String, Option<FlipTimes>), Error> {
+    let mut text = format!("body {index}\n");
+    let Some(last) = plan.states().last().transpose()? else { return Ok((text, None)) };
+    let mut line = |line: String| text.extend([&line, "\n"]);
+    line(format!("at {} s", last.time));
     if let Some(w) = last.spin {
-        writeln!(out, "  spin      {:.16e} {:.16e} {:.16e} rad/s, body axes", w.x, w.y, w.z)?;
+        line(format!("  spin      {:.16e} {:.16e} {:.16e} rad/s, body axes", w.x, w.y, w.z));
     }
     if let Some(q) = last.attitude {
-        writeln!(out, "  attitude  {:.16e} {:.16e} {:.16e} {:.16e}, body to world", q.w, q.i, q.j, q.k)?;
+        line(format!("  attitude  {:.16e} {:.16e} {:.16e} {:.16e}, body to world", q.w, q.i, q.j, q.k));
     }
     if let Some(energy) = last.energy {
-        writeln!(out, "  energy    {energy:.16e} J, kinetic")?;
+        line(format!("  energy    {energy:.16e} J, kinetic"));
     }
     if let Some(angle) = last.angle_to_momentum {
-        writeln!(out, "  angle to momentum {angle:.16e} rad")?;
-    }
-    if outputs.flips {
-        let flips = match plan.flips() {
-            Ok(flips) => flips,
-            Err(error) => return Ok(Err(error)),
-        };
-        writeln!(out, "  flips     {}", flips.remaining())?;
-        for flip in flips {
-            writeln!(out, "            at {flip:.16e} s")?;
-        }
+        line(format!("  angle to momentum {angle:.16e} rad"));
     }
     if outputs.polhode {
-        let polhode = match plan.polhode() {
-            Ok(polhode) => polhode,
-            Err(error) => return Ok(Err(error)),
-        };
+        let polhode = plan.polhode()?;
         for (word, size) in [("least", polhode.least), ("greatest", polhode.greatest)] {
-            writeln!(
-                out,
-                "  {word:9} {:.16e} {:.16e} {:.16e} rad/s, along the principal axes",
-                size.x, size.y, size.z
-            )?;
+            let [x, y, z] = size.into();
+            line(format!("  {word:9} {x:.16e} {y:.16e} {z:.16e} rad/s, along the principal axes"));
         }
-        match polhode.period {
-            Some(period) => writeln!(out, "  period    {period:.16e} s")?,
-            None => writeln!(out, "  period    none")?,
-        }
+        line(match polhode.period {
+            Some(period) => format!("  period    {period:.16e} s"),
+            None => "  period    none".to_owned(),
+        });
     }
-    Ok(Ok(()))
+    let flips = if outputs.flips { Some(plan.flips()?) } else { None };
+    if let Some(flips) = &flips {
+        line(format!("  flips     {}", flips.remaining()));
+    }
+    Ok((text, flips))
 }

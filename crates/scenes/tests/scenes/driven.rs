@@ -33,25 +33,6 @@ proptest! {
     }
 }
 
-/// Series are the cheapest, to few digits and to many, but under the faintest torques, which the exact drift
-/// takes in long steps.
-#[test]
-fn the_method_follows_from_the_torque() {
-    let top = InitialState::spinning(Vector3::new(1.0, 1.5, 0.75), Vector3::new(0.25, 0.5, 8.0));
-    let way = |weight: f64, accuracy: f64, times: Times| {
-        let torque = Torque::gravity(&Vector3::new(0.125, 0.0, 0.5), weight);
-        let scene = one(top, vec![torque], times, BOTH, accuracy);
-        match scene.plan(0).unwrap().strategy() {
-            Strategy::Adaptive(_) => "series",
-            Strategy::ExactDrift(_) => "drift",
-            _ => "other",
-        }
-    };
-    assert_eq!(way(4.0, 1e-2, Times::every(1.0 / 60.0, 1.0)), "series");
-    assert_eq!(way(4.0, 1e-8, Times::every(1.0, 16.0)), "series");
-    assert_eq!(way(1e-8, 1e-8, Times::every(16.0, 16.0)), "drift");
-}
-
 /// Damping ten thousand times faster than anything else, against its own law: `w = w0 exp(-c t / I)` about a
 /// principal axis.
 #[test]
@@ -61,10 +42,7 @@ fn stiff_damping_takes_few_steps_and_is_right() {
     let torque = Torque::Damping(Vector3::new(1e4, 2e4, 2e4));
     let scene = one(body, vec![torque], Times::Given(vec![1e-4, 1.0]), BOTH, 1e-4);
     let plan = scene.plan(0).unwrap();
-    let steps = |plan: &Plan<'_>| match plan.strategy() {
-        Strategy::Adaptive(driven) => driven.steps(),
-        _ => panic!("{}", plan.explain()),
-    };
+    let steps = |plan: &Plan<'_>| plan.driven().unwrap().steps();
     // It fades to nothing at once, in steps that decay keeps short.
     assert!(steps(&plan) < 1000, "{}", plan.explain());
     let states = states(&plan);
@@ -135,10 +113,7 @@ fn uneven_damping_of_a_body_with_products_is_refused_and_even_damping_is_not() {
     let uneven = Vector3::new(0.5, 0.0, 0.0);
     assert!((end(none, uneven).unwrap().x - (-0.5_f64 * 5.0 / 3.0).exp()).abs() < 1e-8);
     let message = end(hardly, uneven).unwrap_err().to_string();
-    assert!(
-        message.contains("damping that differs from axis to axis is requested, but it acts along"),
-        "{message}"
-    );
+    assert!(message.contains("damping that differs from axis to axis"), "{message}");
     let even = Vector3::new(0.5, 0.5, 0.5);
     assert!((end(none, even).unwrap() - end(hardly, even).unwrap()).norm() < 1e-8);
 }
@@ -181,7 +156,7 @@ fn a_driven_body_given_in_other_axes_moves_the_same() {
 /// A push so weak that one step would do: two runs met at the one requested instant, and both were wrong by
 /// three times what was requested.
 #[test]
-fn runs_are_compared_between_the_times_asked_for_too() {
+fn runs_are_compared_between_the_times_requested_too() {
     let (moments, omega) = (Vector3::new(1.0, 2.0, 2.5), Vector3::new(0.1, 3.0, 0.2));
     let field = Vector3::new(0.0, 0.0, -0.001_254_310_970_579_529_5);
     let torque = Torque::Aligning { arm: Vector3::new(0.125, 0.0, 0.5), field };
@@ -189,9 +164,7 @@ fn runs_are_compared_between_the_times_asked_for_too() {
         let times = Times::Given(vec![7.907_675_008_433_149]);
         let scene = one(InitialState::spinning(moments, omega), vec![torque.clone()], times, BOTH, accuracy);
         let plan = scene.plan(0).unwrap();
-        if let Strategy::ExactDrift(driven) | Strategy::Adaptive(driven) = plan.strategy() {
-            assert!(driven.observed_difference() <= 0.5 * accuracy, "{}", plan.explain());
-        }
+        assert!(plan.driven().unwrap().observed_difference() <= 0.5 * accuracy, "{}", plan.explain());
         states(&plan)[0]
     };
     assert!(apart(&at(1e-2), &at(1e-9)) < 1e-2);
@@ -199,12 +172,12 @@ fn runs_are_compared_between_the_times_asked_for_too() {
 
 /// Where nothing that moves is requested, a torque costs nothing either.
 #[test]
-fn a_driven_scene_that_asks_for_nothing_computes_nothing() {
+fn a_driven_scene_of_which_nothing_is_requested_computes_nothing() {
     let damped = vec![Torque::Damping(Vector3::new(1.0, 2.0, 3.0))];
     let body = InitialState::spinning(Vector3::new(1.0, 2.0, 2.5), Vector3::new(3.0, 5.0, 2.0));
     let scene = one(body, damped.clone(), Times::every(0.1, 100.0), Outputs::NOTHING, 1e-9);
     let plan = scene.plan(0).unwrap();
-    assert!(matches!(plan.strategy(), Strategy::Nothing) && plan.cost().once < 2000.0, "{}", plan.explain());
+    assert!(plan.strategy() == Strategy::Nothing && plan.cost().once < 2000.0, "{}", plan.explain());
     // And the attitude, not requested, refines no step.
     let cost = |outputs| {
         one(body, damped.clone(), Times::every(0.1, 5.0), outputs, 1e-7).plan(0).unwrap().cost().state
@@ -212,10 +185,53 @@ fn a_driven_scene_that_asks_for_nothing_computes_nothing() {
     assert!(cost(SPIN) <= cost(BOTH));
 }
 
+/// Against the sign of the spin along the middle axis, sampled 20,000 times on the way to it.
+#[test]
+fn flips_under_torques_are_where_the_spin_about_the_middle_axis_changes_its_sign() {
+    let body = InitialState::spinning(Vector3::new(1.0, 2.0, 2.5), Vector3::new(0.2, 3.0, 0.1));
+    let top = Torque::gravity(&Vector3::new(0.125, 0.25, 0.5), 1.5);
+    let push = Torque::during(2.0, 5.0, Torque::InBody(Vector3::new(0.1, -0.2, 0.3)));
+    for (torques, least) in [
+        (vec![Torque::Damping(Vector3::new(0.02, 0.04, 0.05))], 3),
+        (vec![top.clone(), push], 3),
+        (vec![top, Torque::Dissipation(0.002)], 3),
+    ] {
+        let outputs = Outputs { flips: true, ..SPIN };
+        let (end, samples) = (20.0, 20_000_u32);
+        let step = end / f64::from(samples);
+        let scene = one(body, torques.clone(), Times::every(step, end), outputs, 1e-8);
+        let sampled = states(&scene.plan(0).unwrap());
+        let brackets: Vec<[f64; 2]> = sampled
+            .windows(2)
+            .filter(|pair| pair[0].spin.unwrap().y * pair[1].spin.unwrap().y < 0.0)
+            .map(|pair| [pair[0].time, pair[1].time])
+            .collect();
+        // Of the flips alone, with no state on the way.
+        let outputs = Outputs { flips: true, ..Outputs::NOTHING };
+        let scene = one(body, torques.clone(), Times::Given(vec![end]), outputs, 1e-8);
+        let plan = scene.plan(0).unwrap();
+        let flips = plan.flips().unwrap();
+        assert_eq!(flips.remaining(), brackets.len() as u64);
+        assert!(brackets.len() >= least, "{brackets:?}");
+        for (flip, [before, after]) in flips.zip(brackets) {
+            assert!((before..=after).contains(&flip), "{flip} is not between {before} and {after}");
+            // And the spin there is zero, as closely as requested.
+            let there = one(body, torques.clone(), Times::Given(vec![flip]), SPIN, 1e-9);
+            let spin = states(&there.plan(0).unwrap())[0].spin.unwrap();
+            assert!(spin.y.abs() < 1e-7 * spin.norm(), "{spin} at {flip} s");
+        }
+    }
+    // With two equal moments there is no middle axis.
+    let coin = InitialState::spinning(Vector3::new(1.0, 1.0, 2.0), Vector3::new(1.0, 2.0, 3.0));
+    let outputs = Outputs { flips: true, ..SPIN };
+    let scene = one(coin, vec![Torque::InBody(Vector3::x())], Times::every(1.0, 10.0), outputs, 1e-6);
+    assert_eq!(scene.plan(0).unwrap().flips().unwrap().remaining(), 0);
+}
+
 /// Two strong torques, hardly a digit requested, and a thousand seconds: the way there is longer than
 /// anybody waits.
 #[test]
-fn trials_end_after_so_many_steps_in_all() {
+fn trials_end_after_a_number_of_steps_in_all() {
     let body = InitialState::spinning(Vector3::new(1.794, 1.112, 1.532), Vector3::new(0.368, -0.454, 0.189));
     let push = Torque::InWorld(Vector3::new(4.42, 4.05, -3.34));
     let (arm, field) = (Vector3::new(-2.64, 5.36, 2.48), Vector3::new(-8.12, -9.62, 3.27));
@@ -230,7 +246,7 @@ fn trials_end_after_so_many_steps_in_all() {
 /// A needle spins about its light axis, and its energy is in the others: the spin may be right to a share
 /// that the energy is not.
 #[test]
-fn the_energy_under_a_torque_is_as_right_as_asked() {
+fn the_energy_under_a_torque_is_as_right_as_requested() {
     let moments = Vector3::new(1e-4, 1.0, 1.000_05);
     let body = InitialState::spinning(moments, Vector3::new(10.0, 0.1, 0.0));
     let push = Vector3::new(0.0, 0.3, 0.0);
@@ -253,11 +269,13 @@ fn the_energy_under_a_torque_is_as_right_as_asked() {
 #[test]
 fn a_driven_scene_that_would_take_for_ever_is_refused_at_once() {
     let body = InitialState::spinning(Vector3::new(1.0, 1.5, 0.75), Vector3::new(0.25, 0.5, 8.0));
-    for (weight, end) in [(4.0, 3e7), (1e300, 10.0), (4.0, 1e300)] {
+    for (weight, end) in [(4.0, 3e7), (2e11, 10.0), (1e300, 10.0), (4.0, 1e300)] {
         let torque = Torque::gravity(&Vector3::new(0.125, 0.0, 0.5), weight);
         let scene = one(body, vec![torque], Times::every(end, end), BOTH, 1e-9);
+        let started = std::time::Instant::now();
         let Err(Error::Body { source, .. }) = scene.plan(0) else { panic!("{weight} {end}") };
-        assert!(matches!(*source, Error::Value { .. } | Error::OutOfRange { .. }), "{source}");
+        assert!(started.elapsed().as_secs_f64() < 0.5, "{weight} {end}");
+        assert!(matches!(*source, Error::Value { .. }), "{source}");
     }
 }
 
@@ -272,7 +290,7 @@ fn stiff_damping_with_a_motion_of_too_many_steps_is_refused_before_they_are_trie
     };
     let pushed = plan([0.001, 3e46, 1e-30], Torque::InWorld(Vector3::new(8867.2, 0.0, 22584.8)));
     assert!(
-        pushed.contains("the number of steps that the torques require") && pushed.contains("150000"),
+        pushed.contains("the number of steps that the torques require") && pushed.contains("75000"),
         "{pushed}"
     );
 }

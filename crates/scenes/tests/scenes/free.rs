@@ -23,35 +23,30 @@ fn each_scene_is_answered_in_the_way_that_leaves_out_the_most() {
     let name = |moments, omega, outputs| {
         let scene =
             one(InitialState::spinning(moments, omega), vec![], Times::every(0.5, 5.0), outputs, 1e-9);
-        match scene.plan(0).unwrap().strategy() {
-            Strategy::Nothing => "nothing",
-            Strategy::Constant { .. } => "constant",
-            Strategy::Rotation { .. } => "rotation",
-            Strategy::SymmetricTop(_) => "symmetric top",
-            Strategy::EllipticSpin(_) => "elliptic spin",
-            Strategy::Elliptic(_) => "elliptic",
-            _ => "steps",
-        }
+        scene.plan(0).unwrap().strategy()
     };
     for outputs in
         [Outputs::NOTHING, Outputs { energy: true, flips: true, polhode: true, ..Outputs::NOTHING }]
     {
-        assert_eq!(name(uneven, oblique, outputs), "nothing");
+        assert_eq!(name(uneven, oblique, outputs), Strategy::Nothing);
     }
-    assert_eq!(name(ball, oblique, SPIN), "constant");
-    assert_eq!(name(uneven, still, BOTH), "constant");
-    assert_eq!(name(uneven, along, SPIN), "constant");
-    assert_eq!(name(ball, oblique, attitude), "rotation");
-    assert_eq!(name(uneven, along, BOTH), "rotation");
-    assert_eq!(name(top, oblique, SPIN), "symmetric top");
-    assert_eq!(name(top, oblique, BOTH), "symmetric top");
-    assert_eq!(name(uneven, oblique, SPIN), "elliptic spin");
+    assert_eq!(name(ball, oblique, SPIN), Strategy::Constant);
+    assert_eq!(name(uneven, still, BOTH), Strategy::Constant);
+    assert_eq!(name(uneven, along, SPIN), Strategy::Constant);
+    assert_eq!(name(ball, oblique, attitude), Strategy::Rotation);
+    assert_eq!(name(uneven, along, BOTH), Strategy::Rotation);
+    assert_eq!(name(top, oblique, SPIN), Strategy::SymmetricTop);
+    assert_eq!(name(top, oblique, BOTH), Strategy::SymmetricTop);
+    assert_eq!(name(uneven, oblique, SPIN), Strategy::EllipticSpin);
     assert_eq!(
         name(uneven, oblique, Outputs { angle_to_momentum: true, ..Outputs::NOTHING }),
-        "elliptic spin"
+        Strategy::EllipticSpin
     );
-    assert_eq!(name(top, oblique, Outputs { angle_to_momentum: true, ..Outputs::NOTHING }), "nothing");
-    assert_eq!(name(uneven, oblique, attitude), "elliptic");
+    assert_eq!(
+        name(top, oblique, Outputs { angle_to_momentum: true, ..Outputs::NOTHING }),
+        Strategy::Nothing
+    );
+    assert_eq!(name(uneven, oblique, attitude), Strategy::Elliptic);
 }
 
 /// A tensor with products, a body that lies turned in the world: each way against the motion of the whole
@@ -187,7 +182,7 @@ fn a_torque_of_nothing_is_no_torque() {
         Torque::Dissipation(0.0),
     ];
     let scene = one(body, nothing, Times::every(1.0, 5.0), BOTH, 1e-9);
-    assert!(matches!(scene.plan(0).unwrap().strategy(), Strategy::Elliptic(_)));
+    assert_eq!(scene.plan(0).unwrap().strategy(), Strategy::Elliptic);
 }
 
 /// A tensor with products is turned to its principal axes, and that rounds a thin body's least moment to the

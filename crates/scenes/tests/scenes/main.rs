@@ -4,12 +4,7 @@
 mod batch;
 mod common;
 mod driven;
-mod ensemble;
-mod exact_drift;
-#[cfg(feature = "file")]
-mod files;
 mod free;
-#[cfg(feature = "file")]
 mod same_bits;
 mod scene;
 mod torques;

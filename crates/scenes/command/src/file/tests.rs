@@ -1,102 +1,22 @@
-//! Scenes in files: what is written reads back, and what is wrong is named by line and field.
+//! Scenes in files: what is wrong is named by line and field.
 
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use super::File;
+use nalgebra::Vector3;
 use proptest::prelude::*;
+use std::path::Path;
 use tumbling::step::Torque;
-use tumbling_scenes::file::{read, write};
-use tumbling_scenes::{Error, InitialState, Outputs, Scene, Start, Times};
+use tumbling_bodies::{BodyModel, Error};
+use tumbling_scenes::{Error as SceneError, Field, InitialState, Start};
 
-/// Any finite number, the smallest and the largest too.
-fn number() -> impl Strategy<Value = f64> {
-    prop_oneof![
-        -10.0..10.0_f64,
-        any::<f64>().prop_filter("finite", |x| x.is_finite()),
-        Just(0.0),
-        Just(-0.0),
-        Just(5e-324)
-    ]
-}
-
-fn vector() -> impl Strategy<Value = Vector3<f64>> {
-    prop::array::uniform3(number()).prop_map(Vector3::from)
-}
-
-fn initial_state() -> impl Strategy<Value = InitialState> {
-    (vector(), vector(), prop::array::uniform4(number()), vector(), any::<bool>()).prop_map(
-        |(moments, products, [w, x, y, z], start, spin)| InitialState {
-            moments,
-            products,
-            attitude: UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z)),
-            start: if spin { Start::Spin(start) } else { Start::Momentum(start) },
-        },
-    )
-}
-
-fn torque() -> impl Strategy<Value = Torque<f64>> {
-    let bound = || prop_oneof![number(), Just(f64::NEG_INFINITY), Just(f64::INFINITY)];
-    (kind(), any::<bool>(), bound(), bound()).prop_map(|(torque, always, one, other)| {
-        if always { torque } else { Torque::during(one.min(other), one.max(other), torque) }
-    })
-}
-
-fn kind() -> impl Strategy<Value = Torque<f64>> {
-    let size = || number().prop_map(f64::abs);
-    prop_oneof![
-        vector().prop_map(Torque::InBody),
-        vector().prop_map(Torque::InWorld),
-        (vector(), vector()).prop_map(|(arm, field)| Torque::Aligning { arm, field }),
-        prop::array::uniform3(size()).prop_map(|c| Torque::Damping(Vector3::from(c))),
-        size().prop_map(Torque::Dissipation),
-        (vector(), number(), number()).prop_map(|(amplitude, rate, phase)| Torque::Periodic {
-            amplitude,
-            rate,
-            phase
-        }),
-        (size(), 0.0..6.3_f64, vector()).prop_map(|(strength, angle, orbit)| {
-            let direction = Vector3::new(angle.sin(), 0.0, angle.cos());
-            Torque::GravityGradient { strength, direction, orbit }
-        }),
-    ]
-}
-
-fn times() -> impl Strategy<Value = Times> {
-    let given = prop::collection::vec(number().prop_map(f64::abs), 1..5).prop_map(|mut times| {
-        times.sort_by(f64::total_cmp);
-        Times::Given(times)
-    });
-    prop_oneof![given, (1e-3..10.0_f64, 0.0..1e3_f64).prop_map(|(step, span)| Times::Every { step, span })]
-}
-
-fn outputs() -> impl Strategy<Value = Outputs> {
-    prop::array::uniform6(any::<bool>()).prop_map(
-        |[spin, attitude, energy, angle_to_momentum, flips, polhode]| Outputs {
-            spin,
-            attitude,
-            energy,
-            angle_to_momentum,
-            flips,
-            polhode,
-        },
-    )
+fn read(text: &str) -> Result<File, Error> {
+    super::read(text.to_owned(), Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../files")))
 }
 
 proptest! {
     #[test]
-    fn what_is_written_reads_back_to_the_bit(
-        bodies in prop::collection::vec(initial_state(), 1..4), torques in prop::collection::vec(torque(), 0..4),
-        times in times(), outputs in outputs(), accuracy in 1e-15..0.9_f64,
-    ) {
-        let scene = Scene::new(bodies, torques, times, outputs, accuracy).unwrap();
-        let text = write(&scene);
-        let back = read(&text).unwrap_or_else(|wrong| panic!("{wrong}\n{text}"));
-        prop_assert_eq!(&back.scene, &scene, "{}", text);
-        prop_assert_eq!(write(&back.scene), text);
-    }
-
-    #[test]
     fn no_text_breaks_the_reader(text in "\\PC*", at in 0..200_usize, with in "[\\[\\]=\"0-9a-z\n.#e-]{0,4}") {
         let _ = read(&text);
-        let good = include_str!("../../files/heavy-top.toml");
+        let good = include_str!("../../../files/heavy-top.toml");
         let at = (0..=at.min(good.len())).rev().find(|&at| good.is_char_boundary(at)).unwrap();
         let _ = read(&[&good[..at], &with, &good[at..]].concat());
     }
@@ -111,19 +31,16 @@ fn refusal(from: &str, to: &str) -> String {
 }
 
 #[test]
-fn a_wrong_file_is_told_the_line_and_the_field_and_what_was_expected() {
+fn a_wrong_file_is_refused_by_line_field_and_what_was_expected() {
     assert!(read(GOOD).is_ok());
     let torque = |text: &str| refusal("\n\n[[body]]", &format!("\n\n[[torque]]\n{text}\n[[body]]"));
     for (message, expected) in [
         (refusal("accuracy", "acuracy"), "line 1, `acuracy`: no such field. Did you mean `accuracy`?"),
-        (refusal("moments", "mass"), "line 7, `mass`: no such field. There are `moments`, `products`"),
+        (refusal("moments", "momets"), "line 7, `momets`: no such field. Did you mean `moments`?"),
         (refusal("spin = [", "omega = ["), "line 8, `omega`: no such field. Did you mean `spin`?"),
         (refusal("every", "dt"), "line 3, `dt`: no such field. Did you mean `every`?"),
-        (refusal("accuracy = 1e-9\n", ""), "the field `accuracy` is missing"),
-        (
-            refusal("1e-9", "\"fine\""),
-            "line 1, `accuracy`: a number is expected here, not a value of type string",
-        ),
+        (refusal("accuracy = 1e-9\n", ""), "missing field `accuracy`"),
+        (refusal("1e-9", "\"fine\""), "line 1, `accuracy`: a number is expected here, not string \"fine\""),
         (refusal("1e-9", "2.0"), "line 1, `accuracy`: the accuracy is 2.0"),
         (refusal("1e-9", "1e-17"), "line 1, `accuracy`: an accuracy of 1e-17 is requested"),
         (refusal("span = 1.0", "span = -1.0"), "line 2, `span`: the span is -1.0: it must not be below zero"),
@@ -134,37 +51,43 @@ fn a_wrong_file_is_told_the_line_and_the_field_and_what_was_expected() {
             "line 2, `times`: a time is 2.0: it must not be larger than the one after it, 1.0",
         ),
         (refusal("span = 1.0", "times = [1.0]"), "line 2, `times`: either `times` or `every` and `span`"),
-        (
-            refusal("\"spin\"", "\"spni\""),
-            "line 4, `wants`: `spni` cannot be requested. Did you mean `spin`?",
-        ),
-        (refusal("[1, 2.0, 2.5]", "[1, 2.0]"), "line 7, `moments`: 3 numbers are expected here, not 2"),
+        (refusal("\"spin\"", "\"spni\""), "line 4, `wants`: `spni` is not known here. Did you mean `spin`?"),
+        (refusal("[1, 2.0, 2.5]", "[1, 2.0]"), "line 7, `moments`: numbers in a list: 3"),
         (refusal("2.5]", "inf]"), "line 7, `moments`: inf is no finite number"),
         (refusal("2.5]", "1e999]"), "line 7"),
         (refusal("0.1, 1.0", "1e-400, 1.0"), "line 8, `spin`: 1e-400 is closer to zero"),
         (refusal("spin = [0.1, 1.0, 0.2]\n", ""), "line 6: `spin` or `momentum` of this body is missing"),
         (refusal("moments = [1", "moments = [1,, 1"), "line 7"),
         (torque("pull = [1, 0, 0]"), "line 7, `pull`: no such field."),
-        (torque("arm = [1, 0, 0]"), "line 7, `arm`: `field` (N) is missing, which goes with it"),
+        (
+            torque("arm = [1, 0, 0]"),
+            "line 7, `arm`: it is a part of `arm` with `field`, or `arm` with `rest` with `stiffness`",
+        ),
         (torque("damping = [1, 0, -1]"), "line 7, `damping`: a damping coefficient is -1.0"),
         (torque(""), "line 6: the kind of this torque"),
         (torque("from = 1"), "line 6: the kind of this torque"),
-        (torque("field = [1, 0, 0]"), "line 7, `field`: `arm` (m) or `moment` (A m²) is missing"),
-        (torque("moment = [1, 0, 0]"), "line 7, `moment`: `field` (T) is missing"),
-        (torque("arm = [1, 0, 0]\nrest = [1, 0, 0]"), "line 8, `rest`: `stiffness` (N m) is missing"),
-        (torque("arm = [1, 0, 0]\nstiffness = 2"), "line 8, `stiffness`: `rest` is missing"),
-        (torque("rest = [1, 0, 0]\nstiffness = 2"), "line 7, `rest`: `arm` is missing"),
-        (torque("stiffness = 2"), "line 7, `stiffness`: `arm` is missing"),
+        (torque("field = [1, 0, 0]"), "line 7, `field`: it is a part of `arm` with `field`, or `moment`"),
+        (
+            torque("moment = [1, 0, 0]"),
+            "line 7, `moment`: it is a part of `moment` with `field`, and the rest is missing",
+        ),
+        (torque("arm = [1, 0, 0]\nrest = [1, 0, 0]"), "line 7, `arm`: it is a part of `arm` with `rest`"),
+        (torque("arm = [1, 0, 0]\nstiffness = 2"), "line 7, `arm`: it is a part of"),
+        (torque("rest = [1, 0, 0]\nstiffness = 2"), "line 7, `rest`: it is a part of"),
+        (torque("stiffness = 2"), "line 7, `stiffness`: it is a part of"),
         (
             torque("arm = [1, 0, 0]\nmoment = [1, 0, 0]\nfield = [1, 0, 0]"),
             "line 6, `torque`: one kind of torque is expected",
         ),
-        (torque("toward = [1, 0, 0]"), "line 7, `toward`: `orbit` (rad/s) or `strength` (1/s²) is missing"),
-        (torque("orbit = [1, 0, 0]"), "line 7, `orbit`: `toward` is missing"),
-        (torque("amplitude = [1, 0, 0]"), "line 7, `amplitude`: `rate` (rad/s) is missing"),
-        (torque("rate = 1"), "line 7, `rate`: `amplitude` (N m) is missing"),
-        (torque("phase = 1"), "line 7, `phase`: `amplitude` (N m) is missing"),
-        (torque("strength = 1"), "line 7, `strength`: `toward` is missing"),
+        (
+            torque("toward = [1, 0, 0]"),
+            "line 7, `toward`: it is a part of `toward` with `orbit`, or `toward` with `strength`",
+        ),
+        (torque("orbit = [1, 0, 0]"), "line 7, `orbit`: it is a part of"),
+        (torque("amplitude = [1, 0, 0]"), "line 7, `amplitude`: it is a part of"),
+        (torque("rate = 1"), "line 7, `rate`: it is a part of"),
+        (torque("phase = 1"), "line 7, `phase`: it is a part of"),
+        (torque("strength = 1"), "line 7, `strength`: it is a part of"),
         (
             torque("strength = -1\ntoward = [1, 0, 0]"),
             "line 7, `strength`: the strength of the gravity gradient is -1.0: it must not be below zero",
@@ -180,7 +103,7 @@ fn a_wrong_file_is_told_the_line_and_the_field_and_what_was_expected() {
         assert!(message.starts_with(expected), "{message}\nwhere expected: {expected}");
     }
     let error = read("accuracy = 1\nspan = 0\nevery = 1\nwants = []\n").unwrap_err();
-    assert!(matches!(error, Error::File { line: None, .. }), "{error}");
+    assert_eq!((error.line, error.why.as_str()), (None, "missing field `body`"));
 }
 
 /// Each field of each kind of torque, made bad so that the library refuses it, and made infinite.
@@ -217,8 +140,8 @@ fn each_field_of_a_torque_made_bad_in_turn_is_the_field_that_is_named() {
             for bad in bad.chain([infinite.to_owned()]) {
                 let text = whole.replacen(given, &format!("{field} = {bad}"), 1);
                 let error = read(&format!("{GOOD}[[torque]]\n{text}\n")).unwrap_err();
-                let Error::File { line: at, field: found, .. } = &error else { panic!("{error}") };
-                assert_eq!((*at, found.as_deref()), (Some(10 + line), Some(field)), "{text}\n{error}");
+                let place = (error.line, error.field.as_deref());
+                assert_eq!(place, (Some(10 + line), Some(field)), "{text}\n{error}");
                 named += 1;
             }
         }
@@ -241,7 +164,7 @@ fn what_the_library_refuses_is_named_at_its_own_line() {
     let body = |from: &str, to: &str| {
         let file = read(&GOOD.replacen(from, to, 1)).unwrap();
         let error = file.scene.plan(0).unwrap_err();
-        file.bodies[0].error(&error).to_string()
+        file.error(0, &error).to_string()
     };
     for (message, expected) in [
         (body("2.5]", "9.5]"), "line 7, `moments`: body 0: no body has principal moments"),
@@ -270,16 +193,21 @@ fn many_bodies_are_read_each_with_its_own_line() {
     let head = "accuracy = 1e-9\ntimes = [1]\nwants = []\n";
     let body = "[[body]]\nmoments = [1, 2, 2.5]\nspin = [0, 1, 0]\n";
     let file = read(&(head.to_owned() + &body.repeat(100_000))).unwrap();
-    assert_eq!(file.bodies.len(), 100_000);
-    for (index, place) in file.bodies.iter().enumerate() {
+    assert_eq!(file.scene.bodies().len(), 100_000);
+    for index in [0, 1, 49_999, 99_999] {
+        let wrong = |field| {
+            let source = Box::new(SceneError::Undefined { what: "", why: "" });
+            file.error(index, &SceneError::Field { field, source }).line
+        };
         let line = 4 + 3 * index;
-        assert_eq!((place.line, &place.fields[..]), (line, &[("moments", line + 1), ("spin", line + 2)][..]));
+        let found = [Field::Moments, Field::Spin, Field::Attitude].map(wrong);
+        assert_eq!(found, [line + 1, line + 2, line].map(Some));
     }
 }
 
 #[test]
 fn the_files_of_the_books_stories_are_scenes() {
-    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("files");
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../files");
     let mut count = 0;
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
@@ -290,7 +218,55 @@ fn the_files_of_the_books_stories_are_scenes() {
         }
         count += 1;
     }
-    assert_eq!(count, 9);
+    assert_eq!(count, 10);
+}
+
+/// By its name, from its file, as a solid, as parts, by a link: whatever a file of a body holds.
+#[test]
+fn a_body_of_a_scene_is_what_the_crate_of_bodies_reads() {
+    let examples = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../examples/bodies");
+    let model = |text: &str| BodyModel::from_toml(text, Path::new("")).unwrap();
+    let part = "[[body.part]]\nsides = [1, 2, 3]\nmass = 2\nat = [0, 0, 1]\n";
+    for (text, expected) in [
+        ("body = 'phone'", BodyModel::load("phone").unwrap()),
+        (
+            "body = '../../../examples/bodies/phone.toml'",
+            BodyModel::load(&format!("{examples}/phone.toml")).unwrap(),
+        ),
+        ("body = '../../../examples/bodies/hammer.urdf#hammer'", BodyModel::load("hammer").unwrap()),
+        ("urdf = '../../../examples/bodies/hammer.urdf'", BodyModel::load("hammer").unwrap()),
+        (
+            "shape = 'cone'\nradius = 1\nheight = 2\nmass = 3",
+            model("shape = 'cone'\nradius = 1\nheight = 2\nmass = 3"),
+        ),
+        ("moments = [2, 3, 4]\nturn = [0, 0, 1, 90]", model("moments = [3, 2, 4]")),
+        (&part.replace("at", "# "), model("sides = [1, 2, 3]\nmass = 2")),
+        (&part.repeat(2), model("sides = [1, 2, 3]\nmass = 4")),
+    ] {
+        let head = "accuracy = 1e-9\ntimes = [1]\nwants = ['spin']\n[[body]]\nspin = [1, 2, 3]\n";
+        let file = read(&format!("{head}{text}\n")).unwrap_or_else(|wrong| panic!("{text}: {wrong}"));
+        let [InitialState { moments, products, start: Start::Spin(_), .. }] = *file.scene.bodies() else {
+            panic!("{text}")
+        };
+        let tensor = expected.inertia.matrix();
+        let off = (moments - tensor.diagonal()).amax().max(products.amax());
+        assert!(off < 1e-5 * moments.amax(), "{text}: {moments} {tensor}");
+    }
+    for (text, words) in [
+        ("body = 'phon'", "line 6, `body`: `phon` is neither a body of the book"),
+        ("shape = 'ball'\nradius = 1", "line 6, `shape`: `mass` (kg) or `density`"),
+        (
+            "shape = 'ball'\nradius = 'one'\nmass = 1",
+            "line 7, `radius`: a number is expected here, not string",
+        ),
+        ("moments = [2, 3, 4]\nmass = -1", "line 7, `mass`: the mass is -1.0"),
+    ] {
+        let head = "accuracy = 1e-9\ntimes = [1]\nwants = ['spin']\n[[body]]\nspin = [1, 2, 3]\n";
+        let error = read(&format!("{head}{text}\n")).unwrap_err().to_string();
+        assert!(error.starts_with(words), "{text}: {error}");
+    }
+    let speed = read(&GOOD.replace("spin = [0.1, 1.0, 0.2]", "spin = 3")).unwrap_err().to_string();
+    assert_eq!(speed, "line 8, `spin`: three numbers are expected here, along the body's axes");
 }
 
 /// What has a name of its own in a file is the library's torque of that name.

@@ -11,15 +11,8 @@ use wide::f64x4;
 
 /// Four numbers side by side: a vector register where the program is built for a machine that has them (`-C
 /// target-cpu=native`), a pair of shorter ones elsewhere, with the same answers.
-///
-/// ```
-/// use tumbling::number::Lane;
-/// use tumbling_scenes::ensemble::FourLanes;
-/// let roots = FourLanes::from_lanes(|k| k as f64).sqrt();
-/// assert_eq!([0, 1, 2, 3].map(|k| roots.lane(k)), [0.0, 1.0, 2_f64.sqrt(), 3_f64.sqrt()]);
-/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FourLanes(f64x4);
+pub(crate) struct FourLanes(f64x4);
 
 macro_rules! arithmetic {
     ($Op:ident, $op:ident, $Assign:ident, $assign:ident) => {

@@ -1,0 +1,126 @@
+//! What a text of TOML says, or where it is wrong and what was expected.
+
+use crate::error::Error;
+use serde::de::DeserializeOwned;
+use std::ops::Range;
+use toml::de::{DeTable, DeValue, Deserializer};
+
+/// A value from a text of TOML whose numbers are all finite.
+///
+/// # Errors
+/// The line, the field, what was expected, and of an unknown field the nearest that is known.
+pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
+    // A field that the whole text lacks is missing at no line.
+    let at = |error: toml::de::Error, why: String| match error.span() {
+        Some(span) if span.start > 0 || !why.starts_with("missing") => Error::at(text, &span, why),
+        _ => Error::new(why),
+    };
+    let root = DeTable::parse(text).map_err(|error| at(error.clone(), error.message().to_owned()))?;
+    if let Some((field, span, why)) =
+        root.get_ref().iter().find_map(|(key, value)| bad_number(key.get_ref(), value))
+    {
+        return Err(Error::at(text, &span, why).of_field(&field));
+    }
+    let found = T::deserialize(Deserializer::from(root.clone()));
+    found.map_err(|error| {
+        let (unknown, why) = reworded(error.message());
+        let field = unknown.or_else(|| field_at(root.get_ref(), error.span()?.start));
+        let error = at(error, why);
+        match field {
+            Some(field) => error.of_field(&field),
+            None => error,
+        }
+    })
+}
+
+/// A number that is none to compute with: its field, its place and why.
+fn bad_number(field: &str, value: &toml::Spanned<DeValue<'_>>) -> Option<(String, Range<usize>, String)> {
+    let number = match value.get_ref() {
+        DeValue::Float(number) => number.as_str(),
+        DeValue::Array(list) => return list.iter().find_map(|item| bad_number(field, item)),
+        DeValue::Table(table) => {
+            return table.iter().find_map(|(key, value)| bad_number(key.get_ref(), value));
+        }
+        _ => return None,
+    };
+    let read: f64 = number.replace('_', "").parse().ok()?;
+    let mantissa = number.split(['e', 'E']).next().unwrap_or_default();
+    let why = if !read.is_finite() {
+        "is no finite number that can be computed with"
+    } else if read == 0.0 && mantissa.contains(|digit| matches!(digit, '1'..='9')) {
+        "is closer to zero than any number that can be computed with"
+    } else {
+        return None;
+    };
+    Some((field.to_owned(), value.span(), format!("{number} {why}")))
+}
+
+/// The innermost field whose value is here.
+fn field_at(table: &DeTable<'_>, at: usize) -> Option<String> {
+    fn within(value: &DeValue<'_>, at: usize) -> Option<String> {
+        match value {
+            DeValue::Table(table) => field_at(table, at),
+            DeValue::Array(list) => list.iter().find_map(|item| within(item.get_ref(), at)),
+            _ => None,
+        }
+    }
+    table.iter().find_map(|(key, value)| {
+        let here = || value.span().contains(&at).then(|| key.get_ref().to_string());
+        within(value.get_ref(), at).or_else(here)
+    })
+}
+
+/// Serde's message in a reader's words, and the field that is unknown.
+fn reworded(message: &str) -> (Option<String>, String) {
+    let mut words = message.split('`').skip(1).step_by(2);
+    if message.starts_with("unknown ")
+        && let Some(name) = words.next()
+    {
+        let hint = nearest(name, &words.collect::<Vec<_>>());
+        return match message.starts_with("unknown field") {
+            true => (Some(name.to_owned()), format!("no such field.{hint}")),
+            false => (None, format!("`{name}` is not known here.{hint}")),
+        };
+    }
+    let Some((found, expected)) = message.split_once(", expected ") else {
+        return (None, message.to_owned());
+    };
+    let expected = match expected {
+        "f64" => "a number".to_owned(),
+        "a sequence" => "a list".to_owned(),
+        "struct Table" => "a table".to_owned(),
+        other => other.replace("an array of length ", "numbers in a list: "),
+    };
+    let found = found.trim_start_matches("invalid type: ").trim_start_matches("invalid ");
+    (None, format!("{expected} is expected here, not {found}"))
+}
+
+/// Other names of fields.
+const ELSEWHERE: [(&str, &[&str]); 14] = [
+    ("spin", &["omega", "angular_velocity", "w"]),
+    ("moments", &["inertia", "tensor"]),
+    ("momentum", &["angular_momentum"]),
+    ("sides", &["size"]),
+    ("mass", &["weight"]),
+    ("attitude", &["quaternion", "orientation", "rotation"]),
+    ("every", &["dt", "step"]),
+    ("span", &["duration", "end"]),
+    ("accuracy", &["tolerance"]),
+    ("damping", &["drag"]),
+    ("field", &["gravity"]),
+    ("moment", &["dipole"]),
+    ("from", &["start", "begin"]),
+    ("to", &["until"]),
+];
+
+fn nearest(name: &str, known: &[&str]) -> String {
+    let lower = name.to_lowercase();
+    let meant =
+        ELSEWHERE.iter().find(|(meant, words)| words.contains(&lower.as_str()) && known.contains(meant));
+    let alike = |known: &&str| strsim::normalized_damerau_levenshtein(name, known);
+    let best = known.iter().copied().max_by(|a, b| alike(a).total_cmp(&alike(b)));
+    match meant.map(|(meant, _)| *meant).or(best.filter(|best| alike(best) >= 0.6)) {
+        Some(name) => format!(" Did you mean `{name}`?"),
+        None => format!(" There are `{}`.", known.join("`, `")),
+    }
+}
