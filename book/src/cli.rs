@@ -1,6 +1,6 @@
 //! The command line: its grammar, and what each command does.
 
-use crate::command::{certificates, docs, draw, exercises, export, film, judge, measure, report};
+use crate::command::{certificates, docs, draw, exercises, export, film, measure, report};
 use crate::site::share::Site;
 use crate::site::{build, paths};
 use crate::{complain, guard, paper, preprocess, say};
@@ -86,8 +86,6 @@ other programs, and leaves the pages' drawings as they are: `cargo run -- figure
     },
     /// Write one page on a body, HTML and PDF: axes, moments, which spin flips, the step for an engine
     Report(report::Arguments),
-    /// Compare an engine's record of a free body with the exact motion, and name the rule that made it
-    Judge(judge::Arguments),
     /// Run every method against the exact motion, some minutes; renews crates/measure/record/
     Measure(measure::Arguments),
     /// Run every method on every hard case under torques, and say how each ends
@@ -150,7 +148,6 @@ pub(crate) fn run(cli: Cli) -> Result<ExitCode, Box<dyn Error>> {
         Command::Exercises { command } => return Ok(exercises::run(command.as_ref())?),
         Command::Certificates(arguments) => certificates::run(&arguments)?,
         Command::Report(arguments) => report::run(&arguments)?,
-        Command::Judge(arguments) => return Ok(judge::run(&arguments)),
         Command::Measure(arguments) => measure::run(&arguments)?,
         Command::Atlas => measure::atlas()?,
         Command::Completions { shell } => {
@@ -286,7 +283,6 @@ mod tests {
             &["exercises", "next"],
             &["exercises", "untouched"],
             &["exercises", "reset", "two_arrows_1", "two_arrows_2"],
-            &["judge", "run.csv"],
             &["report", "hammer"],
             &["report", "phone", "--out", "reports"],
             &["measure"],
@@ -310,8 +306,6 @@ mod tests {
             (&["figures", "--chekc"], "'--check'"),
             (&["figures", "two-arows"], "'two-arrows'"),
             (&["figures", "--theme", "prnt"], "'print'"),
-            (&["judge", "x", "--inertai", "1,2,3"], "'--inertia'"),
-            (&["judge", "x", "--tresholds"], "'--threshold'"),
         ] {
             let answer = parsed(words).unwrap_err();
             let (_, tip) = answer.split_once("tip: ").unwrap_or_else(|| panic!("{answer}"));
@@ -343,7 +337,6 @@ mod tests {
             &["check", "a", "b"],
             &["exercises", "next", "one"],
             &["exercises", "reset"],
-            &["judge"],
             &["report"],
             &["report", "nothing"],
             &["judge", "a", "b"],

@@ -6,6 +6,5 @@ pub(crate) mod draw;
 pub(crate) mod exercises;
 pub(crate) mod export;
 pub(crate) mod film;
-pub(crate) mod judge;
 pub(crate) mod measure;
 pub(crate) mod report;

@@ -1,7 +1,6 @@
 //! The site: its pages and their addresses, where its files lie, and what it says of itself.
 
 pub(crate) mod build;
-pub(crate) mod chapters;
 pub(crate) mod files;
 pub(crate) mod goals;
 pub(crate) mod log;

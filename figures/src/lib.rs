@@ -18,13 +18,11 @@ mod report;
 mod stills;
 mod theme;
 mod units;
-mod verdict;
 
 pub use report::report;
 pub use stills::still;
 pub use theme::Theme;
 use tumbling_bodies::BodyModel;
-pub use verdict::verdict;
 
 /// One figure of the book.
 #[derive(Debug, Clone, Copy)]

@@ -147,7 +147,7 @@ export async function judge(page, wants) {
   }
   for (const law of ["energy", "momentum", "direction", "unit", "separatrix", "phase", "consistency"]) {
     await set(page, "#judge-threshold", `${law}=0.125`);
-    await told(verdict, `${{ momentum: "\\|L\\|", unit: "length", separatrix: "2 E I2", consistency: "turn against spin" }[law] ?? law}[^,;]* within 0.125`);
+    await told(verdict, `${{ momentum: "\\|L\\|", unit: "length", separatrix: "2 E I₂", consistency: "turn against spin" }[law] ?? law}[^,;]* within 0.125`);
   }
   await set(page, "#judge-threshold", "0.01");
   await set(page, "#judge-fit", "1");
@@ -223,12 +223,12 @@ export async function judge(page, wants) {
   await page.setInputFiles("#judge-file", [...several, { name: "<b>none</b>.csv", mimeType: "text/csv", buffer: Buffer.from("t,wx\n0,1\n") }]);
   await told(records, "Cannot be judged");
   const each = await page.locator(`${records} li`).allTextContents();
-  wants(`each has its line: ${each}`, each.length === 3 && /^mujoco.*Passed\. Every step/.test(each[0]) &&
-    /^rapier.*Failed \(energy, .*Every step is made by: rescaled/.test(each[1]) && /^<b>none<\/b>.*Cannot be judged: line /.test(each[2]));
+  wants(`each has its line: ${each}`, each.length === 3 && /^mujoco.*Passed: Every law.*Every step/.test(each[0]) &&
+    /^rapier.*Failed: Energy .*Every step is made by: rescaled/.test(each[1]) && /^<b>none<\/b>.*Cannot be judged: line /.test(each[2]));
   await told(verdict, "Passed: mujoco");
   await page.setInputFiles("#judge-file", [several[0], { name: "three.csv", mimeType: "text/csv", buffer: Buffer.from(three) }]);
   await told("#live-judge .live-said", "2 records: 1 passed, 1 too short to judge");
-  wants("each has its line, the short one too", /Too short to judge\./.test(await page.locator(`${records} li`).last().textContent()));
+  wants("each has its line, the short one too", /Too short to judge: /.test(await page.locator(`${records} li`).last().textContent()));
   await page.setInputFiles("#judge-file", [...several, { name: "<b>none</b>.csv", mimeType: "text/csv", buffer: Buffer.from("t,wx\n0,1\n") }]);
   await told(records, "Cannot be judged");
   await told(verdict, "Passed: mujoco");
@@ -259,7 +259,7 @@ export async function judge(page, wants) {
   await told(verdict, "the example");
   const example = (await page.textContent(verdict)).replace(/\s+/g, " ");
   const words = await page.textContent("main");
-  const [, from, to] = example.match(/([\d.]+) to ([\d.]+)/) ?? [];
+  const [, from, to] = example.match(/goes from ([\d.]+) to ([\d.]+)/) ?? [];
   const printed = `${Number(from).toFixed(2)} to ${Number(to).toFixed(2)}`;
   wants(`the example goes from ${printed}, as the chapter says`, words.includes(printed));
 

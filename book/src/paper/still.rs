@@ -46,7 +46,7 @@ const STILLS: [Still; 11] = [
     Still {
         widget: "judge",
         figure: "judged-grades",
-        live: "drop a record of your engine; the command `cargo run -- judge FILE.csv` does the same",
+        live: "drop a record of your engine; the command `cargo run -p tumbling-judge -- FILE.csv` does the same",
     },
 ];
 

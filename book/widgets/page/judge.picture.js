@@ -1,5 +1,4 @@
 // The picture of a verdict: the spin as recorded over the exact one, and below it the errors, a power of ten a step.
-// The command line's `--svg` draws the same: figures/src/verdict.rs.
 "use strict";
 
 tumblingLive.judgePicture = (() => {

@@ -1,20 +1,14 @@
 //! From a record to a verdict, one row in hand at a time.
 
 use crate::error::Error;
-use crate::laws::complaint::Complaint;
-use crate::laws::trial::Trial;
+use crate::laws::{Complaint, Trial};
 use crate::options::Options;
-use crate::read::derived::{Derived, Deriver, Feed};
-use crate::read::fit::{self, Fit};
-use crate::read::known::{Known, Said, Stopped};
-use crate::read::rows::Rows;
-use crate::read::source::{Raw, Source};
-use crate::read::state::{Row, in_world};
-use crate::rule::candidates::Subject;
-use crate::rule::engines::PHYSICS_ENGINES;
-use crate::thresholds::{FAR_FROM_ONE, PROBE_ROWS};
-use crate::verdict::end::verdict;
-use crate::verdict::outcome::Verdict;
+use crate::read::{
+    Derived, Deriver, Feed, Fit, Known, Raw, Row, Rows, Said, Source, Stopped, fitted_start, in_world,
+};
+use crate::rule::{PHYSICS_ENGINES, Subject};
+use crate::thresholds::PROBE_ROWS;
+use crate::verdict::{Verdict, verdict};
 use nalgebra::Vector3;
 use std::io::BufRead;
 use tumbling::PrincipalMoments;
@@ -47,11 +41,9 @@ use tumbling::exact::FreeMotion;
 pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> {
     let mut rows = Rows::open(source)?;
     let mut notes = std::mem::take(&mut rows.header.notes);
-    let second = rows.columns.second.map(|(kind, places)| (kind, rows.columns.names[places[0]].clone()));
     let said = Said {
         engine: rows.header.engine(|word| PHYSICS_ENGINES.iter().any(|engine| engine.is_called(word))),
         kind: rows.columns.kind,
-        second,
         step: rows.header.step,
         torque: rows.header.torque.filter(|torque| *torque != Vector3::zeros()),
         moments: options.inertia.or_else(|| rows.header.moments(&mut notes)),
@@ -67,23 +59,22 @@ pub(crate) fn judge_rows(rows: &mut dyn Source, said: Said, options: &Options) -
     let mut probe = probed(rows)?;
     let moments = said.moments.ok_or(Error::NoMoments)?;
     PrincipalMoments::try_from(moments)?;
-    let unit = unit_of(&moments);
-    let subject = Subject::new(moments / unit, said.torque.map(|torque| torque / unit))?;
+    let subject = Subject::new(moments, said.torque)?;
     let mut known = Known::of(&mut probe, said, moments);
     let mut feed =
         Feed { has_spin: known.has_spin(), moments, clock: known.clock, deriver: Deriver::default() };
     let (states, stopped) = known.understood(&probe, &mut feed)?;
-    let Start { first, direction, fit } = start(&states, stopped, probe.len(), &subject.moments, options)?;
-    let mut trial = Trial::new(&subject, first, direction, known)?;
+    let (first, fitted) = start(&states, stopped, probe.len(), &subject.moments, options)?;
+    let (direction, fit) = fitted.unzip();
+    let mut trial = Trial::new(&subject, first, direction.flatten(), known)?;
     trial.rows = probe.len() as u64;
     for state in &states {
         trial.row(state)?;
     }
     trial.stopped = stopped;
     follow(rows, &mut trial, &mut feed)?;
-    trial.second = trial.known.disagreement(&probe);
     trial.ended = rows.ended().map(|error| error.to_string());
-    Ok(verdict(trial, &subject, unit, fit, options))
+    Ok(verdict(trial, &subject, fit, options))
 }
 
 /// The rows after those that the reading was settled by.
@@ -103,12 +94,6 @@ fn follow(rows: &mut dyn Source, trial: &mut Trial, feed: &mut Feed) -> Result<(
     Ok(())
 }
 
-/// What moments so large or small are divided by, so that products of momenta are numbers; a power of two.
-fn unit_of(moments: &Vector3<f64>) -> f64 {
-    let size = moments.amax().log2().floor();
-    if size.abs() < FAR_FROM_ONE { 1.0 } else { size.exp2() }
-}
-
 /// The first rows, two at least.
 fn probed(rows: &mut dyn Source) -> Result<Vec<Raw>, Error> {
     let mut probe = Vec::new();
@@ -124,13 +109,8 @@ fn probed(rows: &mut dyn Source) -> Result<Vec<Raw>, Error> {
     }
 }
 
-/// What the record is held against.
-struct Start {
-    first: Row,
-    /// The momentum in the world, where it is fitted.
-    direction: Option<Vector3<f64>>,
-    fit: Option<Fit>,
-}
+/// The momentum in the world of a fitted start, where there are attitudes, and how it was fitted.
+type Fitted = (Option<Vector3<f64>>, Fit);
 
 /// The first row, or the start whose exact motion is nearest to the number of rows that the options name.
 fn start(
@@ -139,14 +119,14 @@ fn start(
     probed: usize,
     moments: &Vector3<f64>,
     options: &Options,
-) -> Result<Start, Error> {
+) -> Result<(Row, Option<Fitted>), Error> {
     let Some(mut first) = states.first().copied() else {
         return Err(match stopped {
             Some((line, turn)) => Error::Line { line, problem: Complaint::TooFar { line, turn }.problem() },
             None => Error::OneRow,
         });
     };
-    let Some(count) = options.fit else { return Ok(Start { first, direction: None, fit: None }) };
+    let Some(count) = options.fit else { return Ok((first, None)) };
     if count > states.len() {
         let problem = match probed {
             PROBE_ROWS => format!("more than {PROBE_ROWS} are not held in memory"),
@@ -155,9 +135,9 @@ fn start(
         return Err(Error::Fit { rows: count, problem });
     }
     let rows = &states[..count];
-    let (omega, how) = fit::start(moments, rows)?;
+    let (omega, how) = fitted_start(moments, rows)?;
     first.omega = omega;
-    Ok(Start { first, direction: momentum_of(rows, moments, &omega)?, fit: Some(how) })
+    Ok((first, Some((momentum_of(rows, moments, &omega)?, how))))
 }
 
 /// The mean of the momenta in the world that the rows' attitudes make of the exact motion's; `None` without

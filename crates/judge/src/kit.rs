@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::law::LawName;
 use crate::memory::{Precision, Row, judge_in_memory};
 use crate::options::Options;
-use crate::verdict::outcome::Verdict;
+use crate::verdict::Verdict;
 use nalgebra::Vector3;
 use serde_json::Value;
 use tumbling::PrincipalMoments;

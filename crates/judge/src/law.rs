@@ -34,42 +34,34 @@ impl LawName {
         Self::Consistency,
     ];
 
-    /// In plain words.
-    #[must_use]
-    pub const fn words(self) -> &'static str {
+    /// A name for programs, a name in words, and that with its unit where the words leave it open.
+    const fn names(self) -> [&'static str; 3] {
         match self {
-            Self::Energy => "energy",
-            Self::Momentum => "|L|",
-            Self::Direction => "direction of L",
-            Self::Unit => "quaternion's length",
-            Self::Separatrix => "2 E I2 / L^2",
-            Self::Phase => "phase",
-            Self::Consistency => "turn against spin",
+            Self::Energy => ["energy"; 3],
+            Self::Momentum => ["momentum", "|L|", "|L|"],
+            Self::Direction => ["direction", "direction of L", "direction of L, rad"],
+            Self::Unit => ["unit", "quaternion's length", "quaternion's length"],
+            Self::Separatrix => ["separatrix", "2 E I₂ / L²", "2 E I₂ / L²"],
+            Self::Phase => ["phase", "phase", "phase, times round"],
+            Self::Consistency => ["consistency", "turn against spin", "turn against spin"],
         }
     }
 
-    /// The same with its unit, where the words alone leave it open.
+    /// In plain words.
     #[must_use]
-    pub const fn heading(self) -> &'static str {
-        match self {
-            Self::Direction => "direction of L, rad",
-            Self::Phase => "phase, times round",
-            name => name.words(),
-        }
+    pub const fn words(self) -> &'static str {
+        self.names()[1]
+    }
+
+    /// The words with the unit.
+    pub(crate) const fn heading(self) -> &'static str {
+        self.names()[2]
     }
 
     /// A name for programs.
     #[must_use]
     pub const fn key(self) -> &'static str {
-        match self {
-            Self::Energy => "energy",
-            Self::Momentum => "momentum",
-            Self::Direction => "direction",
-            Self::Unit => "unit",
-            Self::Separatrix => "separatrix",
-            Self::Phase => "phase",
-            Self::Consistency => "consistency",
-        }
+        self.names()[0]
     }
 
     /// Whether an engine fails by it: the exact motion keeps it for ever.

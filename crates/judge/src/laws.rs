@@ -1,9 +1,22 @@
 //! How the laws of free motion are kept from row to row.
 
-pub(crate) mod complaint;
-pub(crate) mod curve;
-pub(crate) mod followed;
-pub(crate) mod jumps;
-pub(crate) mod kept;
-pub(crate) mod points;
-pub(crate) mod trial;
+mod complaint;
+mod curve;
+mod followed;
+mod jumps;
+mod kept;
+mod points;
+mod stretches;
+mod trial;
+
+pub use complaint::Complaint;
+pub(crate) use curve::Curve;
+pub use curve::Growth;
+pub(crate) use followed::Laws;
+pub(crate) use jumps::Jumps;
+pub use jumps::Reset;
+pub use kept::{FlipCount, Law};
+pub use points::Point;
+pub(crate) use stretches::{Stretch, Stretches};
+pub use trial::Gaps;
+pub(crate) use trial::Trial;

@@ -10,8 +10,6 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 #![recursion_limit = "256"]
 
-#[cfg(feature = "command")]
-mod command;
 mod error;
 mod judge;
 mod kit;
@@ -25,30 +23,16 @@ mod rule;
 mod thresholds;
 mod verdict;
 
-#[cfg(feature = "command")]
-pub use command::Arguments;
 pub use error::Error;
 pub use judge::judge;
 pub use kit::{Answer, Story};
 pub use law::LawName;
-pub use laws::complaint::Complaint;
-pub use laws::curve::Growth;
-pub use laws::jumps::Reset;
-pub use laws::kept::{FlipCount, Law};
-pub use laws::points::Point;
-pub use laws::trial::Gaps;
+pub use laws::{Complaint, FlipCount, Gaps, Growth, Law, Point, Reset};
 pub use memory::{Precision, Row, judge_in_memory};
 pub use options::Options;
-pub use read::fit::Fit;
-pub use read::note::Note;
-pub use read::reading::FileMistake;
-pub use rule::accuracy::Accuracy;
-pub use rule::advice::Advice;
-pub use rule::confidence::Confidence;
-pub use rule::diagnosis::{Diagnosis, Explanation};
-pub use rule::engine_step::{Limits, PhysicsEngine};
-pub use rule::engines::PHYSICS_ENGINES;
-pub use rule::hints::Hint;
-pub use rule::rules::{Alteration, Base, Rule, Spin, Steps, When};
-pub use verdict::outcome::{Outcome, Recording, Verdict};
-pub use verdict::plain::plain_number;
+pub use read::{FileMistake, Fit, Note};
+pub use rule::{
+    Advice, Alteration, Base, Confidence, Diagnosis, Explanation, Limits, PHYSICS_ENGINES, PhysicsEngine,
+    Rule, Spin, Steps, When,
+};
+pub use verdict::{Outcome, Recording, Section, Verdict};

@@ -1,17 +1,192 @@
 //! Judges how an engine turns a free body: `cargo run -p tumbling-judge -- run.csv`.
 
 use clap::Parser;
+use nalgebra::Vector3;
+use std::fs::File;
+use std::io::{BufReader, ErrorKind, Write as _};
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use tumbling_judge::Arguments;
+use tumbling_judge::{Error, LawName, Options, Outcome, Verdict, judge};
 
 /// Judges an engine by its record of a free body
-#[derive(Parser)]
-#[command(version)]
-struct Judge {
-    #[command(flatten)]
-    arguments: Arguments,
+#[derive(Debug, Parser)]
+#[command(version, after_help = ABOUT)]
+struct Arguments {
+    /// The record, comma-separated values; - for the standard input
+    file: PathBuf,
+    /// Principal moments about the body's x, y and z, kg m2, where the record names none
+    #[arg(long, value_name = "A,B,C", value_parser = moments, allow_hyphen_values = true)]
+    inertia: Option<Vector3<f64>>,
+    /// Largest error allowed, of every law or of LAW (0.01 if not given)
+    #[arg(long, value_name = "[LAW=]X", value_delimiter = ',', value_parser = limit, allow_hyphen_values = true)]
+    threshold: Vec<Limit>,
+    /// Start from the spin that fits the first N rows best (64 if not given), where the record has few digits
+    #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "64", value_parser = rows)]
+    fit: Option<usize>,
+    /// Print the verdict as one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+const ABOUT: &str = "\
+The record has a line of column names, then rows of numbers:
+    t (s), or step with a comment `# dt: 1/60`
+    qw,qx,qy,qz     attitude, body to world
+    wx,wy,wz        spin in body axes, rad/s; or wxw,wyw,wzw in world axes;
+                    or momentum, lx,ly,lz or lxw,lyw,lzw (kg m2/s)
+The axes of the body are its principal ones, with the moments in their order: a comment `# inertia: A B C` or
+--inertia names them. Write all digits (17 of double precision, 9 of single).
+
+LAW is energy, momentum, direction, unit, separatrix, phase or consistency; the last two have no limit if none is
+given. Several are separated by commas: --threshold 0.001,energy=1e-6.
+
+Errors are relative to the first row: of energy and |L| a share, of a direction rad. The separatrix is 2 E I2 / L^2
+(I2 the middle moment), as its ratio to the first one: below 1 where the spin goes round the largest moment's axis,
+above 1 where round the smallest's. Phase is how far the spin is ahead of the exact one, in times round its closed curve.
+
+The JSON object has: outcome (passed, failed, nothing to judge, too short to judge), complaints,
+laws (law, grade, rate, most, last, allowed), flips, separatrix (first and last), file_mistakes, resets, gaps,
+missing, sign_changes, rounding, diagnosis (confidence: to rounding, most steps, near, too few digits, errors too
+small, too few steps, accurate or none fits; best, alike, second, ratio, steps, share, error, cap, would_decide, advice,
+chapter), curve (the run in at most 256 points), report (all of it in words), and what was read.
+
+Exit code: 0 if the record passes, 1 if it fails or there is nothing or too little to judge, 2 if it cannot be read.";
+
+/// The largest error allowed of one law, or of all.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Limit {
+    law: Option<LawName>,
+    value: f64,
+}
+
+/// The moments of `--inertia A,B,C`.
+fn moments(text: &str) -> Result<Vector3<f64>, String> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(|x| x.trim().parse()).collect();
+    match numbers.as_deref() {
+        Ok(&[a, b, c]) => Ok(Vector3::new(a, b, c)),
+        _ => Err("it takes three numbers, as in 1,2,2.5".into()),
+    }
+}
+
+/// A part of `--threshold X,LAW=X`.
+fn limit(text: &str) -> Result<Limit, String> {
+    let (law, number) = match text.split_once('=') {
+        Some((law, number)) => (Some(law.trim()), number),
+        None => (None, text),
+    };
+    let law = law.map(|key| {
+        let known = LawName::ALL.into_iter().find(|law| law.key() == key);
+        known.ok_or_else(|| format!("the laws are {}", LawName::ALL.map(LawName::key).join(", ")))
+    });
+    match number.trim().parse() {
+        Ok(value) if value > 0.0 && f64::is_finite(value) => Ok(Limit { law: law.transpose()?, value }),
+        _ => Err("it takes a number above zero".into()),
+    }
+}
+
+/// The rows of `--fit N`.
+fn rows(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(rows) if rows >= 2 => Ok(rows),
+        _ => Err("it takes a number of rows, at least two; the record goes before `--fit`".into()),
+    }
+}
+
+impl Arguments {
+    fn options(&self) -> Options {
+        let start = Options { inertia: self.inertia, fit: self.fit, ..Options::default() };
+        self.threshold.iter().fold(start, |options, limit| match limit.law {
+            None => Options { threshold: limit.value, ..options },
+            Some(law) => options.with(law, limit.value),
+        })
+    }
 }
 
 fn main() -> ExitCode {
-    Judge::parse().arguments.run(|_| Ok(String::new()))
+    let arguments = Arguments::parse();
+    let printed = judged(&arguments.file, &arguments.options())
+        .map_err(|wrong| format!("{}: {wrong}{}", arguments.file.display(), option_for(&wrong)))
+        .and_then(|verdict| {
+            let json = arguments.json.then(|| format!("{:#}\n", verdict.json()));
+            print(&json.unwrap_or_else(|| format!("{verdict}\n"))).map(|()| verdict.outcome)
+        });
+    match printed {
+        Ok(Outcome::Passed) => ExitCode::SUCCESS,
+        Ok(_) => ExitCode::FAILURE,
+        Err(wrong) => {
+            let _ = writeln!(std::io::stderr().lock(), "error: {wrong}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// The option that mends what is wrong, where there is one.
+const fn option_for(wrong: &Error) -> &'static str {
+    match wrong {
+        Error::NoMoments => " (--inertia A,B,C)",
+        Error::Fit { .. } => " (--fit N)",
+        _ => "",
+    }
+}
+
+fn print(text: &str) -> Result<(), String> {
+    let mut out = std::io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(wrong) if wrong.kind() != ErrorKind::BrokenPipe => {
+            Err(format!("the verdict could not be written: {wrong}"))
+        }
+        _ => Ok(()),
+    }
+}
+
+fn judged(file: &Path, options: &Options) -> Result<Verdict, Error> {
+    if file == Path::new("-") {
+        return judge(std::io::stdin().lock(), options);
+    }
+    let opened = File::open(file).map_err(|source| Error::Read { line: 0, source })?;
+    judge(BufReader::with_capacity(1 << 16, opened), options)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    fn options(words: &str) -> Result<Options, String> {
+        let arguments = Arguments::try_parse_from(words.split(' ')).map_err(|e| e.to_string())?;
+        Ok(arguments.options())
+    }
+
+    #[test]
+    fn limits_moments_and_rows_are_read() {
+        assert_eq!(options("judge run.csv"), Ok(Options::default()));
+        let given = options("judge - --inertia 1,2,2.5 --threshold=1e-6 --json").unwrap();
+        assert_eq!((given.inertia, given.threshold), (Some(Vector3::new(1.0, 2.0, 2.5)), 1e-6));
+        for (words, rows) in [
+            ("judge run.csv --fit", 64),
+            ("judge --fit --json run.csv", 64),
+            ("judge --fit 9 run.csv", 9),
+            ("judge --fit=9 run.csv", 9),
+        ] {
+            assert_eq!(options(words).unwrap().fit, Some(rows), "{words}");
+        }
+        let given = options("judge x --threshold 0.5,energy=1e-6,phase=2").unwrap();
+        let allowed = [LawName::Energy, LawName::Momentum, LawName::Phase].map(|law| given.allowed(law));
+        assert_eq!(allowed, [Some(1e-6), Some(0.5), Some(2.0)]);
+        assert_eq!(limit(" phase = 2 "), Ok(Limit { law: Some(LawName::Phase), value: 2.0 }));
+    }
+
+    #[test]
+    fn a_value_that_cannot_be_taken_is_answered_with_what_can() {
+        for (words, answer) in [
+            ("judge a --inertia 1,2", "three numbers"),
+            ("judge a --inertia 1,x,2", "three numbers"),
+            ("judge a --threshold -1", "above zero"),
+            ("judge a --threshold energy=", "above zero"),
+            ("judge a --threshold enrgy=1", "the laws are energy, "),
+            ("judge a --fit 1", "at least two"),
+            ("judge --fit a", "the record goes before `--fit`"),
+        ] {
+            let error = options(words).unwrap_err();
+            assert!(error.contains(answer), "{words}: {error}");
+        }
+    }
 }

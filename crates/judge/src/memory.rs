@@ -3,11 +3,9 @@
 use crate::error::Error;
 use crate::judge::judge_rows;
 use crate::options::Options;
-use crate::read::columns::Kind;
-use crate::read::known::Said;
-use crate::read::source::{Printed, Raw, Source};
+use crate::read::{Kind, Printed, Raw, Said, Source};
 use crate::thresholds::{MOST_DIGITS, ROWS_BEFORE_THE_END};
-use crate::verdict::outcome::Verdict;
+use crate::verdict::Verdict;
 use nalgebra::{Quaternion, Vector3};
 
 mod sealed {
@@ -93,7 +91,6 @@ pub fn judge_in_memory<T: Precision>(
     let said = Said {
         engine: None,
         kind: Kind::SpinBody,
-        second: None,
         step: None,
         torque: None,
         moments: options.inertia.or_else(|| Some(moments.into())),
@@ -148,7 +145,6 @@ impl<T: Precision, I: Iterator<Item = Row<T>>> Source for Memory<I> {
             t: row.time,
             attitude,
             vector: spin,
-            second: Vector3::zeros(),
             printed: Printed::default(),
             digits: MOST_DIGITS,
             single: numbers().all(|x| f64::from(x as f32) == x),

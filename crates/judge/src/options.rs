@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use crate::law::LawName;
+use crate::laws::Law;
 use crate::thresholds::ALLOWED;
 use nalgebra::Vector3;
 
@@ -25,8 +26,18 @@ impl Options {
     /// What is allowed of a law; nothing where it is not held to anything.
     #[must_use]
     pub fn allowed(&self, law: LawName) -> Option<f64> {
-        let own = LawName::ALL.iter().position(|name| *name == law).and_then(|i| self.thresholds[i]);
+        let own = self.own().find(|own| own.0 == law).map(|own| own.1);
         own.or_else(|| law.is_conserved().then_some(self.threshold))
+    }
+
+    /// The laws with a limit of their own, and that limit.
+    pub(crate) fn own(&self) -> impl Iterator<Item = (LawName, f64)> {
+        LawName::ALL.into_iter().zip(self.thresholds).filter_map(|(law, most)| Some((law, most?)))
+    }
+
+    /// Whether a law is kept within what is allowed.
+    pub(crate) fn allows(&self, law: &Law) -> bool {
+        self.allowed(law.name).is_none_or(|most| law.most.abs() <= most)
     }
 
     /// With a limit of its own for a law.
@@ -37,17 +48,11 @@ impl Options {
         }
         self
     }
-}
 
-impl Options {
     /// Limits that are numbers above zero.
     pub(crate) fn checked(&self) -> Result<(), Error> {
-        let own =
-            LawName::ALL.iter().zip(self.thresholds).filter_map(|(law, most)| Some((Some(*law), most?)));
-        match std::iter::once((None, self.threshold))
-            .chain(own)
-            .find(|(_, most)| most.is_nan() || *most <= 0.0)
-        {
+        let all = self.own().map(|(law, most)| (Some(law), most)).chain([(None, self.threshold)]);
+        match all.into_iter().find(|(_, most)| most.is_nan() || *most <= 0.0) {
             Some((law, value)) => Err(Error::Threshold { law, value }),
             None => Ok(()),
         }

@@ -2,8 +2,7 @@
 
 use crate::error::Error;
 use crate::law::LawName;
-use crate::read::rows::Rows;
-use crate::read::source::Raw;
+use crate::read::{Raw, Rows};
 use nalgebra::{Quaternion, Vector3};
 
 /// A recorded run of an engine.

@@ -1,14 +1,28 @@
 //! Which rule made the steps.
 
-pub(crate) mod accuracy;
-pub(crate) mod advice;
-pub(crate) mod candidates;
-pub(crate) mod confidence;
-pub(crate) mod diagnosis;
-pub(crate) mod drift;
-pub(crate) mod engine_step;
-pub(crate) mod engines;
-pub(crate) mod fitted;
-pub(crate) mod hints;
-pub(crate) mod names;
-pub(crate) mod rules;
+mod accuracy;
+mod advice;
+mod candidates;
+mod confidence;
+mod diagnosis;
+mod drift;
+mod engine_step;
+mod engines;
+mod fitted;
+mod names;
+mod rules;
+
+pub(crate) use accuracy::accuracy;
+pub use advice::Advice;
+pub(crate) use candidates::Subject;
+pub use confidence::Confidence;
+pub use diagnosis::{Diagnosis, Explanation};
+pub(crate) use diagnosis::{Whole, diagnose};
+pub(crate) use drift::Run;
+pub(crate) use engine_step::parted;
+pub use engine_step::{Limits, PhysicsEngine};
+pub use engines::PHYSICS_ENGINES;
+pub(crate) use fitted::{cap_at_start, compound, momentum_for_spin};
+pub(crate) use names::{engine_names, engines, first_named, readable, significant};
+pub use rules::{Alteration, Base, Rule, Spin, Steps, When};
+pub(crate) use rules::{frozen_at, in_parts, of_parts, plain};

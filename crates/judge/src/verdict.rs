@@ -1,10 +1,18 @@
 //! The verdict, built once, and its words for terminal, page and program.
 
-pub(crate) mod end;
-pub(crate) mod faults;
-pub(crate) mod finding;
-pub(crate) mod json;
-pub(crate) mod outcome;
-pub(crate) mod plain;
-pub(crate) mod text;
-pub(crate) mod words;
+mod end;
+mod faults;
+mod finding;
+mod json;
+mod outcome;
+mod plain;
+mod report;
+mod words;
+
+pub(crate) use end::verdict;
+pub(crate) use faults::{spin_faults, wrong_pace, wrong_rule};
+pub(crate) use finding::sentence;
+pub use outcome::{Outcome, Recording, Verdict};
+pub(crate) use plain::plain_number;
+pub(crate) use report::COLUMNS;
+pub use report::Section;

@@ -1,8 +1,5 @@
 //! The judge of engines on a page: a record comes in by pieces, a verdict goes out as text.
 
-#[path = "../../../src/site/chapters.rs"]
-mod chapters;
-
 use exchange::{Numbers, Text};
 use nalgebra::Vector3;
 use std::io::BufRead;
@@ -18,9 +15,8 @@ pub static VERDICT: Text = Text::new();
 /// none), and for each law of [`LawName::ALL`](tumbling_judge::LawName::ALL), in that order, a limit of its
 /// own (not above zero: none).
 ///
-/// The text is then the verdict as a JSON object with, as `words`, what the command line prints, and with the
-/// advice's chapter. The answer is 1. For a
-/// record that cannot be judged, the text says why; the answer is 0.
+/// The text is then the verdict as a JSON object, and the answer is 1. For a record that cannot be judged,
+/// the text says why, and the answer is 0.
 pub fn judged(record: impl BufRead, row: &Numbers) -> usize {
     let [given, a, b, c, threshold, fitted] = row.take(0);
     let inertia = (given > 0.0).then(|| Vector3::new(a, b, c));
@@ -29,15 +25,7 @@ pub fn judged(record: impl BufRead, row: &Numbers) -> usize {
     let fit = (fitted >= 2.0).then_some(fitted as usize);
     match judge(record, &Options { inertia, threshold, thresholds, fit }) {
         Ok(verdict) => {
-            let mut json = verdict.json();
-            json["words"] = verdict.to_string().into();
-            if let Some(advice) = verdict.diagnosis.as_ref().map(|diagnosis| diagnosis.advice)
-                && let Some(place) = chapters::chapter(advice)
-            {
-                json["diagnosis"]["advice"] =
-                    format!("{} More about it: chapter {place}.", advice.words()).into();
-            }
-            VERDICT.say(json.to_string());
+            VERDICT.say(verdict.json().to_string());
             1
         }
         Err(why) => {

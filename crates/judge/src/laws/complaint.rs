@@ -1,6 +1,6 @@
 //! What fails a record and is no law, as values; the room of verdicts puts them into sentences.
 
-use crate::rule::rules::Rule;
+use crate::rule::Rule;
 
 /// What fails a record and is no law.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,15 +25,6 @@ pub enum Complaint {
     Flips {
         /// How often it does.
         found: u64,
-    },
-    /// The record has a second vector that is at odds with the first.
-    OtherSpin {
-        /// The first column of the second vector.
-        column: String,
-        /// By how much, as a share.
-        off: f64,
-        /// In which line.
-        line: usize,
     },
     /// The spin stays as it is, and should change.
     Constant {

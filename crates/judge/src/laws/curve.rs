@@ -1,32 +1,36 @@
 //! An error in the course of time, in little room; and how it grows.
 
+use crate::laws::{Stretch, Stretches};
 use crate::thresholds::{
     BOUNDED, EXPONENTIAL, EXPONENTIAL_FROM, GROWTH_FROM, OF_ITSELF, POWERS, STAYED, STRETCHES,
 };
-use std::fmt;
 
-/// The size of an error over a record of any length, in at most 512 stretches of equally many rows.
+/// The size of an error over a record of any length.
 #[derive(Debug, Clone)]
 pub(crate) struct Curve {
-    stretches: Vec<Stretch>,
-    rows_each: usize,
-    last_rows: usize,
+    stretches: Stretches<Size>,
     last: f64,
     least: f64,
     greatest: f64,
 }
 
 #[derive(Debug, Clone, Copy)]
-struct Stretch {
-    /// Its end, s.
+struct Size {
+    /// The end of the stretch, s.
     t: f64,
     /// The most that the error was.
     most: f64,
 }
 
+impl Stretch for Size {
+    fn join(&self, next: &Self) -> Self {
+        Self { t: self.t.max(next.t), most: self.most.max(next.most) }
+    }
+}
+
 impl Curve {
     pub(crate) const fn new() -> Self {
-        Self { stretches: Vec::new(), rows_each: 1, last_rows: 0, last: 0.0, least: 0.0, greatest: 0.0 }
+        Self { stretches: Stretches::new(STRETCHES), last: 0.0, least: 0.0, greatest: 0.0 }
     }
 
     /// The error at a time after all before it.
@@ -34,32 +38,7 @@ impl Curve {
         self.last = error;
         self.least = self.least.min(error);
         self.greatest = self.greatest.max(error);
-        let size = error.abs();
-        match self.stretches.last_mut() {
-            Some(stretch) if self.last_rows < self.rows_each => {
-                stretch.t = t;
-                stretch.most = stretch.most.max(size);
-                self.last_rows += 1;
-            }
-            _ => {
-                if self.stretches.len() == STRETCHES {
-                    self.halve();
-                }
-                self.stretches.push(Stretch { t, most: size });
-                self.last_rows = 1;
-            }
-        }
-    }
-
-    fn halve(&mut self) {
-        let pairs = self.stretches.chunks(2);
-        self.stretches = pairs
-            .map(|pair| Stretch {
-                t: pair.iter().map(|x| x.t).fold(f64::NEG_INFINITY, f64::max),
-                most: pair.iter().map(|x| x.most).fold(0.0, f64::max),
-            })
-            .collect();
-        self.rows_each *= 2;
+        self.stretches.push(Size { t, most: error.abs() });
     }
 
     /// The error in the last row, with its sign.
@@ -74,7 +53,7 @@ impl Curve {
 
     /// The greatest size.
     pub(crate) fn most(&self) -> f64 {
-        self.stretches.iter().map(|x| x.most).fold(0.0, f64::max)
+        self.stretches.all().iter().map(|x| x.most).fold(0.0, f64::max)
     }
 
     /// How it grows, if what is below `rounding` is none. A logarithm of a ratio (`of_ratio`) that grows
@@ -84,11 +63,12 @@ impl Curve {
         if most <= rounding {
             return Growth::Rounding;
         }
-        let end = self.stretches.last().map_or(0.0, |x| x.t);
+        let end = self.stretches.all().last().map_or(0.0, |x| x.t);
         let mut greatest = 0.0_f64;
         // The greatest so far, from a sixteenth of the time on.
         let envelope: Vec<(f64, f64)> = self
             .stretches
+            .all()
             .iter()
             .map(|x| {
                 greatest = greatest.max(x.most);
@@ -99,7 +79,7 @@ impl Curve {
         let at = |share: f64| envelope.iter().find(|x| x.0 >= share * end).map_or(most, |x| x.1);
         if most < BOUNDED * at(0.5) {
             // A quantity doubled or halved, which never comes near to what it was again.
-            let later = self.stretches.iter().filter(|x| x.t >= end / 2.0);
+            let later = self.stretches.all().iter().filter(|x| x.t >= end / 2.0);
             let least = later.map(|x| x.most).fold(f64::INFINITY, f64::min);
             let one_way = self.greatest.min(-self.least) < STAYED * most;
             let great = of_ratio && one_way && most > std::f64::consts::LN_2 && least > STAYED * most;
@@ -194,16 +174,7 @@ impl Growth {
         }
     }
 
-    /// In plain words.
-    #[must_use]
-    pub const fn words(self) -> &'static str {
-        match self {
-            Self::RandomWalk { .. } => "irregular, as the root of time",
-            _ => self.name(),
-        }
-    }
-
-    /// A name for programs, in a word or three.
+    /// A name, in a word or three.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -218,19 +189,6 @@ impl Growth {
     }
 }
 
-impl fmt::Display for Growth {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.words())?;
-        match self {
-            Self::Rounding | Self::Bounded | Self::Stayed => Ok(()),
-            Self::RandomWalk { rate } => write!(f, ", {rate:.2e} times the root of the seconds"),
-            Self::Linear { rate } => write!(f, ", {rate:.2e} a second"),
-            Self::Power { power } => write!(f, ", as time to the power {power:.1}"),
-            Self::Exponential { rate } => write!(f, ", {rate:.2e} of itself a second"),
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -241,7 +199,7 @@ mod tests {
             let t = f64::from(i) / 100.0;
             curve.push(t, error(t));
         }
-        assert!(curve.stretches.len() <= STRETCHES);
+        assert!(curve.stretches.all().len() <= STRETCHES);
         curve.growth(1e-12, of_ratio)
     }
 

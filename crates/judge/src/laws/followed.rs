@@ -1,12 +1,10 @@
 //! The laws of free motion, each held against the rows as they come.
 
 use crate::law::LawName;
-use crate::laws::curve::Curve;
-use crate::laws::kept::{FlipCount, Law};
-use crate::laws::points::{Point, Points};
-use crate::read::state::{Pair, Row, in_world, ordered};
+use crate::laws::{Curve, FlipCount, Law, Point, Stretches};
+use crate::read::{Pair, Row, in_world, ordered};
 use crate::thresholds::{
-    ALLOWED, CONSTANT, FLIP_TIMES, LAW_OF_TWO, LAW_ROUNDINGS, ON_AXIS, TURN_ROUNDINGS, UNTRACEABLE,
+    ALLOWED, CONSTANT, FLIP_TIMES, LAW_OF_TWO, LAW_ROUNDINGS, ON_AXIS, POINTS, TURN_ROUNDINGS, UNTRACEABLE,
 };
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
@@ -25,7 +23,7 @@ pub(crate) struct Laws {
     /// The axis the spin circles, and the two others in right-handed order.
     circled: Option<[usize; 3]>,
     curves: [(LawName, Curve); 7],
-    pub points: Points,
+    pub points: Stretches<Point>,
     /// How far the spin is ahead of the exact one, rad.
     lag: f64,
     flips: Flips,
@@ -131,7 +129,7 @@ impl Laws {
             middle,
             circled: circled.map(|axis| [axis, (axis + 1) % 3, (axis + 2) % 3]),
             curves: LawName::ALL.map(|name| (name, Curve::new())),
-            points: Points::new(),
+            points: Stretches::new(POINTS),
             lag: 0.0,
             flips: Flips { from: flips_from, exact: exact_flips, count: FlipCount::default(), last: None },
             seen,
@@ -184,7 +182,7 @@ impl Laws {
             self.lag += (step - step.round()) * TAU;
             self.put(LawName::Phase, t, self.lag / TAU);
         }
-        self.points.push(&Point {
+        self.points.push(Point {
             time: t,
             energy: energy / self.start.energy - 1.0,
             momentum: momentum / self.start.momentum - 1.0,

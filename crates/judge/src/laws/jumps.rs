@@ -1,6 +1,6 @@
 //! Where a motion starts anew: a step out of all proportion, or back at the start without a way there.
 
-use crate::read::state::{Pair, Row, angle_between};
+use crate::read::{Pair, Row, angle_between};
 use crate::thresholds::{
     BACK, BACK_IN_ERRORS, ERROR_KEPT, JUMP, JUMP_BACK, JUMP_IN_ERRORS, JUMP_IN_TURNS, NEARLY_AT_REST,
     SHORT_TURN, STEPS_BEFORE_A_JUMP, THROWN_IN_ROUNDINGS, THROWN_IN_TURNS,

@@ -1,7 +1,7 @@
 //! How a record keeps each law.
 
 use crate::law::LawName;
-use crate::laws::curve::Growth;
+use crate::laws::Growth;
 use serde::Serialize;
 
 /// How a law was kept.

@@ -1,6 +1,6 @@
 //! A few points of a run of any length, to draw it by.
 
-use crate::thresholds::POINTS;
+use crate::laws::Stretch;
 use nalgebra::Vector3;
 
 /// A stretch of a record: the row it starts with, and what the rows in it reach.
@@ -29,9 +29,8 @@ pub struct Point {
     pub exact_range: [Vector3<f64>; 2],
 }
 
-impl Point {
-    /// A stretch and the one after it as one.
-    fn and(&self, next: &Self) -> Self {
+impl Stretch for Point {
+    fn join(&self, next: &Self) -> Self {
         let larger = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
         let range = |a: &[Vector3<f64>; 2], b: &[Vector3<f64>; 2]| [a[0].inf(&b[0]), a[1].sup(&b[1])];
         Self {
@@ -46,54 +45,20 @@ impl Point {
     }
 }
 
-/// Points gathered from row to row, each of twice as many rows whenever there are too many.
-#[derive(Debug)]
-pub(crate) struct Points {
-    all: Vec<Point>,
-    rows_each: usize,
-    last_rows: usize,
-}
-
-impl Points {
-    pub(crate) const fn new() -> Self {
-        Self { all: Vec::new(), rows_each: 1, last_rows: 0 }
-    }
-
-    /// One row.
-    pub(crate) fn push(&mut self, row: &Point) {
-        match self.all.last_mut() {
-            Some(last) if self.last_rows < self.rows_each => {
-                *last = last.and(row);
-                self.last_rows += 1;
-            }
-            _ => {
-                if self.all.len() == POINTS {
-                    self.all = self.all.chunks(2).map(|two| two[0].and(&two[two.len() - 1])).collect();
-                    self.rows_each *= 2;
-                }
-                self.all.push(*row);
-                self.last_rows = 1;
-            }
-        }
-    }
-
-    pub(crate) fn into_all(self) -> Vec<Point> {
-        self.all
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::laws::Stretches;
+    use crate::thresholds::POINTS;
 
     #[test]
     fn however_long_the_record_there_are_few_points_and_no_extreme_is_lost() {
         for rows in [2, 256, 257, 5000, 100_003] {
-            let mut points = Points::new();
+            let mut points = Stretches::new(POINTS);
             for i in 0..rows {
                 let x = if i == rows / 3 { -9.0 } else { f64::from(i % 7) };
                 let spin = Vector3::new(x, 0.0, 1.0);
-                points.push(&Point {
+                points.push(Point {
                     time: f64::from(i),
                     energy: x,
                     momentum: 0.0,

@@ -1,13 +1,9 @@
 //! A trial: rows in, and what they do to the laws noted.
 
 use crate::error::Error;
-use crate::laws::followed::Laws;
-use crate::laws::jumps::Jumps;
-use crate::laws::jumps::Reset;
-use crate::read::known::{Disagreement, Known};
-use crate::read::sample::Sample;
-use crate::read::state::{Pair, Row};
-use crate::rule::candidates::Subject;
+use crate::laws::{Jumps, Laws, Reset};
+use crate::read::{Known, Pair, Row, Sample};
+use crate::rule::Subject;
 use crate::thresholds::RESETS;
 use nalgebra::Vector3;
 use serde::Serialize;
@@ -38,8 +34,6 @@ pub(crate) struct Trial {
     pub pairs: u64,
     /// At which line the attitude turns too far for its direction to be known, and by how much, rad.
     pub stopped: Option<(usize, f64)>,
-    /// How a second vector of the record is at odds with the first.
-    pub second: Option<Disagreement>,
     /// Where the numbers end, and with what.
     pub ended: Option<String>,
 }
@@ -64,7 +58,6 @@ impl Trial {
             rows: 0,
             pairs: 0,
             stopped: None,
-            second: None,
             ended: None,
         })
     }

@@ -1,8 +1,6 @@
 //! The clock of a record: how long its steps are, and where rows are missing.
 
-use crate::read::note::Note;
-use crate::read::source::Raw;
-use crate::read::state::median;
+use crate::read::{Note, Raw, median};
 use crate::thresholds::{PROBE_PAIRS, STEP_APART, STEP_SLACK, STEPS_PER_ROW_APART, STEPS_PER_ROW_MOST};
 
 /// How time goes from row to row.

@@ -8,16 +8,14 @@ use crate::read::units;
 pub(crate) struct Columns {
     pub names: Vec<String>,
     pub separator: Separator,
-    pub clock: Clock,
+    pub clock: TimeColumn,
     /// w, x, y, z.
     pub attitude: Option<[usize; 4]>,
     /// None where attitudes are all there is.
     pub vector: Option<[usize; 3]>,
     pub kind: Kind,
-    /// Another vector than the one that is judged.
-    pub second: Option<(Kind, [usize; 3])>,
-    /// What a spin is to be multiplied by for rad/s, by the unit in its names; and the second vector's.
-    pub units: [f64; 2],
+    /// What a spin is to be multiplied by for rad/s, by the unit in its names.
+    pub unit: f64,
     /// How many of the unit of the time column are a second.
     pub per_second: f64,
 }
@@ -30,7 +28,7 @@ pub(crate) enum Separator {
 
 /// What the time of a row is read from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Clock {
+pub(crate) enum TimeColumn {
     /// Seconds.
     Time(usize),
     /// A count of steps.
@@ -158,9 +156,6 @@ struct Names {
     plain: Vec<(String, String)>,
 }
 
-/// Places of a vector, and which vector it is.
-type Vectors = Option<(Kind, [usize; 3])>;
-
 const KNOWN: &str = "known are t or step; qw,qx,qy,qz; wx,wy,wz (spin in body axes) or wxw,wyw,wzw (in world axes); \
                      lx,ly,lz (momentum in body axes) or lxw,lyw,lzw (in world axes)";
 
@@ -229,11 +224,11 @@ impl Names {
         Ok(Some(places.into_iter().flatten().collect()))
     }
 
-    fn clock(&self) -> Result<Clock, Error> {
+    fn clock(&self) -> Result<TimeColumn, Error> {
         let times: Vec<&str> = TIME.into_iter().chain(TIME_IN.map(|name| name.0)).collect();
         match (self.any(&times)?, self.any(&STEPS)?) {
-            (Some(i), _) => Ok(Clock::Time(i)),
-            (None, Some(i)) => Ok(Clock::Steps(i)),
+            (Some(i), _) => Ok(TimeColumn::Time(i)),
+            (None, Some(i)) => Ok(TimeColumn::Steps(i)),
             (None, None) => Err(self.wrong(format!("the column `t` is missing; {KNOWN}"))),
         }
     }
@@ -265,30 +260,26 @@ impl Names {
         Ok(attitude)
     }
 
-    /// The vector that is judged, and another.
-    fn vectors(&self) -> Result<[Vectors; 2], Error> {
-        let (mut vector, mut second): (Vectors, Vectors) = (None, None);
+    /// The vector that is judged: the first kind there is.
+    fn vector(&self) -> Result<Option<(Kind, [usize; 3])>, Error> {
         for (kind, ways) in VECTORS {
+            let mut vector = None;
             for (prefix, suffix) in ways.split(' ').filter_map(|way| way.split_once('*')) {
                 let Some(places) = self.whole(prefix, &["x", "y", "z"], suffix)? else { continue };
-                let name = &self.raw[places[0]];
-                let found = <[usize; 3]>::try_from(places).ok().map(|places| (kind, places));
-                match vector {
-                    Some((before, _)) if before == kind => {
-                        let problem =
-                            format!("there are two sets of columns for one vector, `{name}` among them");
-                        return Err(self.wrong(problem));
-                    }
-                    Some(_) => second = second.or(found),
-                    None => vector = found,
+                if vector.is_some() {
+                    let name = &self.raw[places[0]];
+                    let problem =
+                        format!("there are two sets of columns for one vector, `{name}` among them");
+                    return Err(self.wrong(problem));
                 }
+                vector = <[usize; 3]>::try_from(places).ok();
+            }
+            if let Some(places) = vector {
+                return Ok(Some((kind, places)));
             }
         }
-        if let Some(places) = self.all(&SPIN_NAMES)? {
-            let spin = <[usize; 3]>::try_from(places).ok().map(|places| (Kind::SpinBody, places));
-            (vector, second) = (vector.or(spin), second.or(spin.filter(|_| vector.is_some())));
-        }
-        Ok([vector, second])
+        let places = self.all(&SPIN_NAMES)?.and_then(|places| <[usize; 3]>::try_from(places).ok());
+        Ok(places.map(|places| (Kind::SpinBody, places)))
     }
 
     /// One unit for the three of them, and one that is known.
@@ -310,8 +301,8 @@ impl Names {
         })
     }
 
-    fn per_second(&self, clock: Clock) -> Result<f64, Error> {
-        let Clock::Time(i) = clock else { return Ok(1.0) };
+    fn per_second(&self, clock: TimeColumn) -> Result<f64, Error> {
+        let TimeColumn::Time(i) = clock else { return Ok(1.0) };
         let (name, unit) = &self.plain[i];
         let by_name = TIME_IN.iter().find(|known| known.0 == name.as_str()).map_or("", |known| known.1);
         units::per_second(if unit.is_empty() { by_name } else { unit }).ok_or_else(|| {
@@ -330,8 +321,7 @@ impl Columns {
         let names = Names::of(separator, line, number)?;
         let clock = names.clock()?;
         let attitude = names.attitude()?;
-        let [vector, mut second] = names.vectors()?;
-        let (kind, vector) = match vector {
+        let (kind, vector) = match names.vector()? {
             Some((kind, places)) => (kind, Some(places)),
             None if attitude.is_some() => (Kind::Attitude, None),
             None => {
@@ -346,28 +336,22 @@ impl Columns {
                     .into(),
             ));
         }
-        if attitude.is_none() {
-            second = second.filter(|(kind, _)| !kind.in_world());
-        }
-        let first = vector.map_or(Ok(1.0), |places| names.unit_of(kind, &places))?;
-        let other = second.as_ref().map_or(Ok(1.0), |(kind, places)| names.unit_of(*kind, places))?;
+        let unit = vector.map_or(Ok(1.0), |places| names.unit_of(kind, &places))?;
         let per_second = names.per_second(clock)?;
-        let units = [first, other];
-        Ok(Self { names: names.raw, separator, clock, attitude, vector, kind, second, units, per_second })
+        Ok(Self { names: names.raw, separator, clock, attitude, vector, kind, unit, per_second })
     }
 
     /// The names of the columns that are not read.
     pub(crate) fn ignored(&self) -> Vec<String> {
-        let (Clock::Time(clock) | Clock::Steps(clock)) = self.clock;
-        let read = |i: usize| {
-            i == clock || self.attitude.is_some_and(|places| places.contains(&i)) || self.vectors(i)
-        };
-        self.names.iter().enumerate().filter(|(i, _)| !read(*i)).map(|(_, name)| name.clone()).collect()
+        let names = self.names.iter().enumerate();
+        names.filter(|(i, _)| !self.reads(*i)).map(|(_, name)| name.clone()).collect()
     }
 
-    /// Whether a column is a component of a vector.
-    pub(crate) fn vectors(&self, i: usize) -> bool {
-        let both = [self.vector, self.second.map(|second| second.1)];
-        both.iter().flatten().any(|places| places.contains(&i))
+    /// Whether a column is read.
+    pub(crate) fn reads(&self, i: usize) -> bool {
+        let (TimeColumn::Time(clock) | TimeColumn::Steps(clock)) = self.clock;
+        i == clock
+            || self.attitude.is_some_and(|places| places.contains(&i))
+            || self.vector.is_some_and(|places| places.contains(&i))
     }
 }

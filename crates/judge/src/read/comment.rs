@@ -1,9 +1,8 @@
 //! What the comment lines of a record say.
 
 use crate::error::Error;
-use crate::read::digits::last_place;
-use crate::read::note::Note;
 use crate::read::units;
+use crate::read::{Note, last_place};
 use crate::thresholds::MOMENTS_MISS;
 use nalgebra::Vector3;
 

@@ -1,8 +1,7 @@
 //! Spins that a record does not have, from the turns between its attitudes.
 
 use crate::error::Error;
-use crate::read::clock::Clock;
-use crate::read::state::{Pair, Row};
+use crate::read::{Clock, Pair, Row};
 use crate::thresholds::{FARTHEST_TURN, SPIN_ROUNDS, TURN_LEFT};
 use nalgebra::Vector3;
 use tumbling::exact::FreeMotion;

@@ -1,7 +1,7 @@
 //! A start fitted to the first rows, for records of few digits.
 
 use crate::error::Error;
-use crate::read::state::Row;
+use crate::read::Row;
 use crate::thresholds::{FIT_BOTTOM, FIT_GAIN, FIT_LEFT, FIT_ROUNDS, FIT_SHARE};
 use nalgebra::{Matrix3, Vector3};
 use serde::Serialize;
@@ -44,7 +44,7 @@ fn step(
 
 /// The spin at the time of the first row whose exact motion is nearest to the spins of all of them, in the
 /// least squares.
-pub(crate) fn start(moments: &Vector3<f64>, rows: &[Row]) -> Result<(Vector3<f64>, Fit), Error> {
+pub(crate) fn fitted_start(moments: &Vector3<f64>, rows: &[Row]) -> Result<(Vector3<f64>, Fit), Error> {
     let none = |problem: &str| Error::Fit { rows: rows.len(), problem: problem.into() };
     let [first, .., last] = rows else { return Err(none("it takes two rows at least")) };
     let mut omega = first.omega;

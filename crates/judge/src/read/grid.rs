@@ -1,8 +1,6 @@
 //! Times printed with few digits, put back to the steps that they are rounded from.
 
-use crate::read::note::Note;
-use crate::read::reading::Reading;
-use crate::read::source::Raw;
+use crate::read::{Note, Raw, Reading};
 use crate::thresholds::{EVEN_TIMES, PRINTED_HALVES};
 use nalgebra::Vector3;
 

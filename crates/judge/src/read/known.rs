@@ -1,24 +1,16 @@
 //! What is known of a record besides its rows: what it says, and what its first rows show.
 
 use crate::error::Error;
-use crate::read::clock::Clock;
-use crate::read::columns::Kind;
-use crate::read::derived::{Derived, Feed};
-use crate::read::grid::Grid;
-use crate::read::note::Note;
-use crate::read::reading::Reading;
-use crate::read::rounding::{Floor, rounding};
-use crate::read::source::Raw;
-use crate::read::state::{Row, angle_between, median};
-use crate::thresholds::{FEW_DIGITS, SPIN_FROM_TURN, VECTORS_APART};
+use crate::read::{
+    Clock, Derived, Feed, Floor, Grid, Kind, Note, Raw, Reading, Row, angle_between, median, rounding,
+};
+use crate::thresholds::{FEW_DIGITS, SPIN_FROM_TURN};
 use nalgebra::Vector3;
 
 /// What a record says of itself.
 pub(crate) struct Said {
     pub engine: Option<String>,
     pub kind: Kind,
-    /// Another vector of the rows, and the name of its first column.
-    pub second: Option<(Kind, String)>,
     /// The step that it names, s.
     pub step: Option<f64>,
     /// Constant in the world, N m.
@@ -40,14 +32,6 @@ pub(crate) struct Known {
     pub clock: Clock,
     /// The rounding of the spins.
     pub floor: Floor,
-}
-
-/// Where a second vector of the record is at odds with the first.
-pub(crate) struct Disagreement {
-    pub column: String,
-    /// By how much, as a share.
-    pub off: f64,
-    pub line: usize,
 }
 
 /// At which line an attitude turns too far for its direction to be known, and by how much, rad.
@@ -115,20 +99,5 @@ impl Known {
             self.floor.size *= SPIN_FROM_TURN / turn.min(1.0);
         }
         Ok((states, stopped))
-    }
-
-    /// Where a second vector of the record, as a spin, is not what the first one says: the first such row
-    /// looked at.
-    pub(crate) fn disagreement(&self, probe: &[Raw]) -> Option<Disagreement> {
-        let (kind, column) = self.said.second.as_ref().filter(|_| self.reading.mistakes().is_empty())?;
-        let [roundings, share] = VECTORS_APART;
-        let moments = &self.moments;
-        probe.iter().find_map(|raw| {
-            let Row { omega: first, attitude, .. } = self.reading.state(raw, moments);
-            let other = Raw { attitude, vector: raw.second, ..*raw }.omega(*kind, moments);
-            let off = (first - other).norm() / first.norm().max(other.norm());
-            let apart = off > (roundings * self.floor.size).max(share);
-            apart.then(|| Disagreement { column: column.clone(), off, line: raw.line })
-        })
     }
 }

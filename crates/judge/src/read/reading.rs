@@ -3,9 +3,7 @@
 //! A spin and the turn from one row to the next say the same thing. Where they do not, and would if the
 //! numbers were read another way, the file is what is wrong.
 
-use crate::read::columns::Kind;
-use crate::read::source::Raw;
-use crate::read::state::{Pair, Row, median};
+use crate::read::{Kind, Pair, Raw, Row, median};
 use crate::thresholds::{
     LAW_AGREES, LAW_BETTER, LAW_DECIDES, LAW_WEIGHT, NEARER_READING, RARE_MISTAKE, TURNS_AGREE, TURNS_EQUAL,
     TURNS_WEIGHT, UNIT_APART,

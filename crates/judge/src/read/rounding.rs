@@ -1,7 +1,6 @@
 //! How exact the numbers of a record are, and what is rounding in its steps.
 
-use crate::read::source::Raw;
-use crate::read::state::median;
+use crate::read::{Raw, median};
 use crate::thresholds::{
     CLOSELY, CLOSELY_SINGLE, DIGITS_OF_DOUBLE, DIGITS_OF_SINGLE, FEWEST_DIGITS, FITS, FITS_FEW,
     FITS_FEW_FROM, FITS_SINGLE, MOST_DIGITS,

@@ -1,19 +1,14 @@
 //! A record, row by row: one line in memory at a time.
 
 use crate::error::Error;
-use crate::read::columns::{Clock, Columns};
-use crate::read::comment::Header;
-use crate::read::digits::{last_place, significant};
-use crate::read::source::{Printed, Raw, Source};
+use crate::read::{Columns, Header, Printed, Raw, Source, TimeColumn, last_place, significant};
 use crate::thresholds::{FIELD_SHOWN, LINE_BYTES, MOST_DIGITS_OF_SINGLE, ROWS_BEFORE_THE_END};
 use nalgebra::{Quaternion, Vector3};
 use std::io::BufRead;
 
 /// Reads a record.
 pub(crate) struct Rows<R> {
-    source: R,
-    line: usize,
-    text: Vec<u8>,
+    lines: Lines<R>,
     pub columns: Columns,
     pub header: Header,
     last: Option<f64>,
@@ -28,78 +23,57 @@ impl<R: BufRead> Rows<R> {
     pub(crate) fn open(source: R) -> Result<Self, Error> {
         let mut lines = Lines { source, line: 0, text: Vec::new() };
         let mut header = Header::default();
-        loop {
-            if !lines.advance()? {
-                return Err(Error::Empty);
-            }
-            let text = text_of(&lines.text, lines.line)?.trim_start_matches('\u{feff}').trim();
+        while lines.advance()? {
+            let line = lines.line;
+            let text = text_of(&lines.text, line)?.trim_start_matches('\u{feff}').trim();
             if let Some(comment) = text.strip_prefix('#') {
-                header.read(comment, lines.line)?;
+                header.read(comment, line)?;
             } else if !text.is_empty() {
-                let columns = Columns::of(text, lines.line)?;
-                if matches!(columns.clock, Clock::Steps(_)) && header.step.is_none() {
-                    return Err(Error::Columns {
-                        line: lines.line,
-                        problem: "steps are counted, and their length is not given: a comment line `# dt: 0.01`, or a \
-                                  column `t`, is missing"
-                            .into(),
-                    });
+                let columns = Columns::of(text, line)?;
+                if matches!(columns.clock, TimeColumn::Steps(_)) && header.step.is_none() {
+                    let problem = "steps are counted, and their length is not given: a comment line `# dt: 0.01`, or a \
+                                   column `t`, is missing";
+                    return Err(Error::Columns { line, problem: problem.into() });
                 }
-                let Lines { source, line, text } = lines;
-                return Ok(Self {
-                    source,
-                    line,
-                    text,
-                    columns,
-                    header,
-                    last: None,
-                    fields: Vec::new(),
-                    rows: 0,
-                    ended: None,
-                });
+                let (last, fields, rows, ended) = (None, Vec::new(), 0, None);
+                return Ok(Self { lines, columns, header, last, fields, rows, ended });
             }
         }
+        Err(Error::Empty)
     }
 
     /// The next row; `None` after the last, or where the numbers end.
     pub(crate) fn advance(&mut self) -> Result<Option<Raw>, Error> {
-        loop {
-            if self.ended.is_some() {
-                return Ok(None);
+        while self.ended.is_none() && self.lines.advance()? {
+            let line = self.lines.line;
+            let text = text_of(&self.lines.text, line)?.trim();
+            if text.is_empty() || text.starts_with('#') {
+                continue;
             }
-            let text = std::mem::take(&mut self.text);
-            let mut lines = Lines { source: &mut self.source, line: self.line, text };
-            let found = lines.advance()?;
-            (self.line, self.text) = (lines.line, lines.text);
-            if !found {
-                return Ok(None);
-            }
-            let text = text_of(&self.text, self.line)?.trim();
-            if !(text.is_empty() || text.starts_with('#')) {
-                let raw = match read(&self.columns, text, self.line, &self.header, &mut self.fields) {
-                    Err(Wrong::NotFinite(error)) if self.rows >= ROWS_BEFORE_THE_END => {
-                        self.ended = Some(error);
-                        continue;
-                    }
-                    Err(Wrong::NotFinite(error) | Wrong::Row(error)) => return Err(error),
-                    Ok(raw) => raw,
-                };
-                if let Some(last) = self.last
-                    && raw.t <= last
-                {
-                    let (Clock::Time(i) | Clock::Steps(i)) = self.columns.clock;
-                    return Err(Error::Field {
-                        line: self.line,
-                        column: i + 1,
-                        name: self.columns.names[i].clone(),
-                        problem: format!("time does not increase: {} s after {last} s", raw.t),
-                    });
+            let raw = match read(&self.columns, text, line, &self.header, &mut self.fields) {
+                Err(Wrong::NotFinite(error)) if self.rows >= ROWS_BEFORE_THE_END => {
+                    self.ended = Some(error);
+                    break;
                 }
-                self.last = Some(raw.t);
-                self.rows += 1;
-                return Ok(Some(raw));
+                Err(Wrong::NotFinite(error) | Wrong::Row(error)) => return Err(error),
+                Ok(raw) => raw,
+            };
+            if let Some(last) = self.last.replace(raw.t)
+                && raw.t <= last
+            {
+                let (TimeColumn::Time(i) | TimeColumn::Steps(i)) = self.columns.clock;
+                let problem = format!("time does not increase: {} s after {last} s", raw.t);
+                return Err(Error::Field {
+                    line,
+                    column: i + 1,
+                    name: self.columns.names[i].clone(),
+                    problem,
+                });
             }
+            self.rows += 1;
+            return Ok(Some(raw));
         }
+        Ok(None)
     }
 }
 
@@ -151,10 +125,7 @@ impl Exact {
 
 /// The numbers of a row, one for each column; zero where none is read.
 fn numbers(columns: &Columns, text: &str, line: usize, fields: &mut Vec<f64>) -> Result<Exact, Wrong> {
-    let (Clock::Time(clock) | Clock::Steps(clock)) = columns.clock;
-    let wanted = |i: usize| {
-        i == clock || columns.vectors(i) || columns.attitude.is_some_and(|places| places.contains(&i))
-    };
+    let (TimeColumn::Time(clock) | TimeColumn::Steps(clock)) = columns.clock;
     let mut exact = Exact { printed: Printed::default(), digits: 0, single: true, place: f64::INFINITY };
     let there = columns.names.len();
     fields.clear();
@@ -173,7 +144,7 @@ fn numbers(columns: &Columns, text: &str, line: usize, fields: &mut Vec<f64>) ->
             let problem = format!("`{shown}` is one more field than there are columns ({there})");
             return Err(Wrong::Row(wrong(problem)));
         }
-        if !wanted(i) {
+        if !columns.reads(i) {
             fields.push(0.0);
             continue;
         }
@@ -205,27 +176,24 @@ fn read(
 ) -> Result<Raw, Wrong> {
     let Exact { printed, digits, single, place } = numbers(columns, text, line, fields)?;
     let t = match columns.clock {
-        Clock::Time(i) => fields[i] / columns.per_second,
-        Clock::Steps(i) => fields[i] * header.step.unwrap_or(1.0),
+        TimeColumn::Time(i) => fields[i] / columns.per_second,
+        TimeColumn::Steps(i) => fields[i] * header.step.unwrap_or(1.0),
     };
     let printed = match columns.clock {
-        Clock::Time(_) => Printed {
+        TimeColumn::Time(_) => Printed {
             half: printed.half / columns.per_second,
             above: printed.above / columns.per_second,
             ..printed
         },
-        Clock::Steps(_) => Printed::default(),
+        TimeColumn::Steps(_) => Printed::default(),
     };
-    let three = |places: Option<[usize; 3]>, unit: f64| {
-        Vector3::from(places.map_or([0.0; 3], |places| places.map(|i| fields[i]))) * unit
-    };
-    let vector = three(columns.vector, columns.units[0]);
-    let second = three(columns.second.map(|second| second.1), columns.units[1]);
+    let vector =
+        Vector3::from(columns.vector.map_or([0.0; 3], |places| places.map(|i| fields[i]))) * columns.unit;
     let attitude = columns.attitude.map(|places| {
         let [w, x, y, z] = places.map(|i| fields[i]);
         Quaternion::new(w, x, y, z)
     });
-    Ok(Raw { line, t, attitude, vector, second, printed, digits, single, place })
+    Ok(Raw { line, t, attitude, vector, printed, digits, single, place })
 }
 
 /// A field as an error shows it: not all of a long one.

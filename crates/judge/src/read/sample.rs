@@ -1,6 +1,6 @@
 //! Steps of a record of any length, evenly from all of it.
 
-use crate::read::state::Pair;
+use crate::read::Pair;
 use crate::thresholds::TRIED_STEPS;
 
 /// Pairs of rows from all of a record of any length.
@@ -45,7 +45,7 @@ impl Sample {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::read::state::Row;
+    use crate::read::Row;
     use nalgebra::Vector3;
 
     #[test]

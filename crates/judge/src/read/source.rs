@@ -1,7 +1,7 @@
 //! A row as it is written, and where rows come from: a file or memory.
 
 use crate::error::Error;
-use crate::read::columns::Kind;
+use crate::read::Kind;
 use nalgebra::{Quaternion, Vector3};
 
 /// Where rows come from.
@@ -33,8 +33,6 @@ pub(crate) struct Raw {
     pub attitude: Option<Quaternion<f64>>,
     /// As [`Kind`] says; in radians.
     pub vector: Vector3<f64>,
-    /// Another vector than that one; zero where there is none.
-    pub second: Vector3<f64>,
     /// How its time is printed.
     pub printed: Printed,
     /// The most significant digits that any of its numbers has.

@@ -1,9 +1,8 @@
 //! The body of a record, and how each rule that may have made it takes a row one step further.
 
-use crate::read::state::{Pair, Row, angle_between, unit};
-use crate::rule::engine_step::{Limits, parted};
-use crate::rule::rules::{Alteration, Base, Rule, Spin, Steps, When};
-use crate::thresholds::RULE_ROUNDS;
+use crate::read::{Pair, Row, angle_between, ordered, unit};
+use crate::rule::{Alteration, Base, Limits, Rule, Spin, Steps, When, parted};
+use crate::thresholds::{FAR_FROM_ONE, RULE_ROUNDS, STILL};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Engine, PositionStage, State, System, Torque};
@@ -25,15 +24,32 @@ fn turned(q: &Quaternion<f64>, omega: &Vector3<f64>, h: f64) -> Quaternion<f64> 
 /// The body that a record is of.
 #[derive(Debug, Clone)]
 pub(crate) struct Subject {
+    /// The moments, relative to `unit`.
     pub moments: Vector3<f64>,
+    /// A torque constant in the world, relative to `unit`.
     pub torque: Option<Vector3<f64>>,
+    /// A power of two that makes products of momenta numbers where moments are very large or small, kg m².
+    pub unit: f64,
     pub system: System<f64>,
 }
 
 impl Subject {
     pub(crate) fn new(moments: Vector3<f64>, torque: Option<Vector3<f64>>) -> Result<Self, Error> {
+        let size = moments.amax().log2().floor();
+        let unit = if size.abs() < FAR_FROM_ONE { 1.0 } else { size.exp2() };
+        let (moments, torque) = (moments / unit, torque.map(|torque| torque / unit));
         let torques = torque.map(|torque| vec![Torque::InWorld(torque)]).unwrap_or_default();
-        Ok(Self { moments, torque, system: System::with(moments.try_into()?, torques)? })
+        Ok(Self { moments, torque, unit, system: System::with(moments.try_into()?, torques)? })
+    }
+
+    /// Whether the gyroscopic term is more than rounding in the changes of spin that these steps should have.
+    pub(crate) fn should_change(&self, pairs: &[Pair], floor: f64) -> bool {
+        let [smallest, _, largest] = ordered(&self.moments);
+        self.moments[smallest] < self.moments[largest]
+            && pairs.iter().any(|pair| {
+                let rate = euler::angular_acceleration(&self.moments, &pair.from.omega, &Vector3::zeros());
+                rate.norm() * pair.h > STILL * floor * pair.from.omega.norm()
+            })
     }
 
     fn motion(&self, state: &Row) -> State<f64> {
@@ -41,52 +57,49 @@ impl Subject {
     }
 
     /// A base's step.
-    fn based(&self, base: Base, from: &Row, h: f64) -> Result<End, Error> {
+    fn based(&self, base: Base, from: &Row, h: f64) -> Option<End> {
         let start = from.start();
         let end = |end: State<f64>| (end.attitude, self.system.omega(&end.momentum));
         match base {
             Base::Exact => {
-                let after = FreeMotion::new(self.moments.try_into()?, &from.omega)?.at(h)?;
-                Ok((start * after.attitude.into_inner(), after.omega))
+                let motion = FreeMotion::new(self.moments.try_into().ok()?, &from.omega).ok()?;
+                let after = motion.at(h).ok()?;
+                Some((start * after.attitude.into_inner(), after.omega))
             }
             Base::Method(method, parts) => {
-                parted(method, parts, &Limits::NONE, &self.system, &self.motion(from), h).map(end)
+                parted(method, parts, &Limits::NONE, &self.system, &self.motion(from), h).ok().map(end)
             }
-            Base::Engine(engine) => engine.step(&self.system, &self.motion(from), h).map(end),
+            Base::Engine(engine) => engine.step(&self.system, &self.motion(from), h).ok().map(end),
             Base::PositionStage(parts) => self.staged(parts.max(1), from, h),
             Base::FrozenTensor(steps) => self.frozen(steps, from, h),
             Base::FrozenAt(first, steps) => {
                 // In the axes that the body had at first the tensor is frozen at the identity.
                 let from = Row { attitude: Some(attitude::product(&first.conjugate(), &start)), ..*from };
                 let (q, omega) = self.frozen(steps, &from, h)?;
-                Ok((attitude::product(&first, &q), omega))
+                Some((attitude::product(&first, &q), omega))
             }
             Base::MomentumForSpin(mass) => {
                 let momentum = self.system.momentum(&from.omega);
                 let q = turned(&start, &(momentum / mass), h);
                 let world = attitude::rotation_matrix(&start) * momentum;
-                Ok((q, self.system.omega(&attitude::rotation_matrix(&q).tr_mul(&world))))
+                Some((q, self.system.omega(&attitude::rotation_matrix(&q).tr_mul(&world))))
             }
-            Base::Straight(spin, parts) => Ok(self.straight(spin, parts.max(1), from, h)),
+            Base::Straight(spin, parts) => Some(self.straight(spin, parts.max(1), from, h)),
         }
     }
 
     /// The library's position stage in this number of parts.
-    fn staged(&self, parts: u32, from: &Row, h: f64) -> Result<End, Error> {
-        let stage = PositionStage::new(&self.moments)?;
+    fn staged(&self, parts: u32, from: &Row, h: f64) -> Option<End> {
+        let stage = PositionStage::new(&self.moments).ok()?;
         let attitude = unit(&from.start()).into_inner();
         let part = h / f64::from(parts);
         let start = (attitude, attitude::rotation_matrix(&attitude) * from.omega);
         let (attitude, omega) = (0..parts).try_fold(start, |(attitude, omega), _| {
             let end = stage.step(&attitude, &omega, part);
-            match end.parts {
-                0 => {
-                    Err(Error::unrepresentable("a spin that the position stage does not step", omega.norm()))
-                }
-                _ => Ok((end.attitude, end.omega)),
-            }
+            // No parts: it does not step so fast a spin.
+            (end.parts > 0).then_some((end.attitude, end.omega))
         })?;
-        Ok((attitude, attitude::rotation_matrix(&attitude).tr_mul(&omega)))
+        Some((attitude, attitude::rotation_matrix(&attitude).tr_mul(&omega)))
     }
 
     /// The spin stepped so in this number of parts, and the attitude straight by each new one.
@@ -104,7 +117,7 @@ impl Subject {
     }
 
     /// The step with the tensor frozen as it stands at the identity.
-    fn frozen(&self, steps: Steps, from: &Row, h: f64) -> Result<End, Error> {
+    fn frozen(&self, steps: Steps, from: &Row, h: f64) -> Option<End> {
         let start = from.start();
         match steps {
             Steps::First => {
@@ -112,43 +125,42 @@ impl Subject {
                 let world = rotation * from.omega;
                 let world = world + euler::angular_acceleration(&self.moments, &world, &Vector3::zeros()) * h;
                 let q = attitude::product(&attitude::turn(&(world * h)), &start);
-                Ok((q, attitude::rotation_matrix(&q).tr_mul(&world)))
+                Some((q, attitude::rotation_matrix(&q).tr_mul(&world)))
             }
             Steps::Fourth => {
                 let [a, b, c] = self.moments.into();
-                let body = Body::spinning(Inertia::from_moments(a, b, c)?, unit(&start), &from.omega)?;
-                let run = Engine::Frozen.run(&body, h, 1)?;
+                let body =
+                    Body::spinning(Inertia::from_moments(a, b, c).ok()?, unit(&start), &from.omega).ok()?;
+                let run = Engine::Frozen.run(&body, h, 1).ok()?;
                 let end = run.last().unwrap_or(&body);
-                Ok((end.attitude().into_inner(), end.omega_body()))
+                Some((end.attitude().into_inner(), end.omega_body()))
             }
         }
     }
 
     /// The attitude and spin that a rule makes of a row.
-    fn after(&self, rule: &Rule, from: &Row, h: f64) -> Result<End, Error> {
+    fn after(&self, rule: &Rule, from: &Row, h: f64) -> Option<End> {
         let start = from.start();
         let base = |from: &Row, h: f64| self.based(rule.base, from, h);
         let with = |omega: Vector3<f64>| (turned(&start, &omega, h), omega);
         let Some(alteration) = rule.alteration else { return base(from, h) };
-        Ok(match alteration {
+        match alteration {
             Alteration::OtherMoments(moments) => {
-                Self::new(moments, self.torque)?.based(rule.base, from, h)?
+                Self::new(moments, self.torque).ok()?.based(rule.base, from, h)
             }
-            Alteration::Damped(factor, When::After) => with(base(from, h)?.1 * factor),
-            Alteration::Damped(factor, When::Before) => {
-                base(&Row { omega: from.omega * factor, ..*from }, h)?
-            }
+            Alteration::Damped(factor, When::After) => Some(with(base(from, h)?.1 * factor)),
+            Alteration::Damped(factor, When::Before) => base(&Row { omega: from.omega * factor, ..*from }, h),
             Alteration::Capped(most) => {
                 let (q, omega) = base(from, h)?;
                 let speed = omega.norm();
-                if speed <= most { (q, omega) } else { with(omega * (most / speed)) }
+                Some(if speed <= most { (q, omega) } else { with(omega * (most / speed)) })
             }
-        })
+        }
     }
 
     /// One step more, of a body that goes by a rule.
     pub(crate) fn next(&self, rule: &Rule, from: &Row, h: f64) -> Option<Row> {
-        let (q, omega) = self.after(rule, from, h).ok()?;
+        let (q, omega) = self.after(rule, from, h)?;
         let attitude = from.attitude.map(|_| q);
         let sound = omega.iter().chain(q.coords.iter()).all(|x| x.is_finite());
         sound.then_some(Row { t: from.t + h, attitude, omega, ..*from })
@@ -156,7 +168,7 @@ impl Subject {
 
     /// The spin that a rule makes of a row.
     pub(crate) fn spin_after(&self, rule: &Rule, pair: &Pair) -> Option<Vector3<f64>> {
-        self.after(rule, &pair.from, pair.h).ok().map(|end| end.1)
+        self.after(rule, &pair.from, pair.h).map(|end| end.1)
     }
 
     /// How far a rule's second step is from the recorded one, if its first is the recorded one: the spin that
@@ -167,7 +179,7 @@ impl Subject {
         let mut least = f64::INFINITY;
         let mut after = None;
         for _ in 0..RULE_ROUNDS {
-            let (q, spin) = self.after(rule, &Row { omega, ..pair.from }, pair.h).ok()?;
+            let (q, spin) = self.after(rule, &Row { omega, ..pair.from }, pair.h)?;
             let left = Pair { from: Row { attitude: Some(q), ..pair.to }, ..*pair }.turn()?;
             let size = left.norm();
             if size >= least || size.is_nan() {
@@ -177,8 +189,7 @@ impl Subject {
             omega += left / pair.h;
         }
         let turn = pair.from.omega.norm() * pair.h;
-        let (q, _) =
-            self.after(rule, &Row { attitude: Some(middle), omega: after?, ..pair.to }, pair.h).ok()?;
+        let (q, _) = self.after(rule, &Row { attitude: Some(middle), omega: after?, ..pair.to }, pair.h)?;
         let off = (angle_between(&q, ahead) + least) / turn;
         off.is_finite().then_some(off)
     }
@@ -190,7 +201,7 @@ impl Subject {
         if let Some((_, ahead)) = pair.to.ahead {
             return self.residual_of_turns(rule, pair, &ahead).unwrap_or(f64::INFINITY);
         }
-        let Ok((q, omega)) = self.after(rule, &pair.from, pair.h) else { return f64::INFINITY };
+        let Some((q, omega)) = self.after(rule, &pair.from, pair.h) else { return f64::INFINITY };
         let speed = pair.to.omega.norm().max(pair.from.omega.norm()).max(f64::MIN_POSITIVE);
         let spin = (omega - pair.to.omega).norm() / speed;
         let turn = match (pair.from.attitude, pair.to.attitude) {

@@ -19,14 +19,20 @@ pub enum Confidence {
     SmallErrors,
     /// Too few of the rows follow one another by one step.
     FewSteps,
-    /// None of the rules known here, and nearer to the exact motion than to any of them:
-    /// [`accuracy`](crate::Diagnosis::accuracy) says how near.
+    /// None of the rules known here, and so near to the exact motion that the error of a step is a small
+    /// share of what the gyroscopic term does in it ([`error`](crate::Diagnosis::error)).
     Accurate,
     /// None of the rules known here.
     NoneFits,
 }
 
 impl Confidence {
+    /// Whether one rule is named, or several that are one here.
+    #[must_use]
+    pub const fn names_a_rule(self) -> bool {
+        matches!(self, Self::ToRounding | Self::MostSteps | Self::Near)
+    }
+
     /// All of them.
     pub const ALL: [Self; 8] = [
         Self::ToRounding,

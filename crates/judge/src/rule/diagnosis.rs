@@ -1,21 +1,12 @@
 //! Which rule made a record: each candidate takes each row one step further, and is held against the next
 //! row.
 
-use crate::read::known::Known;
-use crate::read::rounding::Floor;
-use crate::read::sample::Sample;
-use crate::read::state::{Pair, middle_and_most};
-use crate::rule::accuracy::{Accuracy, accuracy};
-use crate::rule::advice::Advice;
-use crate::rule::candidates::Subject;
-use crate::rule::confidence::Confidence;
-use crate::rule::drift::Run;
-use crate::rule::engine_step::PhysicsEngine;
-use crate::rule::engines::PHYSICS_ENGINES;
-use crate::rule::fitted::{compound, momentum_for_spin};
-use crate::rule::hints::Hint;
-use crate::rule::hints::hints;
-use crate::rule::rules::{Alteration, Base, Rule, frozen_at, in_parts, of_parts, plain};
+use crate::law::LawName;
+use crate::read::{Floor, Known, Pair, Sample, middle_and_most};
+use crate::rule::{
+    Advice, Base, Confidence, PHYSICS_ENGINES, Rule, Run, Subject, accuracy, cap_at_start, compound,
+    engine_names, engines, first_named, frozen_at, in_parts, momentum_for_spin, of_parts, plain,
+};
 use crate::thresholds::{
     ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, AS_EXACT, CLEAR, ERROR_ABOVE, FITS_EXACT, NEAR, NEAR_RATIO,
     TRIED_IN_PARTS, TRIED_SHARE, TRIED_TURNS,
@@ -62,18 +53,20 @@ pub struct Diagnosis {
     pub steps: usize,
     /// The share of the pairs of rows that are one step apart.
     pub share: f64,
-    /// What else was seen.
-    pub hints: Vec<Hint>,
+    /// The spins before and after a first step that slows the body to what no later one exceeds, rad/s.
+    pub cap: Option<[f64; 2]>,
     /// Of a record of few digits that breaks a law: how many of the best and those alike, the first of them,
     /// drift as the whole record does.
     pub drifts: Option<usize>,
-    /// Engines known to go by the best rule, or by one that makes the same steps here; where the record names
-    /// one that goes by a rule that fits, this one first.
+    /// The rules named first: the best, and with a rule named those that make the same steps here and that an
+    /// engine goes by.
+    pub leading: Vec<Rule>,
+    /// Engines known to go by one of them; where the record names one that goes by a rule that fits, this one
+    /// first.
     pub engines: Vec<String>,
-    /// The engine that the record names, where it goes by a rule that fits.
-    pub(crate) own: Option<&'static PhysicsEngine>,
-    /// How the errors of the steps go, where no rule is named.
-    pub accuracy: Option<Accuracy>,
+    /// Of an accurate rule that is not known the error of a step, as a share of what the gyroscopic term
+    /// changes of the spin in it.
+    pub error: Option<f64>,
     /// What to do about it.
     pub advice: Advice,
     /// Whether the numbers are of single precision.
@@ -82,18 +75,28 @@ pub struct Diagnosis {
     pub(crate) few: bool,
 }
 
+/// What the whole record shows, against which a rule of its single steps is held.
+pub(crate) struct Whole {
+    /// The run, where its steps are of one length.
+    pub run: Option<Run>,
+    /// The laws that it breaks.
+    pub broken: Vec<LawName>,
+    /// Whether flips are missing, or too many.
+    pub miscounted: bool,
+    /// Whether it fails, whatever its rule.
+    pub fails: bool,
+    /// Whether all is kept to rounding.
+    pub kept: bool,
+    /// The share of the pairs of rows that are one step apart.
+    pub share: f64,
+}
+
 fn explained(subject: &Subject, pairs: &[Pair], rule: Rule) -> Option<Explanation> {
     let residuals = pairs.iter().map(|pair| subject.residual(&rule, pair)).collect();
     middle_and_most(residuals).map(|[median, percentile_95]| Explanation { rule, median, percentile_95 })
 }
 
 impl Diagnosis {
-    /// Whether one rule is named, or several that are one here.
-    #[must_use]
-    pub const fn names_a_rule(&self) -> bool {
-        matches!(self.confidence, Confidence::ToRounding | Confidence::MostSteps | Confidence::Near)
-    }
-
     /// Whether the steps are the exact motion's, to the rounding of the record: any rule with smaller errors
     /// would look the same.
     #[must_use]
@@ -117,36 +120,6 @@ impl Diagnosis {
         }
     }
 
-    /// Of rules that explain the steps alike to a few digits, those that drift over the whole record as the
-    /// record does.
-    pub(crate) fn by_drift(&mut self, subject: &Subject, sample: &Sample, run: &Run) {
-        let all: Vec<Rule> = std::iter::once(self.best.rule).chain(self.alike.iter().copied()).collect();
-        let (like, unlike): (Vec<Rule>, Vec<Rule>) =
-            all.into_iter().partition(|rule| run.is_like(subject, rule));
-        self.drifts = Some(like.len());
-        if like.first() != Some(&self.best.rule) || !unlike.is_empty() {
-            self.confidence = Confidence::FewDigits;
-        }
-        let mut ordered = like.into_iter().chain(unlike);
-        if let Some(best) = ordered.next().and_then(|rule| explained(subject, sample.pairs(), rule)) {
-            self.best = best;
-        }
-        self.alike = ordered.collect();
-    }
-
-    /// With moments counted in this unit.
-    pub(crate) fn in_units_of(&mut self, unit: f64) {
-        let rules = self.second.iter_mut().map(|x| &mut x.rule).chain(&mut self.alike);
-        for rule in rules.chain([&mut self.best.rule]) {
-            if let Some(Alteration::OtherMoments(moments)) = &mut rule.alteration {
-                *moments *= unit;
-            }
-            if let Base::MomentumForSpin(mass) = &mut rule.base {
-                *mass *= unit;
-            }
-        }
-    }
-
     /// By how much the next rule is farther from the record than the best.
     #[must_use]
     pub fn ratio(&self) -> Option<f64> {
@@ -154,8 +127,63 @@ impl Diagnosis {
     }
 }
 
-/// Tries every candidate on the sample, which is this share of the pairs of rows that are one step apart.
-pub(crate) fn diagnose(subject: &Subject, sample: &Sample, known: &Known, share: f64) -> Option<Diagnosis> {
+/// The rules that explain a record: the best, others that do so alike, and the next.
+struct Ranked {
+    best: Explanation,
+    alike: Vec<Rule>,
+    second: Option<Explanation>,
+}
+
+impl Ranked {
+    fn of(found: &[Explanation], floor: Floor) -> Option<Self> {
+        let least = found.iter().map(|x| x.median).fold(f64::INFINITY, f64::min);
+        if !least.is_finite() {
+            return None;
+        }
+        let alike_of = alike_to_best(found, floor);
+        let best = *found.iter().find(|x| alike_of(x))?;
+        // The same rule with limits that the record does not reach says nothing new.
+        let same = |rule: &Rule| {
+            *rule == best.rule || rule.method().is_some() && rule.method() == best.rule.method()
+        };
+        // Where even the best is farther off than its own rounding would put it, whatever fits may be it.
+        let [rounding, _] = floor.closely();
+        let alike_of = |x: &Explanation| alike_of(x) || least > rounding && x.fits(floor);
+        let alike = found.iter().filter(|x| alike_of(x)).map(|x| x.rule).filter(|rule| !same(rule)).collect();
+        let others = found.iter().filter(|x| !alike_of(x)).copied();
+        let second = others.min_by(|a, b| best.relative_to(a).total_cmp(&best.relative_to(b)));
+        Some(Self { best, alike, second })
+    }
+
+    /// With those rules first that drift over the whole record as the record does, how sure that is, and how
+    /// many these are.
+    fn by_drift(self, subject: &Subject, sample: &Sample, run: &Run) -> (Self, Confidence, Option<usize>) {
+        let all = std::iter::once(self.best.rule).chain(self.alike);
+        let (mut ordered, unlike): (Vec<Rule>, Vec<Rule>) = all.partition(|rule| run.is_like(subject, rule));
+        let count = ordered.len();
+        let sure = unlike.is_empty() && ordered.first() == Some(&self.best.rule);
+        ordered.extend(unlike);
+        let best = explained(subject, sample.pairs(), ordered.remove(0)).unwrap_or(self.best);
+        let confidence = if sure { Confidence::ToRounding } else { Confidence::FewDigits };
+        (Self { best, alike: ordered, ..self }, confidence, Some(count))
+    }
+}
+
+impl Whole {
+    /// The run, where a record of few digits breaks a law: of such digits a wrong rule may fit each step, and
+    /// what the whole record does is held against it too.
+    fn run_astray(&self, floor: Floor) -> Option<&Run> {
+        self.run.as_ref().filter(|_| floor.few && (self.miscounted || !self.broken.is_empty()))
+    }
+}
+
+/// Tries every candidate on the sample.
+pub(crate) fn diagnose(
+    subject: &Subject,
+    sample: &Sample,
+    known: &Known,
+    whole: &Whole,
+) -> Option<Diagnosis> {
     let floor = known.floor;
     // Of attitudes alone each rule's spin has to be found first, step by step: fewer steps do.
     let sought = sample.pairs().iter().any(|pair| pair.to.ahead.is_some());
@@ -163,49 +191,49 @@ pub(crate) fn diagnose(subject: &Subject, sample: &Sample, known: &Known, share:
     let pairs: Vec<Pair> = sample.pairs().iter().step_by(every).copied().collect();
     let pairs = pairs.as_slice();
     let found = tried(subject, pairs, known, sought);
-    let least = found.iter().map(|x| x.median).fold(f64::INFINITY, f64::min);
-    if !least.is_finite() {
-        return None;
+    let mut ranked = Ranked::of(&found, floor)?;
+    let mut confidence = confidence_in(&ranked, &found, known, whole.share);
+    let mut error = None;
+    if confidence == Confidence::NoneFits
+        && let Some(exact) = found.iter().find(|x| x.rule == Rule::EXACT)
+        && !whole.fails
+        && !sought
+    {
+        error = accuracy(subject, pairs, exact, floor.size);
+        if error.is_some() {
+            ranked = Ranked { best: *exact, alike: Vec::new(), ..ranked };
+            confidence = Confidence::Accurate;
+        }
     }
-    let alike_of = alike_to_best(&found, floor);
-    let mut best = *found.iter().find(|x| alike_of(x))?;
-    // The same rule with limits that the record does not reach says nothing new.
-    let same =
-        |rule: &Rule| *rule == best.rule || rule.method().is_some() && rule.method() == best.rule.method();
-    // Where even the best is farther off than its own rounding would put it, whatever fits may be the rule.
-    let [rounding, _] = floor.closely();
-    let alike_of = |x: &Explanation| alike_of(x) || least > rounding && x.fits(floor);
-    let mut alike: Vec<Rule> =
-        found.iter().filter(|x| alike_of(x)).map(|x| x.rule).filter(|rule| !same(rule)).collect();
-    let others = found.iter().filter(|x| !alike_of(x)).copied();
-    let second = others.min_by(|a, b| best.relative_to(a).total_cmp(&best.relative_to(b)));
-    let exact = found.iter().find(|x| x.rule == Rule::EXACT);
-    let mut confidence = confidence_in(&best, &found, second.as_ref(), known, share);
-    if let (Confidence::NoneFits, Some(exact)) = (confidence, exact.filter(|x| x.median < NEAR)) {
-        (best, alike, confidence) = (*exact, Vec::new(), Confidence::Accurate);
+    let mut drifts = None;
+    if confidence == Confidence::ToRounding
+        && let Some(run) = whole.run_astray(floor)
+    {
+        (ranked, confidence, drifts) = ranked.by_drift(subject, sample, run);
     }
-    let hints = hints(subject, pairs, floor.size);
-    let none = matches!(confidence, Confidence::NoneFits | Confidence::Accurate);
-    let mut errors = None;
-    if none && subject.torque.is_none() && !sought {
-        errors = accuracy(&subject.moments, pairs, floor.size);
+    // A rule that keeps a law does not make every step of a record that breaks it.
+    if confidence == Confidence::ToRounding && whole.broken.iter().any(|law| ranked.best.rule.keeps(*law)) {
+        confidence = Confidence::MostSteps;
     }
-    if errors.is_none() && confidence == Confidence::Accurate {
-        confidence = Confidence::NoneFits;
-    }
+    let Ranked { best, alike, second } = ranked;
+    let header = known.said.engine.as_deref().unwrap_or_default();
+    let named =
+        confidence.names_a_rule() && !(confidence == Confidence::ToRounding && best.rule == Rule::EXACT);
+    let own: Vec<_> = engines(header, std::iter::once(&best.rule).chain(&alike));
+    let leading = first_named(&best.rule, if named { &alike } else { &[] }, own.first().map(|own| own.0));
     Some(Diagnosis {
-        best,
-        alike,
-        second,
+        best: Explanation { rule: best.rule.times(subject.unit), ..best },
+        alike: alike.iter().map(|rule| rule.times(subject.unit)).collect(),
+        second: second.map(|x| Explanation { rule: x.rule.times(subject.unit), ..x }),
         confidence,
         steps: pairs.len(),
-        share,
-        hints,
-        drifts: None,
-        engines: Vec::new(),
-        own: None,
-        accuracy: errors,
-        advice: Advice::NothingToDo,
+        share: whole.share,
+        cap: cap_at_start(pairs),
+        drifts,
+        engines: engine_names(&own, &leading),
+        leading: leading.iter().map(|rule| rule.times(subject.unit)).collect(),
+        error,
+        advice: Advice::of(confidence, &best.rule, floor.single, whole.kept, whole.fails),
         single: floor.single,
         few: floor.few,
     })
@@ -280,7 +308,7 @@ fn tried_in_parts(subject: &Subject, pairs: &[Pair], rules: Vec<Rule>, floor: Fl
     let mut possible = |rule: &Rule| {
         let (mut far, mut off) = (0, 0);
         if let Some((error, exact)) = &measure {
-            let (base, parts) = (rule.base.in_one_part(), rule.base.parts());
+            let (base, parts) = (rule.base.in_parts(1), rule.base.parts());
             if as_exact.iter().any(|(other, least)| *other == base && parts > *least) {
                 return false;
             }
@@ -306,15 +334,9 @@ fn tried_in_parts(subject: &Subject, pairs: &[Pair], rules: Vec<Rule>, floor: Fl
 
 /// How sure a diagnosis is: by how near the best rule is to the record, relative to rounding, to the error
 /// that it explains, and to the next rule.
-fn confidence_in(
-    best: &Explanation,
-    found: &[Explanation],
-    second: Option<&Explanation>,
-    known: &Known,
-    share: f64,
-) -> Confidence {
-    let floor = known.floor;
-    let ratio = second.map_or(f64::INFINITY, |second| best.relative_to(second));
+fn confidence_in(ranked: &Ranked, found: &[Explanation], known: &Known, share: f64) -> Confidence {
+    let (floor, best) = (known.floor, &ranked.best);
+    let ratio = ranked.second.map_or(f64::INFINITY, |second| best.relative_to(&second));
     let is_exact = best.rule == Rule::EXACT;
     // A rule that is not known here may come near to one that is; to its rounding only by chance.
     let [rounding, _] = floor.closely();
@@ -329,9 +351,7 @@ fn confidence_in(
         Confidence::ToRounding
     } else if closely {
         Confidence::MostSteps
-    } else if best.median < NEAR && is_exact {
-        Confidence::Accurate
-    } else if best.median < NEAR && clear && ratio >= NEAR_RATIO[fitted] {
+    } else if best.median < NEAR && !is_exact && clear && ratio >= NEAR_RATIO[fitted] {
         Confidence::Near
     } else {
         Confidence::NoneFits

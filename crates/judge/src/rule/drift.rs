@@ -1,8 +1,7 @@
 //! A rule over a whole run: whether it drifts as the record does.
 
-use crate::read::state::{Row, ordered};
-use crate::rule::candidates::Subject;
-use crate::rule::rules::Rule;
+use crate::read::{Row, ordered};
+use crate::rule::{Rule, Subject};
 use crate::thresholds::{DRIFT_APART, DRIFT_ROUNDINGS, FLIPS_APART, FLIPS_MISSED, RUN_STEPS};
 
 /// A whole run, from its first row to its last.

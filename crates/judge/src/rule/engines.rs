@@ -1,6 +1,6 @@
 //! The catalogue of physics engines: each row in full, with where it is known from.
 
-use crate::rule::engine_step::{Limits, PhysicsEngine};
+use crate::rule::{Limits, PhysicsEngine};
 use std::f64::consts::FRAC_PI_4;
 use tumbling::step::Method;
 

@@ -1,11 +1,10 @@
 //! Candidates with a number in them, each fitted to the record before it is held against it.
 
-use crate::read::state::{Pair, median};
-use crate::rule::candidates::Subject;
-use crate::rule::rules::{Alteration, Base, Rule, When};
+use crate::read::{Pair, median};
+use crate::rule::{Alteration, Base, Rule, Subject, When};
 use crate::thresholds::{
-    BEYOND, CAPPED_ROWS, CONVERGED, DAMPED, DAMPED_ROUNDINGS, DAMPING_ROUNDS, FITTED_STEPS, JOLT,
-    MOMENTS_ROUNDS,
+    BEYOND, CAP_AT_START, CAPPED_ROWS, CONVERGED, DAMPED, DAMPED_ROUNDINGS, DAMPING_ROUNDS, FITTED_STEPS,
+    JOLT, MOMENTS_ROUNDS,
 };
 use nalgebra::Vector3;
 
@@ -136,4 +135,13 @@ fn capped(pairs: &[Pair]) -> Option<f64> {
     let there = pairs.iter().filter(|pair| pair.to.omega.norm() >= most * (1.0 - BEYOND)).count();
     let [least, share] = CAPPED_ROWS;
     (most > 0.0 && there >= least && there * share >= pairs.len()).then_some(most)
+}
+
+/// The spins before and after a first step that slows the body to what no later step exceeds, rad/s.
+pub(crate) fn cap_at_start(pairs: &[Pair]) -> Option<[f64; 2]> {
+    let [slowed, beyond] = CAP_AT_START;
+    let (from, to) = (pairs.first()?.from.omega.norm(), pairs.first()?.to.omega.norm());
+    let greatest = pairs.iter().skip(1).map(|pair| pair.to.omega.norm()).fold(0.0, f64::max);
+    let capped = pairs.len() > 2 && to > 0.0 && from > slowed * to && greatest <= to * (1.0 + beyond);
+    capped.then_some([from, to])
 }

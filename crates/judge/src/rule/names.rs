@@ -1,9 +1,6 @@
 //! What a rule is called, and who goes by it.
 
-use crate::rule::diagnosis::Diagnosis;
-use crate::rule::engine_step::{Limits, PhysicsEngine};
-use crate::rule::engines::PHYSICS_ENGINES;
-use crate::rule::rules::{Alteration, Base, Rule, Spin, When};
+use crate::rule::{Alteration, Base, Limits, PHYSICS_ENGINES, PhysicsEngine, Rule, Spin, When};
 use crate::thresholds::RULES_NAMED;
 use tumbling::step::Method;
 
@@ -124,51 +121,47 @@ impl Rule {
     }
 }
 
-impl Diagnosis {
-    /// The rules named first: the best, and with a rule named those that make the same steps here and that an
-    /// engine goes by; the rule of the engine that the record names before all.
-    pub(crate) fn leading(&self) -> Vec<&Rule> {
-        let mut rules = vec![&self.best.rule];
-        if self.names_a_rule() && !self.is_exact() {
-            let known = self.alike.iter().filter(|rule| !rule.engines().is_empty());
-            rules.extend(known);
-            rules.sort_by_key(|rule| self.own.is_some_and(|own| rule.steps_of(own).is_none()));
-            // With limits that the record does not reach it is the rule without them.
-            let mut seen = Vec::new();
-            rules.retain(|rule| {
-                let new = rule.method().is_none_or(|method| !seen.contains(&method));
-                seen.extend(rule.method());
-                new
-            });
-        }
-        rules.truncate(RULES_NAMED);
-        rules
-    }
+/// An engine, and its steps from row to row.
+type Steps = (&'static PhysicsEngine, u32);
 
-    /// The engines that go by the rules named first; before them the one that the record names, where it goes
-    /// by a rule that fits.
-    pub(crate) fn name_engines(&mut self, header: Option<&str>) {
-        let header = header.unwrap_or_default();
-        let called = |engine: &&PhysicsEngine| {
-            header.split(|c: char| !c.is_alphanumeric()).any(|word| engine.is_called(word))
-        };
-        let rules = || std::iter::once(&self.best.rule).chain(&self.alike);
-        let fitting = |engine: &'static PhysicsEngine| {
-            let steps = rules().find_map(|rule| rule.steps_of(engine))?;
-            Some((engine, steps))
-        };
-        let own: Vec<_> = PHYSICS_ENGINES.iter().filter(called).filter_map(fitting).collect();
-        self.own = own.first().map(|(engine, _)| *engine);
-        let mut engines: Vec<String> = own.into_iter().map(|(engine, steps)| named(engine, steps)).collect();
-        if engines.is_empty() || self.leading().len() > 1 {
-            for name in self.leading().into_iter().flat_map(Rule::engines).collect::<Vec<_>>() {
-                if !engines.contains(&name) {
-                    engines.push(name);
-                }
+/// The engines that a record names and that go by one of these rules.
+pub(crate) fn engines<'a>(header: &str, rules: impl Iterator<Item = &'a Rule> + Clone) -> Vec<Steps> {
+    let called = |engine: &&PhysicsEngine| {
+        header.split(|c: char| !c.is_alphanumeric()).any(|word| engine.is_called(word))
+    };
+    let fitting = |engine| Some((engine, rules.clone().find_map(|rule: &Rule| rule.steps_of(engine))?));
+    PHYSICS_ENGINES.iter().filter(called).filter_map(fitting).collect()
+}
+
+/// The rules named first: the best, and of those that make the same steps those that an engine goes by; the
+/// rule of the record's own engine before all.
+pub(crate) fn first_named(best: &Rule, alike: &[Rule], own: Option<&PhysicsEngine>) -> Vec<Rule> {
+    let known = alike.iter().filter(|rule| !rule.engines().is_empty());
+    let mut rules: Vec<Rule> = std::iter::once(best).chain(known).copied().collect();
+    rules.sort_by_key(|rule| own.is_some_and(|own| rule.steps_of(own).is_none()));
+    // With limits that the record does not reach it is the rule without them.
+    let mut seen = Vec::new();
+    rules.retain(|rule| {
+        let new = rule.method().is_none_or(|method| !seen.contains(&method));
+        seen.extend(rule.method());
+        new
+    });
+    rules.truncate(RULES_NAMED);
+    rules
+}
+
+/// The engines named: the record's own, or those that go by the rules named first; where these are several,
+/// both.
+pub(crate) fn engine_names(own: &[Steps], leading: &[Rule]) -> Vec<String> {
+    let mut names: Vec<String> = own.iter().map(|&(engine, steps)| named(engine, steps)).collect();
+    if names.is_empty() || leading.len() > 1 {
+        for name in leading.iter().flat_map(Rule::engines) {
+            if !names.contains(&name) {
+                names.push(name);
             }
         }
-        self.engines = engines;
     }
+    names
 }
 
 impl PhysicsEngine {

@@ -1,8 +1,8 @@
 //! Rules that may have made a record: a base, and what is altered of it.
 
-use crate::read::state::Pair;
-use crate::rule::engine_step::{Limits, PhysicsEngine};
-use crate::rule::engines::PHYSICS_ENGINES;
+use crate::law::LawName;
+use crate::read::Pair;
+use crate::rule::{Limits, PHYSICS_ENGINES, PhysicsEngine};
 use crate::thresholds::{BEYOND, MORE_PARTS, PARTS};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::attitude;
@@ -100,6 +100,37 @@ impl Rule {
     }
 }
 
+impl Rule {
+    /// Whether it keeps a law, whatever the step.
+    pub(crate) fn keeps(&self, law: LawName) -> bool {
+        let [energy, momentum, direction] = match (self.base, self.alteration) {
+            (Base::Method(method, _), None) => {
+                let kept = method.info().conserved;
+                [kept.energy, kept.momentum, kept.direction]
+            }
+            (Base::PositionStage(_), None) => [true; 3],
+            _ => [false; 3],
+        };
+        match law {
+            LawName::Energy => energy,
+            LawName::Momentum => momentum,
+            LawName::Direction => direction,
+            _ => false,
+        }
+    }
+
+    /// Of a body whose moments are this many times as large.
+    pub(crate) fn times(mut self, unit: f64) -> Self {
+        if let Some(Alteration::OtherMoments(moments)) = &mut self.alteration {
+            *moments *= unit;
+        }
+        if let Base::MomentumForSpin(mass) = &mut self.base {
+            *mass *= unit;
+        }
+        self
+    }
+}
+
 impl Base {
     /// In how many parts it cuts a step.
     pub(crate) const fn parts(&self) -> u32 {
@@ -110,14 +141,21 @@ impl Base {
         }
     }
 
-    /// The same rule in one part.
-    pub(crate) const fn in_one_part(self) -> Self {
+    /// The same rule in this number of parts.
+    pub(crate) const fn in_parts(self, parts: u32) -> Self {
         match self {
-            Self::Method(method, _) => Self::Method(method, 1),
-            Self::PositionStage(_) => Self::PositionStage(1),
-            Self::Straight(spin, _) => Self::Straight(spin, 1),
+            Self::Method(method, _) => Self::Method(method, parts),
+            Self::PositionStage(_) => Self::PositionStage(parts),
+            Self::Straight(spin, _) => Self::Straight(spin, parts),
             other => other,
         }
+    }
+
+    /// Every rule that a step can be cut into parts of.
+    fn every() -> impl Iterator<Item = Self> {
+        let methods = Method::ALL.iter().map(|&method| Self::Method(method, 1));
+        let straight = [Spin::Explicit, Spin::Kept].map(|spin| Self::Straight(spin, 1));
+        methods.chain([Self::PositionStage(1)]).chain(straight)
     }
 
     /// The exact motion, and the rules that engines go by.
@@ -140,11 +178,7 @@ impl Base {
 
 /// Plain rules, in the order in which they are preferred where several explain a record alike.
 pub(crate) fn plain(free: bool, pairs: &[Pair]) -> Vec<Rule> {
-    let mut all = Vec::new();
-    if free {
-        all.push(Base::Exact);
-    }
-    all.extend(Base::all().into_iter().filter(|base| *base != Base::Exact));
+    let mut all: Vec<Base> = Base::all().into_iter().filter(|base| free || *base != Base::Exact).collect();
     for &engine in PHYSICS_ENGINES.iter().filter(|engine| engine.limits != Limits::NONE) {
         all.push(Base::Engine(engine));
         // Bullet's greatest spin is a setting, and may have been raised.
@@ -175,44 +209,37 @@ pub(crate) fn plain(free: bool, pairs: &[Pair]) -> Vec<Rule> {
 /// Rules in parts of a row, as of an engine whose rows are not written at every step; those of the header's
 /// number first.
 pub(crate) fn in_parts(per_row: Option<u32>, all: bool) -> Vec<Rule> {
-    let named = per_row.filter(|parts| *parts > 1);
     let mut found = Vec::new();
-    let mut add = |base: Base| {
-        if !found.contains(&base) {
-            found.push(base);
-        }
-    };
-    if let Some(parts) = named {
-        for engine in PHYSICS_ENGINES {
-            add(Base::Method(engine.method, parts.saturating_mul(engine.parts)));
-        }
-        Method::ALL.iter().for_each(|&method| add(Base::Method(method, parts)));
-        add(Base::PositionStage(parts));
-        add(Base::Straight(Spin::Explicit, parts));
-        add(Base::Straight(Spin::Kept, parts));
+    if let Some(parts) = per_row.filter(|parts| *parts > 1) {
+        found.extend(
+            PHYSICS_ENGINES
+                .iter()
+                .map(|engine| Base::Method(engine.method, parts.saturating_mul(engine.parts))),
+        );
+        found.extend(Base::every().map(|base| base.in_parts(parts)));
     }
-    let more = |order: u32| if order <= 4 { &MORE_PARTS[..] } else { &[] };
-    let few = if all { &PARTS[..] } else { &PARTS[..3] };
-    for &method in Method::ALL {
-        let more = if all { more(method.info().order) } else { &[] };
-        few.iter().chain(more).for_each(|&parts| add(Base::Method(method, parts)));
+    for base in Base::every() {
+        let more = match base {
+            Base::Method(method, _) => method.info().order <= 4,
+            other => matches!(other, Base::Straight(..)),
+        };
+        let few = if all { &PARTS[..] } else { &PARTS[..3] };
+        let more = if all && more { &MORE_PARTS[..] } else { &[] };
+        found.extend(few.iter().chain(more).map(|&parts| base.in_parts(parts)));
     }
-    few.iter().for_each(|&parts| add(Base::PositionStage(parts)));
-    for &parts in few.iter().chain(if all { &MORE_PARTS[..] } else { &[] }) {
-        add(Base::Straight(Spin::Explicit, parts));
-        add(Base::Straight(Spin::Kept, parts));
-    }
+    let mut seen = Vec::new();
+    found.retain(|base| {
+        let new = !seen.contains(base);
+        seen.push(*base);
+        new
+    });
     found.into_iter().map(Rule::plain).collect()
 }
 
 /// Every rule in this number of parts; none for one part, in which all are tried anyway.
 pub(crate) fn of_parts(parts: u32) -> Vec<Rule> {
-    if parts == 1 {
-        return Vec::new();
-    }
-    let methods = Method::ALL.iter().map(|&method| Base::Method(method, parts));
-    let straight = [Spin::Explicit, Spin::Kept].map(|spin| Base::Straight(spin, parts));
-    methods.chain([Base::PositionStage(parts)]).chain(straight).map(Rule::plain).collect()
+    let all = Base::every().filter(|_| parts != 1);
+    all.map(|base| Rule::plain(base.in_parts(parts))).collect()
 }
 
 /// The tensor frozen as it stood at the record's first attitude, where that is another than the identity.

@@ -2,12 +2,9 @@
 //! certain, and a way round at another pace.
 
 use crate::law::LawName;
-use crate::laws::complaint::Complaint;
-use crate::laws::kept::{FlipCount, Law};
+use crate::laws::{Complaint, FlipCount, Law};
 use crate::options::Options;
-use crate::rule::confidence::Confidence;
-use crate::rule::diagnosis::Diagnosis;
-use crate::rule::rules::{Base, Rule, Spin};
+use crate::rule::{Base, Confidence, Diagnosis, Rule, Spin};
 use crate::thresholds::PACE;
 use tumbling::step::Method;
 

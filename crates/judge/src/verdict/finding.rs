@@ -1,104 +1,106 @@
 //! A diagnosis in words.
 
-use crate::rule::accuracy::Accuracy;
-use crate::rule::confidence::Confidence;
-use crate::rule::diagnosis::{Diagnosis, Explanation};
-use crate::rule::rules::Rule;
+use crate::rule::{Confidence, Diagnosis, Rule, significant};
 use crate::thresholds::RULES_NAMED;
+use crate::verdict::{Section, plain_number};
 use std::fmt;
 
-impl Confidence {
-    /// How a rule is named with this confidence, up to a colon and its name.
-    #[must_use]
-    pub const fn words(self) -> &'static str {
-        match self {
-            Self::ToRounding => "Every step is made by",
-            Self::MostSteps => "Most steps, but not all, are made by",
-            Self::Near => "Most like",
-            Self::FewDigits => "Too few digits to name the rule by its single steps. One that fits is",
-            Self::SmallErrors => {
-                "The errors of the steps are too near to rounding to name the rule. One that fits is"
-            }
-            Self::FewSteps => {
-                "Too few rows follow one another by one step to name the rule. One that fits those is"
-            }
-            Self::Accurate => "An accurate rule, none of those known. Nearest is",
-            Self::NoneFits => "None of the known rules fits. Nearest is",
-        }
-    }
+/// With a capital letter and a full stop.
+pub(crate) fn sentence(words: &str) -> String {
+    let mut letters = words.chars();
+    let first = letters.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
+    let stop = if words.ends_with('.') { "" } else { "." };
+    format!("{first}{}{stop}", letters.as_str())
 }
 
 impl Diagnosis {
     /// How the best rule is named, up to a colon and its name.
     #[must_use]
     pub const fn words(&self) -> &'static str {
-        match (self.confidence, self.single) {
-            (Confidence::ToRounding, true) => "To the rounding of single precision every step is that of",
-            (Confidence::ToRounding, false) if self.few => "To the record's rounding every step is that of",
-            (confidence, _) => confidence.words(),
+        match self.confidence {
+            Confidence::ToRounding if self.single => {
+                "To the rounding of single precision every step is that of"
+            }
+            Confidence::ToRounding if self.few => "To the record's rounding every step is that of",
+            Confidence::ToRounding => "Every step is made by",
+            Confidence::MostSteps => "Most steps, but not all, are made by",
+            Confidence::Near => "Most like",
+            Confidence::FewDigits => "Too few digits to name the rule by its single steps. One that fits is",
+            Confidence::SmallErrors => {
+                "The errors of the steps are too near to rounding to name the rule. One that fits is"
+            }
+            Confidence::FewSteps => {
+                "Too few rows follow one another by one step to name the rule. One that fits those is"
+            }
+            Confidence::Accurate => "An accurate rule, none of those known. Nearest is",
+            Confidence::NoneFits => "None of the known rules fits. Nearest is",
         }
     }
 
-    /// In a line: the rule, and how sure it is; or how many fit.
-    pub(crate) fn heading(&self) -> String {
+    /// In words: the rule, how sure it is, and what to do.
+    pub(crate) fn report(&self) -> [Section; 2] {
+        let mut lines = self.of_rule();
+        lines.extend(self.cap.map(|[from, to]| {
+            let [from, to] = [from, to].map(significant);
+            format!(
+                "the first step takes the spin from {from} to {to} rad/s, and no later one goes beyond: a cap on the spin"
+            )
+        }));
+        let lines = lines.iter().map(|line| sentence(line)).collect();
+        let more = self.advice.chapter.map(|place| format!(" More about it: chapter {place}."));
+        let advice = format!("{}{}", self.advice.words, more.unwrap_or_default());
+        [("Diagnosis", lines), ("What to do", vec![advice])].map(|(title, lines)| Section {
+            title: title.into(),
+            table: Vec::new(),
+            lines,
+        })
+    }
+
+    fn of_rule(&self) -> Vec<String> {
+        let (half, most) = (plain_number(self.best.median), plain_number(self.best.percentile_95));
+        let within = format!("of {} steps half are within {half}, 95 in 100 within {most}", self.steps);
+        let share = format!("{:.0} % of the rows follow the one before by one step", 100.0 * self.share);
+        let share = (self.share < 1.0).then_some(share);
         if self.confidence == Confidence::FewDigits {
             let count = 1 + self.alike.len();
-            return format!(
-                "Too few digits to name the rule by its single steps: they fit {count} rules alike"
-            );
+            let first =
+                format!("Too few digits to name the rule by its single steps: they fit {count} rules alike");
+            return [first, within].into_iter().chain(share).chain(self.drifting()).collect();
         }
-        let names: Vec<String> = self.leading().into_iter().map(Rule::name).collect();
-        format!("{}: {}", self.words(), names.join("; or, with the same steps here: "))
-    }
-
-    /// What else there is to say, but for the advice.
-    pub(crate) fn details(&self) -> Vec<String> {
-        let mut all = Vec::new();
-        if self.confidence == Confidence::FewDigits {
-            all.extend(self.residuals());
-            all.extend(self.drifting());
-        } else {
-            all.extend(self.engines.iter().map(|engine| format!("as in {engine}")));
-            all.extend(self.residuals());
-            all.extend(self.others());
-        }
-        all.extend(self.hints.iter().map(ToString::to_string));
-        all
-    }
-
-    fn residuals(&self) -> Vec<String> {
-        let Explanation { median, percentile_95, .. } = self.best;
-        let steps = self.steps;
-        let mut all = vec![format!(
-            "of {steps} steps half are within {median:.1e}, 95 in 100 within {percentile_95:.1e}"
-        )];
-        if self.share < 1.0 {
-            all.push(format!("{:.0} % of the rows follow the one before by one step", 100.0 * self.share));
-        }
-        all
+        let names: Vec<String> = self.leading.iter().map(Rule::name).collect();
+        let mut lines = vec![format!("{}: {}", self.words(), names.join("; or, with the same steps here: "))];
+        lines.extend(self.engines.iter().map(|engine| format!("as in {engine}")));
+        lines.push(within);
+        lines.extend(share);
+        lines.extend(self.others());
+        lines
     }
 
     /// The other rules, relative to the one that is named.
     fn others(&self) -> Vec<String> {
         let mut all = Vec::new();
-        let leading = self.leading();
-        let mut alike = self.alike.iter().filter(|rule| !leading.contains(rule)).peekable();
-        if alike.peek().is_some() {
-            let named = |rule: &Rule| match rule.engines() {
-                engines if engines.is_empty() => rule.name(),
-                engines => format!("{} (as in {})", rule.name(), engines.join("; ")),
-            };
-            let names: Vec<String> = alike.map(named).collect();
+        let named = |rule: &Rule| match rule.engines() {
+            engines if engines.is_empty() => rule.name(),
+            engines => format!("{} (as in {})", rule.name(), engines.join("; ")),
+        };
+        let alike = self.alike.iter().filter(|rule| !self.leading.contains(rule));
+        let names: Vec<String> = alike.map(named).collect();
+        if !names.is_empty() {
             all.push(format!("cannot be distinguished from it here: {}", listed(&names)));
         }
         if self.is_exact() {
             all.push("nor can any other rule whose errors in a step are within that rounding".into());
         }
         if let (Some(second), Some(ratio)) = (&self.second, self.ratio()) {
-            all.push(format!("next is {}, {ratio:.1e} times as far", second.rule.name()));
+            all.push(format!("next is {}, {} times as far", second.rule.name(), plain_number(ratio)));
         }
         all.extend(self.would_decide().map(|how| format!("what would decide: {how}")));
-        all.extend(self.accuracy.map(|accuracy| format!("the errors of the steps: {accuracy}")));
+        all.extend(self.error.map(|share| {
+            format!(
+                "the error of a step is {} of what the gyroscopic term changes in it",
+                plain_number(share)
+            )
+        }));
         all
     }
 
@@ -125,21 +127,7 @@ fn listed(names: &[String]) -> String {
 
 impl fmt::Display for Diagnosis {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "Diagnosis: {}", self.heading())?;
-        for line in self.details() {
-            writeln!(f, "  {line}")?;
-        }
-        write!(f, "What to do: {}", self.advice.words())
-    }
-}
-
-impl fmt::Display for Accuracy {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match (self.order, self.controlled) {
-            (Some(order), _) => write!(f, "order about {order}")?,
-            (None, true) => f.write_str("about equal in all steps, as where their error is controlled")?,
-            (None, false) => f.write_str("no order shows in them")?,
-        }
-        write!(f, ", about {:.0e} of the spin a second", self.per_second)
+        let [rule, advice] = self.report();
+        write!(f, "{rule}\n{advice}")
     }
 }

@@ -1,13 +1,9 @@
 //! A verdict for programs: what is written as JSON, field by field.
 
 use crate::law::LawName;
-use crate::laws::curve::Growth;
-use crate::laws::jumps::Reset;
-use crate::laws::kept::Law;
-use crate::laws::points::Point;
-use crate::rule::diagnosis::{Diagnosis, Explanation};
-use crate::rule::rules::Rule;
-use crate::verdict::outcome::Verdict;
+use crate::laws::{Growth, Law, Point, Reset};
+use crate::rule::{Diagnosis, Explanation, Rule};
+use crate::verdict::{COLUMNS, Verdict};
 use nalgebra::Vector3;
 use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
@@ -15,6 +11,7 @@ use serde_json::{Value, json};
 impl Verdict {
     /// All of it as one JSON object.
     ///
+    /// `report` is all of it in words, as [`Verdict::report`] has it; the other keys are for programs.
     /// `curve` is the run in at most 256 points, to draw it by: an array for each of `time` (s), `energy` and
     /// `momentum` (errors as shares), `direction` (rad; null without attitudes), `phase` (periods; null
     /// where the motion has no period), and three arrays, one for each body axis, for `spin` and `exact`
@@ -25,17 +22,15 @@ impl Verdict {
     #[must_use]
     pub fn json(&self) -> Value {
         let record = &self.record;
-        let own = LawName::ALL.iter().zip(self.options.thresholds);
         let keys = |laws: &[LawName]| laws.iter().map(|law| law.key()).collect::<Vec<_>>();
         let each = |laws: &[Law]| laws.iter().map(|law| reported(law, self)).collect::<Vec<_>>();
         json!({
             "outcome": self.outcome.key(),
-            "reason": self.reason(),
-            // Every reason, as the terminal has them.
-            "reasons": self.reasons(),
+            "report": self.report(),
+            "columns": COLUMNS,
             "grade": self.worst().map(|law| law.growth.name()),
             "threshold": self.options.threshold,
-            "thresholds": own.filter_map(|(law, most)| Some((law.key(), most?))).collect::<Value>(),
+            "thresholds": self.options.own().map(|(law, most)| (law.key(), most)).collect::<Value>(),
             "fit": self.fit,
             "engine": record.engine,
             "moments": <[f64; 3]>::from(self.moments),
@@ -44,8 +39,6 @@ impl Verdict {
             "duration": record.duration,
             "step": record.step,
             "rounding": record.rounding,
-            // What is seen of the file besides its numbers, in the terminal's sentences.
-            "file": self.of_file().into_iter().map(|(_, sentence)| sentence).collect::<Vec<_>>(),
             "file_mistakes": self.file_mistakes.iter().map(|mistake| mistake.words()).collect::<Vec<_>>(),
             "ignored": record.ignored,
             "notes": words(&record.notes),
@@ -78,9 +71,7 @@ fn reported(law: &Law, verdict: &Verdict) -> Value {
     json!({
         "law": law.name.key(),
         "words": law.name.words(),
-        "heading": law.name.heading(),
         "grade": law.growth.name(),
-        // The grade, with what a second makes of the error.
         "growth": law.plain(),
         "rate": rate(law.growth),
         "most": law.most,
@@ -106,18 +97,15 @@ fn diagnosed(diagnosis: &Diagnosis) -> Value {
         "second": diagnosis.second.as_ref().map(explained),
         "ratio": diagnosis.ratio(),
         "confidence": diagnosis.confidence.key(),
-        // How the best rule is named, up to a colon and its name.
         "words": diagnosis.words(),
-        // The terminal's first line of it, and the others but for the advice.
-        "heading": diagnosis.heading(),
-        "details": diagnosis.details(),
         "steps": diagnosis.steps,
         "share": diagnosis.share,
         "single": diagnosis.single,
         "would_decide": diagnosis.would_decide(),
-        "accuracy": diagnosis.accuracy,
-        "hints": words(&diagnosis.hints),
-        "advice": diagnosis.advice.words(),
+        "error": diagnosis.error,
+        "cap": diagnosis.cap,
+        "advice": diagnosis.advice.words,
+        "chapter": diagnosis.advice.chapter,
     })
 }
 

@@ -1,16 +1,10 @@
 //! A verdict: what was found, and how it ends.
 
 use crate::law::LawName;
-use crate::laws::complaint::Complaint;
-use crate::laws::jumps::Reset;
-use crate::laws::kept::{FlipCount, Law};
-use crate::laws::points::Point;
-use crate::laws::trial::Gaps;
+use crate::laws::{Complaint, FlipCount, Gaps, Law, Point, Reset};
 use crate::options::Options;
-use crate::read::fit::Fit;
-use crate::read::note::Note;
-use crate::read::reading::FileMistake;
-use crate::rule::diagnosis::Diagnosis;
+use crate::read::{FileMistake, Fit, Note};
+use crate::rule::Diagnosis;
 use nalgebra::Vector3;
 
 /// The end of it.
@@ -30,6 +24,17 @@ pub enum Outcome {
 impl Outcome {
     /// All of them.
     pub const ALL: [Self; 4] = [Self::Passed, Self::Failed, Self::NothingToJudge, Self::TooShort];
+
+    /// What a reader calls it.
+    #[must_use]
+    pub(crate) const fn words(self) -> &'static str {
+        match self {
+            Self::Passed => "Passed",
+            Self::Failed => "Failed",
+            Self::NothingToJudge => "Nothing to judge",
+            Self::TooShort => "Too short to judge",
+        }
+    }
 
     /// What a program calls it.
     #[must_use]
@@ -117,8 +122,6 @@ impl Verdict {
 
     /// The laws that are broken by more than is allowed.
     pub fn broken(&self) -> impl Iterator<Item = &Law> {
-        self.laws
-            .iter()
-            .filter(|law| self.options.allowed(law.name).is_some_and(|most| law.most.abs() > most))
+        self.laws.iter().filter(|law| !self.options.allows(law))
     }
 }

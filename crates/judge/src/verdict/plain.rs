@@ -1,18 +1,14 @@
-//! How an error grows, in words for a reader who has no need of logarithms.
+//! Numbers, and how an error grows, in words for a reader who has no need of logarithms.
 
 use crate::law::LawName;
-use crate::laws::curve::Growth;
-use crate::laws::kept::Law;
+use crate::laws::{Growth, Law};
 use crate::thresholds::{GENTLE, STEEP};
 
 impl Law {
     /// How it is kept, with what a second makes of it: `exponential: shrinks by a factor of 4.85 a second`.
     ///
     /// Energy and `|L|` are given as what happens to themselves, the other laws as what happens to the error.
-    /// Meant for pages and pictures, where powers of ten may be raised; the command line prints [`Growth`] as
-    /// it is.
-    #[must_use]
-    pub fn plain(&self) -> String {
+    pub(crate) fn plain(&self) -> String {
         let name = self.growth.name();
         let (rate, how) = match self.growth {
             Growth::Rounding | Growth::Bounded | Growth::Stayed => return name.into(),
@@ -26,7 +22,7 @@ impl Law {
             }
             Growth::Exponential { rate } => (rate, times(rate)),
         };
-        if rate.is_finite() { format!("{name}: {how}") } else { format!("{name}: beyond counting") }
+        if rate.is_finite() { format!("{name}: {how}") } else { format!("{name}: {}", plain_number(rate)) }
     }
 
     /// What a number of this law counts.
@@ -65,19 +61,12 @@ fn times(rate: f64) -> String {
 }
 
 /// A number in three digits, with a raised power of ten where it is very small or large.
-///
-/// ```
-/// use tumbling_judge::plain_number;
-/// assert_eq!(plain_number(0.012345), "0.0123");
-/// assert_eq!(plain_number(-1.5e-7), "−1.50 · 10⁻⁷");
-/// ```
-#[must_use]
-pub fn plain_number(x: f64) -> String {
+pub(crate) fn plain_number(x: f64) -> String {
     if x < 0.0 {
         return format!("−{}", plain_number(-x));
     }
     if x == 0.0 || !x.is_finite() {
-        return x.to_string();
+        return if x == 0.0 { "0".into() } else { "beyond counting".into() };
     }
     let scientific = format!("{x:.2e}");
     let (digits, power) = scientific.split_once('e').unwrap_or((&scientific, "0"));
@@ -102,6 +91,12 @@ mod tests {
 
     fn said(name: LawName, growth: Growth) -> String {
         Law { name, growth, most: 1.0, last: 1.0 }.plain()
+    }
+
+    #[test]
+    fn a_number_has_three_digits_and_a_raised_power_where_it_is_small_or_large() {
+        let wanted = ["0.0123", "−1.50 · 10⁻⁷", "0", "beyond counting"];
+        assert_eq!([0.012345, -1.5e-7, -0.0, f64::INFINITY].map(plain_number), wanted);
     }
 
     #[test]

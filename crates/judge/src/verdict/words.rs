@@ -1,10 +1,7 @@
 //! The sentences for what is found, one for each, whether a page, a program or a terminal shows it.
 
-use crate::laws::complaint::Complaint;
-use crate::laws::jumps::Reset;
-use crate::read::note::Note;
-use crate::rule::hints::Hint;
-use crate::rule::names::significant;
+use crate::laws::{Complaint, Reset};
+use crate::read::Note;
 use std::fmt;
 
 impl fmt::Display for Complaint {
@@ -24,13 +21,6 @@ impl fmt::Display for Complaint {
                 "the spin along the middle axis changes sign {}, and should never do so",
                 times(*found)
             ),
-            Self::OtherSpin { column, off, line } => {
-                let off = 100.0 * off;
-                write!(
-                    f,
-                    "the columns of `{column}` have another spin than those judged, by {off:.3} % in line {line}"
-                )
-            }
             Self::Constant { moved } => {
                 let moved = 100.0 * moved;
                 write!(f, "the spin stays as it is at the start, and should change by {moved:.0} % of it")
@@ -61,24 +51,6 @@ impl Complaint {
                  the other way round. Record the spin, or shorter steps"
             ),
             other => other.to_string(),
-        }
-    }
-}
-
-impl fmt::Display for Hint {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::CapAtStart { from, to } => write!(
-                f,
-                "The first step takes the spin from {} to {} rad/s, and no later one goes beyond: a cap on the spin.",
-                significant(*from),
-                significant(*to)
-            ),
-            Self::HeldAtZero { steps } => write!(
-                f,
-                "In {steps} of the steps tried a component of the spin is zero to the last digit, where the law moves it: a \
-                 threshold for small spins may hold it there."
-            ),
         }
     }
 }

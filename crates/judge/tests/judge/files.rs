@@ -149,7 +149,7 @@ fn a_spin_that_is_constant_and_should_be_is_nothing_to_judge() {
         let verdict = judged(&csv(&stepped(Method::SemiImplicitEuler, spin, 0.01, 200)));
         assert_eq!(verdict.outcome, Outcome::NothingToJudge);
         assert_eq!(verdict.diagnosis, None);
-        assert!(verdict.to_string().contains("the spin is constant"));
+        assert!(verdict.to_string().contains("The spin is constant"));
     }
     // One that is constant and should not be is judged.
     assert_eq!(judged(&csv(&stepped(Method::ConstantSpin, SPIN, 0.01, 200))).outcome, Outcome::Failed);
@@ -272,14 +272,12 @@ fn the_json_has_the_sentences_of_the_text_and_none_names_an_option_of_the_comman
     for text in texts {
         let verdict = judged(&text);
         let (said, json) = (verdict.to_string(), verdict.json());
-        let diagnosis = &json["diagnosis"];
-        let all = [&json["file"], &json["reasons"], &diagnosis["details"]];
-        let mut sentences: Vec<&str> = all
+        let report = json["report"].as_array().unwrap();
+        let sentences: Vec<&str> = report
             .iter()
-            .flat_map(|all| all.as_array().into_iter().flatten())
+            .flat_map(|section| section["lines"].as_array().unwrap())
             .filter_map(|x| x.as_str())
             .collect();
-        sentences.extend([&diagnosis["heading"], &diagnosis["advice"]].iter().filter_map(|x| x.as_str()));
         for sentence in &sentences {
             assert!(said.contains(sentence), "{sentence}\n{said}");
         }

@@ -167,7 +167,7 @@ fn an_engine_that_is_wrong_fails_and_its_rule_is_named_from_memory() {
         assert_passes!(story.run::<f64>(1.0 / 60.0, |q, w| (q, w)));
     });
     let message = *message.unwrap_err().downcast::<String>().unwrap();
-    assert!(message.contains("FAILED: ") && message.contains("Diagnosis: "), "{message}");
+    assert!(message.contains("FAILED:") && message.contains("Diagnosis:"), "{message}");
 }
 
 #[test]

@@ -1,8 +1,9 @@
 //! Tests of the judge by theme, as one program, since each one more is linked on its own:
 //! `cargo test -p tumbling-judge --test judge kit` runs a part.
 
-mod adaptive;
+mod accurate;
 mod attitudes;
+mod command;
 mod common;
 mod engines_fate;
 mod engines_judged;

@@ -44,7 +44,7 @@ fn every_method_is_graded_as_it_says_of_itself_and_named() {
             let too_good = method.info().order >= 6;
             assert!(
                 kept == (growth == Growth::Rounding) || !kept && too_good,
-                "{method:?} {law:?}: {growth}"
+                "{method:?} {law:?}: {growth:?}"
             );
         }
         let diagnosis = verdict.diagnosis.unwrap();

@@ -1,13 +1,11 @@
-//! The command `judge` from outside: exit codes, what it prints, what it takes.
+//! The program from outside: exit codes, what it prints, what it takes.
 
 use std::fmt::Write as _;
 use std::io::Write as _;
-use std::path::PathBuf;
 use std::process::{Command, Output, Stdio};
 
 fn judge(arguments: &[&str], input: &str) -> Output {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_tumbling-book"))
-        .arg("judge")
+    let mut child = Command::new(env!("CARGO_BIN_EXE_tumbling-judge"))
         .args(arguments)
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
@@ -58,6 +56,7 @@ fn a_right_record_exits_with_0_a_wrong_one_with_1_and_no_record_with_2() {
         (&["-", "--threshold", "nothing"], "", "above zero"),
         (&["-", "--fit", "500"], &top(1.0), "the record has 400"),
         (&["-", "--jsno"], "", "similar argument exists: '--json'"),
+        (&["-", "--inertai", "1,2,3"], "", "'--inertia'"),
         (&[], "", "<FILE>"),
     ] {
         let output = judge(arguments, input);
@@ -110,24 +109,4 @@ fn the_json_has_its_shape_whatever_the_outcome() {
         assert_eq!(value["curve"]["time"].as_array().unwrap().len(), 200);
         assert_eq!(value["fit"].is_object(), options.contains(&"--fit"));
     }
-}
-
-#[test]
-fn the_picture_is_a_whole_document_that_says_in_words_what_it_shows() {
-    let folder = tempfile::tempdir().unwrap();
-    let out = folder.path().join("out.svg");
-    for (record, code, grade) in [(top(1.0), 0, "Passed"), (top(1.01), 1, "Failed")] {
-        let output = judge(&["-", "--svg", out.to_str().unwrap()], &record);
-        assert_eq!(output.status.code(), Some(code), "{}", words(&output));
-        let svg = std::fs::read_to_string(&out).unwrap();
-        assert!(svg.starts_with("<svg ") && svg.trim_end().ends_with("</svg>"));
-        assert!(svg.contains(grade) && svg.contains("prefers-color-scheme:dark"));
-        let text = svg.split("<desc").nth(1).unwrap();
-        assert!(text.contains("A record of 400 rows") && text.contains("the error of energy: up to"));
-        assert!(!svg.contains("NaN") && !svg.contains("inf"));
-    }
-    let nowhere: PathBuf = folder.path().join("no").join("such.svg");
-    let output = judge(&["-", "--svg", nowhere.to_str().unwrap()], &top(1.0));
-    assert_eq!(output.status.code(), Some(2));
-    assert!(words(&output).contains("such.svg"));
 }

@@ -1,0 +1,242 @@
+//! A verdict in words: one text, which the terminal prints and the page shows.
+
+use crate::law::LawName;
+use crate::laws::{Gaps, Law, Reset};
+use crate::rule::readable;
+use crate::verdict::{Outcome, Verdict, plain_number, sentence};
+use serde::Serialize;
+use std::fmt;
+
+/// A part of a verdict in words: a title, and below it a table, lines, or both.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Section {
+    /// Its title.
+    pub title: String,
+    /// The laws, a row each: name, largest error, last error and how it grows.
+    pub table: Vec<[String; 4]>,
+    /// Sentences.
+    pub lines: Vec<String>,
+}
+
+/// What the columns of a table of laws are.
+pub(crate) const COLUMNS: [&str; 4] = ["law", "off by at most", "at the end", "how it grows"];
+
+fn section(title: &str, lines: impl IntoIterator<Item = String>) -> Section {
+    Section { title: title.into(), table: Vec::new(), lines: lines.into_iter().collect() }
+}
+
+impl Verdict {
+    /// All of it in words: the outcome first, then the rule and what to do, the laws, and the record.
+    #[must_use]
+    pub fn report(&self) -> Vec<Section> {
+        let mut all = vec![section(self.outcome.words(), self.reasons().iter().map(|x| sentence(x)))];
+        all.extend(self.diagnosis.iter().flat_map(|diagnosis| diagnosis.report()));
+        all.extend(self.physics());
+        all.extend(self.of_record());
+        all.extend(self.of_file());
+        all
+    }
+
+    /// Every reason for the outcome.
+    #[must_use]
+    pub fn reasons(&self) -> Vec<String> {
+        let mut reasons = Vec::new();
+        match self.outcome {
+            Outcome::Failed => {
+                if !self.file_mistakes.is_empty() {
+                    reasons.push("the file is not what its names say".into());
+                }
+                if !self.resets.is_empty() {
+                    reasons.push("the motion starts anew on the way".into());
+                }
+                reasons.extend(self.broken().map(|law| {
+                    let (most, allowed) = (plain_number(law.most), self.options.allowed(law.name));
+                    let allowed = allowed.unwrap_or(f64::INFINITY);
+                    format!("{} is off by up to {most} (allowed: {allowed})", law.name.words())
+                }));
+            }
+            Outcome::Passed => reasons.push(self.within()),
+            Outcome::NothingToJudge if self.torque.is_some() => {
+                reasons.push("a torque acts, and the laws judged here are those of a free body".into());
+            }
+            Outcome::NothingToJudge if self.untraceable => reasons.push(
+                "the body turns so far from row to row that no number of double precision says where it should be. Record it \
+                 with shorter steps, and look at the units"
+                    .into(),
+            ),
+            Outcome::NothingToJudge => reasons.push(
+                "the spin is constant, as it is right for this start. Push the body off its principal axis".into(),
+            ),
+            Outcome::TooShort => reasons.push(
+                "no law is broken, and too little is seen to say more: it takes eight rows at least, in which the body turns \
+                 once round or its spin should change by a tenth"
+                    .into(),
+            ),
+        }
+        reasons.extend(self.complaints.iter().map(ToString::to_string));
+        reasons
+    }
+
+    /// What every law is kept within.
+    fn within(&self) -> String {
+        let own = self.options.own().map(|(law, most)| format!(", {} within {most}", law.words()));
+        format!("every law is kept within {}{}", self.options.threshold, own.collect::<String>())
+    }
+
+    /// The laws, the separatrix and the flips.
+    fn physics(&self) -> Vec<Section> {
+        let mut all = Vec::new();
+        if !self.laws.is_empty() {
+            let worst = self.worst().map(|law| {
+                format!(
+                    "Of what the motion keeps, {} is kept worst: {}.",
+                    law.name.words(),
+                    law.growth.name()
+                )
+            });
+            let table = self.laws.iter().map(|law| law.cells()).collect();
+            all.push(Section { table, ..section("Errors relative to the first row", worst) });
+        }
+        if let Some([first, last]) = self.separatrix {
+            let nearer = (last - 1.0).abs() < (first - 1.0).abs() || (first - 1.0) * (last - 1.0) < 0.0;
+            let moved = self.laws.iter().any(|law| law.name == LawName::Separatrix && law.growth.rank() > 0);
+            let toward = match (moved, nearer) {
+                (false, _) => "",
+                (true, true) => ", toward the separatrix at 1, where a stable spin starts to flip",
+                (true, false) => ", away from the separatrix at 1",
+            };
+            let line = format!(
+                "2 E I₂ / L² goes from {first:.6} to {last:.6}{toward} (E energy, I₂ the middle moment: below 1 the spin circles \
+                 the axis of the largest moment, above 1 that of the smallest)."
+            );
+            all.push(section("Separatrix", [line]));
+        }
+        if let Some(flips) = &self.flips {
+            let mut line = format!(
+                "The spin along the middle axis changes sign {} times (exact: {})",
+                flips.found, flips.exact
+            );
+            if let (Some(first), Some(exact)) = (flips.first, flips.first_exact) {
+                let apart = plain_number(flips.apart);
+                line +=
+                    &format!("; the first at {first:.4} s (exact: {exact:.4} s), at most {apart} s apart");
+            }
+            all.push(section("Flips", [line + "."]));
+        }
+        all
+    }
+
+    /// What the record is of, and how it was read.
+    fn of_record(&self) -> Vec<Section> {
+        let three = |vector: nalgebra::Vector3<f64>| {
+            let [x, y, z] = vector.map(readable).into();
+            format!("{x}, {y}, {z}")
+        };
+        let mut all: Vec<Section> =
+            self.record.engine.iter().map(|engine| section("Engine", [engine.clone()])).collect();
+        all.push(section("Body", [format!("moments {} kg m²", three(self.moments))]));
+        all.extend(
+            self.torque
+                .map(|torque| section("Torque", [format!("{} N m, constant in the world", three(torque))])),
+        );
+        let step = match self.record.step {
+            Some(step) => format!("steps of {step:.6} s"),
+            None => "steps of various lengths".into(),
+        };
+        let (rows, duration) = (self.record.rows, self.record.duration);
+        all.push(section("Record", [format!("{rows} rows, {step}, judged over {duration:.3} s")]));
+        all.extend(self.fit.map(|fit| {
+            let (rows, moved, left) = (fit.rows, plain_number(fit.moved), plain_number(fit.left));
+            section(
+                "Start",
+                [format!(
+                    "fitted to the first {rows} rows, {moved} rad/s from the first one; {left} rad/s are left"
+                )],
+            )
+        }));
+        all
+    }
+
+    /// What is seen of the file besides its numbers.
+    fn of_file(&self) -> Vec<Section> {
+        let record = &self.record;
+        let mut all: Vec<(&str, String)> = Vec::new();
+        if !record.ignored.is_empty() {
+            all.push(("Ignored", format!("the columns {}", record.ignored.join(", "))));
+        }
+        all.extend(record.notes.iter().map(|note| ("Note", note.to_string())));
+        all.extend(self.file_mistakes.iter().map(|mistake| {
+            ("File", format!("{}. What is judged is the file with that put right", mistake.words()))
+        }));
+        all.extend(self.resets.iter().map(|reset| {
+            let Reset { line, time, .. } = reset;
+            let how = reset.words();
+            ("Reset", format!("line {line}, t = {time:.4} s: the body {how}; judged up to there"))
+        }));
+        all.extend(record.gaps.map(|Gaps { count, line, longest }| {
+            let places = if count == 1 { "one place".into() } else { format!("{count} places") };
+            let words = format!(
+                "rows are missing in {places}, the first before line {line}; the longest is {longest:.0} steps"
+            );
+            ("Gaps", words)
+        }));
+        if !record.missing.is_empty() {
+            let names: Vec<&str> = record.missing.iter().map(|law| law.words()).collect();
+            let why = match record.has_attitude {
+                true => "no spin: it is made from the turns between the attitudes, by the exact motion",
+                false => "no attitude",
+            };
+            all.push(("Missing", format!("nothing is known of {} (the record has {why})", names.join(", "))));
+        }
+        if record.sign_changes > 0 {
+            let times = record.sign_changes;
+            let words = format!("the quaternion changes its sign {times} times; the attitude does not");
+            all.push(("Signs", words));
+        }
+        all.into_iter().map(|(title, line)| section(title, [line])).collect()
+    }
+}
+
+impl Law {
+    /// A row of the table of laws.
+    fn cells(&self) -> [String; 4] {
+        let name = self.name.heading().to_owned();
+        [name, plain_number(self.most), plain_number(self.last), self.plain()]
+    }
+}
+
+fn row(f: &mut fmt::Formatter<'_>, [name, most, last, growth]: [&str; 4]) -> fmt::Result {
+    write!(f, "{name:22} {most:>14} {last:>14}   {growth}")
+}
+
+impl fmt::Display for Law {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        row(f, self.cells().each_ref().map(String::as_str))
+    }
+}
+
+impl fmt::Display for Section {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:", self.title)?;
+        if !self.table.is_empty() {
+            write!(f, "\n  ")?;
+            row(f, COLUMNS)?;
+        }
+        for cells in &self.table {
+            write!(f, "\n  ")?;
+            row(f, cells.each_ref().map(String::as_str))?;
+        }
+        match &self.lines[..] {
+            [line] if self.table.is_empty() => write!(f, " {line}"),
+            lines => lines.iter().try_for_each(|line| write!(f, "\n  {line}")),
+        }
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [outcome, others @ ..] = &self.report()[..] else { return Ok(()) };
+        write!(f, "{}", Section { title: outcome.title.to_uppercase(), ..outcome.clone() })?;
+        others.iter().try_for_each(|section| write!(f, "\n{section}"))
+    }
+}
