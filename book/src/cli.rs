@@ -5,8 +5,7 @@ use crate::site::share::Site;
 use crate::site::{build, paths};
 use crate::{complain, guard, paper, preprocess, say};
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use clap::{CommandFactory as _, Parser, Subcommand};
-use clap_complete::Shell;
+use clap::{Parser, Subcommand};
 use std::error::Error;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -90,8 +89,6 @@ other programs, and leaves the pages' drawings as they are: `cargo run -- figure
     Measure(measure::Arguments),
     /// Run every method on every hard case under torques, and say how each ends
     Atlas,
-    /// Print a script that completes commands in your shell, for target/release/tumbling-book
-    Completions { shell: Shell },
     /// Change the chapters for mdBook, which calls this
     #[command(hide = true)]
     Preprocess {
@@ -150,11 +147,6 @@ pub(crate) fn run(cli: Cli) -> Result<ExitCode, Box<dyn Error>> {
         Command::Report(arguments) => report::run(&arguments)?,
         Command::Measure(arguments) => measure::run(&arguments)?,
         Command::Atlas => measure::atlas()?,
-        Command::Completions { shell } => {
-            let mut script = Vec::new();
-            clap_complete::generate(shell, &mut Cli::command(), "tumbling-book", &mut script);
-            say!("{}", String::from_utf8(script)?.trim_end());
-        }
         Command::Preprocess { question: None } => {
             preprocess::protocol::answer(std::io::stdin(), std::io::stdout())?;
         }
@@ -223,6 +215,7 @@ fn listing(all: &[Figure]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use clap::CommandFactory as _;
 
     fn parsed(words: &[&str]) -> Result<Option<Command>, String> {
         let all = std::iter::once(&"tumbling-book").chain(words);
@@ -289,7 +282,6 @@ mod tests {
             &["measure", "--quick", "--peers"],
             &["measure", "scenes", "--check"],
             &["atlas"],
-            &["completions", "fish"],
             &["preprocess"],
         ] {
             assert!(matches!(parsed(words), Ok(Some(_))), "{words:?}: {:?}", parsed(words));
@@ -346,25 +338,18 @@ mod tests {
             &["measure", "--quick", "--long", "x"],
             &["measure", "scenes", "--check", "--builds"],
             &["preprocess", "html"],
-            &["completions", "nosuch"],
         ] {
             assert!(parsed(words).is_err(), "{words:?}");
         }
     }
 
     #[test]
-    fn each_command_has_a_help_of_its_own_and_is_in_the_completions() {
+    fn each_command_has_a_help_of_its_own() {
         let commands = Cli::command();
         for command in commands.get_subcommands().filter(|command| !command.is_hide_set()) {
             let name = command.get_name();
             let help = parsed(&[name, "--help"]).unwrap_err();
             assert!(help.contains(&format!("Usage: cargo run -- {name}")), "{help}");
-            let mut script = Vec::new();
-            clap_complete::generate(Shell::Bash, &mut Cli::command(), "tumbling-book", &mut script);
-            assert!(
-                String::from_utf8(script).unwrap().contains(&format!("tumbling__book,{name})")),
-                "{name}"
-            );
         }
     }
 }

@@ -15,9 +15,9 @@
 //! - **drawn**: what a caption says may stand in the description inside the drawing, which is made from
 //!   computed values. The words for a figure bring no other number, and in the drawing's order.
 //!
-//! How certain a number is, the calls in its assertion show: `exactly(x)` is exact, `enclosed(x)` an
-//! interval, all else is computed in floats. Where an assertion says a string again that the section's code
-//! asserts already, but of an exact number or an interval, the better one counts: see `certainty`.
+//! How certain a number is, the calls in its assertion show: `exactly(x)` is exact, `enclosed(x)` an interval,
+//! all else is computed in floats. Where an assertion says a string again that the section's code asserts
+//! already, but of an exact number or an interval, the better one counts: see `certainty`.
 //!
 //! What follows a number belongs to the phrase: `7.4` does not hold `7.4 m`, nor `0.2 kg` a `0.2 kg m²`, so
 //! that no unit needs to be known here. Minus signs of both kinds are one, a power of ten in TeX is `3e-13`,
@@ -31,22 +31,19 @@
 //!
 //! Not held, by rule: names with digits (`Ash91`), code spans and targets of links, units (`1/s`). Numbers
 //! before headings (`2. ...`) count up. Whole numbers inside a formula with symbols (an index, an exponent, a
-//! factor, a matrix's zero) are a part of the formula, and counted. Quantities in words (`a twentieth`,
-//! `twice`, `ten radians a second`) are held like numbers. Words that only count or order (`three axes`, `the
-//! third line`, `half a turn`) stand in `words.toml` with what they count, as often as the chapter says them,
-//! so that none becomes another unseen.
+//! factor, a matrix's zero) are a part of the formula. Number words (`a twentieth`, `three axes`) that stand
+//! in no phrase are listed in `words.toml` with the word behind them, as often as the chapter says them, so
+//! that none becomes another unseen.
 
 mod answers;
 mod certainty;
 mod chapter;
 mod code;
-mod counts;
 mod digits;
 mod equations;
 mod exercises;
 mod facts;
 mod holding;
-mod hollow;
 mod laws;
 mod offence;
 mod passage;
@@ -54,9 +51,8 @@ mod phrase;
 mod spelled;
 
 use crate::preprocess;
-use crate::site::{manifests, paths};
+use crate::site::{files, manifests, paths};
 use chapter::{Chapter, Reader};
-use counts::Counts;
 use holding::Beside;
 use offence::Offence;
 use std::collections::HashMap;
@@ -66,35 +62,15 @@ use std::{fmt, fs};
 /// What the guard found.
 #[derive(Debug)]
 pub(crate) struct Report {
-    pub(crate) chapters: usize,
+    chapters: usize,
     pub(crate) offences: Vec<Offence>,
-    pub(crate) counts: Counts,
-    pub(crate) equations: equations::Counts,
     /// Each number, and each equation, with what holds it.
     pub(crate) held: Vec<String>,
 }
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let c = &self.counts;
-        writeln!(f, "numbers: {} in {} files", c.all, self.chapters)?;
-        writeln!(
-            f,
-            "held by: assertions {}, notes {}, facts {}, drawings {}; headings in order {}",
-            c.by_assertion, c.by_note, c.by_fact, c.by_drawing, c.ordinals
-        )?;
-        writeln!(f, "resting on: {}", c.by_certainty())?;
-        writeln!(
-            f,
-            "not held: {} number words that the code or the list has, {} numbers inside formulas",
-            c.counting, c.structural
-        )?;
-        let e = &self.equations;
-        writeln!(
-            f,
-            "equations: {} proven, {} as text and proven in part, {} exempt, {} notation, {} of values alone",
-            e.proven, e.apart, e.exempt, e.notation, e.values
-        )?;
+        writeln!(f, "numbers and equations: {} in {} files", self.held.len(), self.chapters)?;
         write!(f, "offences: {}", self.offences.len())
     }
 }
@@ -105,33 +81,24 @@ impl fmt::Display for Report {
 /// What could not be read, with its file and line.
 pub(crate) fn check(folder: &Path) -> Result<Report, String> {
     let book = Book::read(folder)?;
-    if let [first, ..] = equations::missing(&book.chapters)[..]
-        && book.own
-    {
+    let missing = equations::missing(&book.chapters);
+    if let ([first, ..], true) = (&missing[..], book.own) {
         return Err(format!("the chapter `{first}` has laws to prove, and is not in SUMMARY.md"));
     }
-    let dropped = equations::missing(&book.chapters);
-    let dropped = dropped.iter().filter(|name| folder.join(format!("{name}.md")).is_file());
+    let dropped = missing.iter().filter(|name| folder.join(format!("{name}.md")).is_file());
     let dropped = dropped.map(|name| Offence {
         file: folder.join("SUMMARY.md").display().to_string(),
         line: 1,
         found: format!("no `{name}`, which has laws to prove and stands in the folder"),
         expected: "it in the list of chapters".into(),
     });
-    let mut report = Report {
-        chapters: book.chapters.len(),
-        offences: dropped.collect(),
-        counts: Counts::default(),
-        equations: equations::Counts::default(),
-        held: Vec::new(),
-    };
+    let mut report = Report { chapters: book.chapters.len(), offences: dropped.collect(), held: Vec::new() };
     for chapter in &book.chapters {
         let found = holding::findings(chapter, &book.beside);
         report.offences.extend(found.offences);
         report.held.extend(found.held);
         report.offences.extend(answers::offences(chapter));
-        report.offences.extend(equations::offences(chapter, &mut report.equations, &mut report.held));
-        report.counts.add(&found.counts);
+        report.offences.extend(equations::offences(chapter, &mut report.held));
     }
     Ok(report)
 }
@@ -155,8 +122,7 @@ impl Book {
         let mut wrong = Vec::new();
         for file in listed(folder)? {
             let path = folder.join(&file);
-            let text =
-                fs::read_to_string(&path).map_err(|e| format!("cannot read {}: {e}", path.display()))?;
+            let text = files::text(&path)?;
             let shown = if own { format!("book/chapters/{file}") } else { path.display().to_string() };
             let faults = preprocess::unreadable(Path::new(&file), &text);
             wrong.extend(faults.into_iter().map(|f| f.replacen(&format!("book/chapters/{file}"), &shown, 1)));
@@ -195,9 +161,8 @@ impl Book {
 /// The chapters' files, in the order of `SUMMARY.md`.
 fn listed(folder: &Path) -> Result<Vec<String>, String> {
     let file = folder.join("SUMMARY.md");
-    let text = fs::read_to_string(&file).map_err(|e| {
-        format!("cannot read {}: {e}; a folder of chapters has a SUMMARY.md that lists them", file.display())
-    })?;
+    let text = files::text(&file)
+        .map_err(|what| format!("{what}; a folder of chapters has a SUMMARY.md that lists them"))?;
     let files: Vec<String> = preprocess::pieces(&text)
         .into_iter()
         .filter_map(|(event, _)| match event {
@@ -212,9 +177,7 @@ fn listed(folder: &Path) -> Result<Vec<String>, String> {
 
 /// The repository's first page, as a chapter.
 fn readme(reader: &mut Reader) -> Result<Chapter, String> {
-    let file = paths::repository().join("README.md");
-    let text = fs::read_to_string(&file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
-    reader.chapter("README", "README.md", &text)
+    reader.chapter("README", "README.md", &files::text(&paths::repository().join("README.md"))?)
 }
 
 /// The versions that the first page names, as the manifests have them.
@@ -234,7 +197,7 @@ fn facts(folder: &Path) -> Result<Vec<facts::Fact>, String> {
     facts::read(&text).map_err(|e| format!("{}: {e}", file.display()))
 }
 
-/// The words that count, likewise.
+/// The number words, likewise.
 fn words(folder: &Path) -> Result<holding::Words, String> {
     let (file, text) = beside(folder, "words.toml")?;
     let all: HashMap<String, String> =
@@ -248,7 +211,7 @@ fn words(folder: &Path) -> Result<holding::Words, String> {
 fn beside(folder: &Path, name: &str) -> Result<(PathBuf, String), String> {
     let beside = folder.join("..").join(name);
     let file = if beside.is_file() { beside } else { paths::book().join(name) };
-    let text = fs::read_to_string(&file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
+    let text = files::text(&file)?;
     Ok((file, text))
 }
 
@@ -259,8 +222,7 @@ fn drawings(folder: &Path, chapters: &[Chapter]) -> Result<HashMap<String, Strin
     for name in passages.filter_map(|p| p.figure.as_ref()) {
         let beside = folder.join("../../figures").join(format!("{name}.svg"));
         let file = if beside.is_file() { beside } else { paths::figures().join(format!("{name}.svg")) };
-        let svg = fs::read_to_string(&file)
-            .map_err(|e| format!("cannot read the drawing figures/{name}.svg: {e}"))?;
+        let svg = files::text(&file)?;
         let words = ["title", "desc"].map(|element| inside(&svg, element)).join(". ");
         drawings.insert(name.clone(), words.replace('\u{2212}', "-"));
     }

@@ -8,6 +8,17 @@
     document.getElementById("mdbook-sidebar-toggle").addEventListener("click", () => checkbox.click());
 })();
 
+// The search needs scripts, so what it lacks is said here: what its parts are, to those who do not see them.
+(function searchInWords() {
+    for (const [id, attributes] of Object.entries({
+        "mdbook-search-wrapper": { role: "search" },
+        "mdbook-searchbar": { "aria-label": "Search this book", "aria-describedby": "mdbook-searchresults-header" },
+        "mdbook-searchresults-header": { role: "status" },
+    })) {
+        for (const [name, value] of Object.entries(attributes)) document.getElementById(id)?.setAttribute(name, value);
+    }
+})();
+
 // A formula, figure, table or program wider than the window scrolls in its own box. Only while it
 // does may the keyboard stop there, to scroll it by the arrows.
 (function scrollingBoxes() {

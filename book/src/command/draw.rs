@@ -4,8 +4,9 @@ use crate::say;
 use crate::site::files::write_changed;
 use crate::site::paths;
 use std::any::Any;
+use std::collections::BTreeMap;
 use std::fs;
-use std::panic::{RefUnwindSafe, catch_unwind};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc;
@@ -13,9 +14,6 @@ use std::thread;
 use std::time::{Duration, Instant};
 use tumbling_bodies::BodyModel;
 use tumbling_figures::{Figure, registry};
-
-/// What was made of a figure, or why it could not be, and how long that took.
-type Made<'a, T> = (&'a Figure, Result<T, String>, Duration);
 
 /// Draws these figures into `folder`, touching only files whose bytes change.
 ///
@@ -25,20 +23,23 @@ pub(crate) fn draw(figures: &[&Figure], folder: &Path) -> Result<(), String> {
     let start = Instant::now();
     let mut changed = 0;
     let mut failures = Vec::new();
-    each_drawn(figures, |(figure, drawn, took)| {
-        let outcome = drawn.and_then(|svg| {
-            let new = write_changed(&file_of(figure, folder), svg.as_bytes())?;
-            changed += usize::from(new);
-            Ok(if new { "new" } else { "as it was" })
-        });
-        match outcome {
-            Ok(news) => say!("  {:24} {:6.2} s  {news}", figure.name, took.as_secs_f64()),
-            Err(reason) => failures.push(format!("figure `{}`: {reason}", figure.name)),
-        }
-    });
-    if !failures.is_empty() {
-        return Err(failures.join("\n"));
-    }
+    each_made(
+        figures.len(),
+        |at| drawn(figures[at]),
+        |at, drawn, took| {
+            let name = figures[at].name;
+            match drawn.and_then(|svg| write_changed(&file_of(figures[at], folder), svg.as_bytes())) {
+                Ok(new) => {
+                    changed += usize::from(new);
+                    let news = if new { "new" } else { "as it was" };
+                    say!("  {name:24} {:6.2} s  {news}", took.as_secs_f64());
+                }
+                Err(reason) => failures.push(format!("figure `{name}`: {reason}")),
+            }
+            Ok::<(), String>(())
+        },
+    )?;
+    none_or(&failures)?;
     say!("Drew {} figures ({changed} changed) in {:.1} s.", figures.len(), start.elapsed().as_secs_f64());
     Ok(())
 }
@@ -63,6 +64,11 @@ pub(crate) fn draw_for(body: &BodyModel, figures: &[&Figure], all: bool) -> Resu
             Err(why) => failures.push(format!("figure `{}`: {why}", figure.name)),
         }
     }
+    none_or(&failures)
+}
+
+/// All that went wrong, as an error.
+pub(crate) fn none_or(failures: &[String]) -> Result<(), String> {
     if failures.is_empty() { Ok(()) } else { Err(failures.join("\n")) }
 }
 
@@ -81,16 +87,20 @@ pub(crate) fn folder_name(name: &str) -> String {
 /// figure was asked for, each drawing in the folder that belongs to none.
 pub(crate) fn check(figures: &[&Figure], folder: &Path) -> Result<(), String> {
     let mut wrong = Vec::new();
-    each_drawn(figures, |(figure, drawn, _)| match drawn {
-        Err(reason) => wrong.push(format!("  {}: {reason}", figure.name)),
-        Ok(svg) => match fs::read_to_string(file_of(figure, folder)) {
-            Err(_) => wrong.push(format!("  {}: the file is missing", figure.name)),
-            Ok(old) if old != svg => {
-                wrong.push(format!("  {}: the file is not what would be drawn", figure.name));
-            }
-            Ok(_) => {}
+    each_made(
+        figures.len(),
+        |at| drawn(figures[at]),
+        |at, drawn, _| {
+            let reason = match (drawn, fs::read_to_string(file_of(figures[at], folder))) {
+                (Err(reason), _) => reason,
+                (_, Err(_)) => "the file is missing".into(),
+                (Ok(svg), Ok(old)) if old != svg => "the file is not what would be drawn".into(),
+                _ => return Ok::<(), String>(()),
+            };
+            wrong.push(format!("  {}: {reason}", figures[at].name));
+            Ok(())
         },
-    });
+    )?;
     if figures.len() == registry().len() {
         wrong.extend(strays(figures, folder));
     }
@@ -122,36 +132,47 @@ fn file_of(figure: &Figure, folder: &Path) -> PathBuf {
     folder.join(format!("{}.svg", figure.name))
 }
 
-/// Draws on every core and hands the drawings over as they come.
-fn each_drawn<'a>(figures: &[&'a Figure], take: impl FnMut(Made<'a, String>)) {
-    each_made(figures, |figure| figure.draw().map_err(|e| e.to_string()), take);
+fn drawn(figure: &Figure) -> Result<String, String> {
+    figure.draw().map_err(|e| e.to_string())
 }
 
-/// Makes something of each figure, on every core, and hands it over as it comes.
-pub(crate) fn each_made<'a, T: Send>(
-    figures: &[&'a Figure],
-    make: impl Fn(&Figure) -> Result<T, String> + Sync + RefUnwindSafe,
-    mut take: impl FnMut(Made<'a, T>),
-) {
+/// Makes as many things on every core, and hands each over, in order, with the time that it took.
+///
+/// # Errors
+/// The first that `take` returns; nothing more is made then.
+pub(crate) fn each_made<T: Send, E>(
+    count: usize,
+    make: impl Fn(usize) -> Result<T, String> + Sync,
+    mut take: impl FnMut(usize, Result<T, String>, Duration) -> Result<(), E>,
+) -> Result<(), E> {
     let next = AtomicUsize::new(0);
-    let (send, receive) = mpsc::channel::<Made<'a, T>>();
-    let workers = thread::available_parallelism().map_or(1, usize::from).min(figures.len());
+    let workers = thread::available_parallelism().map_or(1, usize::from).min(count);
+    let (send, receive) = mpsc::sync_channel(workers);
     thread::scope(|scope| {
         for _ in 0..workers {
             let (send, next, make) = (send.clone(), &next, &make);
             scope.spawn(move || {
-                while let Some(figure) = figures.get(next.fetch_add(1, Ordering::Relaxed)) {
+                while let Some(at) = Some(next.fetch_add(1, Ordering::Relaxed)).filter(|at| *at < count) {
                     let start = Instant::now();
-                    let made = catch_unwind(|| make(figure)).unwrap_or_else(|panic| Err(words_of(&*panic)));
-                    if send.send((figure, made, start.elapsed())).is_err() {
+                    let made = catch_unwind(AssertUnwindSafe(|| make(at)));
+                    let made = made.unwrap_or_else(|panic| Err(words_of(&*panic)));
+                    if send.send((at, made, start.elapsed())).is_err() {
                         return; // nobody listens any more
                     }
                 }
             });
         }
         drop(send); // so that the loop below ends with the last worker
-        receive.iter().for_each(&mut take);
-    });
+        let (mut due, mut early) = (0, BTreeMap::new());
+        for (at, made, took) in receive {
+            early.insert(at, (made, took));
+            while let Some((made, took)) = early.remove(&due) {
+                take(due, made, took)?;
+                due += 1;
+            }
+        }
+        Ok(())
+    })
 }
 
 fn words_of(panic: &(dyn Any + Send)) -> String {

@@ -3,10 +3,10 @@
 //! No record is kept. A file that is still as the book has it is open; each other one is run, and is done if
 //! it passes and nothing outside of its marks was changed.
 
+use crate::site::files::write_changed;
 use crate::{complain, say};
 use clap::Subcommand;
 use clap::builder::{PossibleValue, PossibleValuesParser, ValueParser};
-use std::fs;
 use std::process::ExitCode;
 use tumbling_exercises::{self as exercises, Exercise};
 
@@ -48,8 +48,7 @@ pub(crate) fn run(command: Option<&Command>) -> Result<ExitCode, String> {
         Some(Command::Reset { names }) => {
             for exercise in all.iter().filter(|e| names.contains(&e.name)) {
                 let file = exercises::stubs().join(format!("{}.md", exercise.name));
-                fs::write(&file, exercise.stub())
-                    .map_err(|e| format!("cannot write {}: {e}", file.display()))?;
+                write_changed(&file, exercise.stub().as_bytes())?;
                 say!("{} is as it was.", shown(exercise));
             }
         }

@@ -1,6 +1,6 @@
 //! Figures as files for other programs: slides, papers, printers.
 
-use crate::command::draw::each_made;
+use crate::command::draw::{each_made, none_or};
 use crate::say;
 use crate::site::files::write_changed;
 use crate::site::paths;
@@ -69,21 +69,27 @@ pub(crate) fn export(
     let (format, theme) = (wanted.format.unwrap_or(Format::Svg), wanted.theme.unwrap_or(Theme::Light));
     let mut failures = Vec::new();
     let make = |figure: &Figure| {
-        let svg =
-            body.map_or_else(|| figure.draw(), |body| figure.draw_for(body)).map_err(|e| e.to_string())?;
+        let svg = body.map_or_else(|| figure.draw(), |body| figure.draw_for(body));
+        let svg = svg.map_err(|e| e.to_string())?;
         exported(&svg, format, theme, wanted.width)
     };
     let follows = |figure: &&Figure| body.is_none() || !all || figure.follows_a_body();
     let figures: Vec<&Figure> = figures.iter().copied().filter(follows).collect();
-    each_made(&figures, make, |(figure, made, _)| {
-        let file = folder.join(format!("{}.{}", figure.name, ending(format)));
-        match made.and_then(|bytes| Ok((write_changed(&file, &bytes)?, bytes.len()))) {
-            Ok((_, size)) => say!("  {}  {} kB", file.display(), size.div_ceil(1000)),
-            Err(reason) if body.is_some() && all => say!("  {}: not drawn: {reason}", figure.name),
-            Err(reason) => failures.push(format!("figure `{}`: {reason}", figure.name)),
-        }
-    });
-    if failures.is_empty() { Ok(()) } else { Err(failures.join("\n")) }
+    each_made(
+        figures.len(),
+        |at| make(figures[at]),
+        |at, made, _| {
+            let figure = figures[at];
+            let file = folder.join(format!("{}.{}", figure.name, ending(format)));
+            match made.and_then(|bytes| Ok((write_changed(&file, &bytes)?, bytes.len()))) {
+                Ok((_, size)) => say!("  {}  {} kB", file.display(), size.div_ceil(1000)),
+                Err(reason) if body.is_some() && all => say!("  {}: not drawn: {reason}", figure.name),
+                Err(reason) => failures.push(format!("figure `{}`: {reason}", figure.name)),
+            }
+            Ok::<(), String>(())
+        },
+    )?;
+    none_or(&failures)
 }
 
 /// The bytes of one file.

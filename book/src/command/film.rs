@@ -1,14 +1,13 @@
 //! Films of a body in free motion.
 
+use crate::command::draw::each_made;
 use crate::command::export::{own_folder_refused, theme};
 use crate::say;
 use crate::site::files::write_changed;
-use indicatif::{ProgressBar, ProgressStyle};
 use std::error::Error;
 use std::f64::consts::TAU;
-use std::num::NonZero;
+use std::io::{IsTerminal as _, Write as _, stderr};
 use std::path::{Path, PathBuf};
-use std::thread;
 use tumbling::Axis;
 use tumbling_bodies::BodyModel;
 use tumbling_figures::Theme;
@@ -135,20 +134,15 @@ impl Arguments {
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     own_folder_refused(&arguments.out)?;
     let model = BodyModel::load(&arguments.body)?;
-    let folder = &arguments.out;
-    std::fs::create_dir_all(folder).map_err(|e| format!("cannot write {}: {e}", folder.display()))?;
     let film = Film::new(&model, &arguments.request(&model))?;
     say!("{}", film.explained()?);
     let count = (film.seconds() * RATE).round().clamp(2.0, 12_000.0) as u32;
     let shown = |i: u32| picture(&film, f64::from(i) / f64::from(count), arguments);
-    let bar = ProgressBar::new(u64::from(count))
-        .with_style(ProgressStyle::with_template("{bar:40} {pos}/{len} {eta}")?);
     let written = match arguments.format {
-        Format::Frames => frames(arguments, count, &bar, &shown)?,
-        Format::Apng => whole(arguments, Kind::Apng, "png", &film, count, &bar, &shown)?,
-        Format::Gif => whole(arguments, Kind::Gif, "gif", &film, count, &bar, &shown)?,
+        Format::Frames => frames(arguments, count, &shown)?,
+        Format::Apng => whole(arguments, Kind::Apng, "png", &film, count, &shown)?,
+        Format::Gif => whole(arguments, Kind::Gif, "gif", &film, count, &shown)?,
     };
-    bar.finish_and_clear();
     say!("{written}");
     Ok(())
 }
@@ -162,26 +156,26 @@ fn picture(film: &Film, share: f64, arguments: &Arguments) -> Result<Picture, St
 
 type Shown<'a> = &'a (dyn Fn(u32) -> Result<Picture, String> + Sync);
 
-/// Draws the pictures on every core and takes them in order.
+/// Draws the pictures on every core and takes them in order; a terminal shows how many are done.
 fn each(
     count: u32,
     shown: Shown<'_>,
-    mut take: impl FnMut(u32, &Picture) -> Result<(), Box<dyn Error>>,
+    mut take: impl FnMut(usize, &Picture) -> Result<(), Box<dyn Error>>,
 ) -> Result<(), Box<dyn Error>> {
-    let cores = thread::available_parallelism().map_or(1, NonZero::get) as u32;
-    for first in (0..count).step_by(cores as usize) {
-        let numbers = first..(first + cores).min(count);
-        let drawn: Vec<_> = thread::scope(|scope| {
-            let drawing: Vec<_> = numbers.clone().map(|i| scope.spawn(move || shown(i))).collect();
-            drawing
-                .into_iter()
-                .map(|one| one.join().unwrap_or_else(|_| Err("a drawing panicked".into())))
-                .collect()
-        });
-        for (i, picture) in numbers.zip(drawn) {
-            take(i, &picture?)?;
+    let show = |words: &str| {
+        if stderr().is_terminal() {
+            let _ = write!(stderr(), "\r\x1b[K{words}");
         }
-    }
+    };
+    each_made(
+        count as usize,
+        |i| shown(i as u32),
+        |i, picture, _| {
+            show(&format!("{} of {count} pictures", i + 1));
+            take(i, &picture?)
+        },
+    )?;
+    show("");
     Ok(())
 }
 
@@ -192,7 +186,6 @@ fn whole(
     ending: &str,
     film: &Film,
     count: u32,
-    bar: &ProgressBar,
     shown: Shown<'_>,
 ) -> Result<String, Box<dyn Error>> {
     let samples: Vec<Picture> = (0..5).map(|i| shown(i * count / 5)).collect::<Result<_, _>>()?;
@@ -200,10 +193,7 @@ fn whole(
     let palette = Palette::new(&arguments.theme.inks(), &samples, COLOURS);
     let milliseconds = (1000.0 * film.seconds() / f64::from(count)).round() as u16;
     let mut writer = Writer::new(kind, palette, size, count, milliseconds)?;
-    each(count, shown, |_, picture| {
-        bar.inc(1);
-        Ok(writer.add(picture)?)
-    })?;
+    each(count, shown, |_, picture| Ok(writer.add(picture)?))?;
     let bytes = writer.finish()?;
     let file = arguments.out.join(format!("{}.{ending}", arguments.name()));
     write_changed(&file, &bytes)?;
@@ -217,15 +207,9 @@ fn whole(
 }
 
 /// A folder of pictures; returns the line that makes a video of them.
-fn frames(
-    arguments: &Arguments,
-    count: u32,
-    bar: &ProgressBar,
-    shown: Shown<'_>,
-) -> Result<String, Box<dyn Error>> {
+fn frames(arguments: &Arguments, count: u32, shown: Shown<'_>) -> Result<String, Box<dyn Error>> {
     let folder = arguments.out.join(arguments.name());
     each(count, shown, |i, picture| {
-        bar.inc(1);
         write_changed(&folder.join(format!("{:04}.png", i + 1)), &picture.png(&[])?)?;
         Ok(())
     })?;

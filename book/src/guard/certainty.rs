@@ -4,16 +4,15 @@
 //! intervals alone; the compiler refuses a float. So an assertion whose values all stand in such calls is one
 //! about those. Whatever else it rests on is computed in floats, and only asserted.
 
-use super::hollow::wraps;
-use proc_macro2::TokenTree;
+use super::digits;
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use std::fmt;
 use syn::parse::Parser as _;
 use syn::punctuated::Punctuated;
-use syn::visit::Visit;
-use syn::{Expr, ExprLit, Lit, Token};
+use syn::{Expr, ExprLit, ExprMacro, Lit, Token};
 
 /// What holds a number, the weakest first.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Certainty {
     /// In the description that a drawing has of itself, and nowhere else.
     Drawn,
@@ -30,10 +29,6 @@ pub(crate) enum Certainty {
 }
 
 impl Certainty {
-    /// All of them, the most certain first.
-    pub(crate) const ALL: [Self; 6] =
-        [Self::Exact, Self::Enclosed, Self::Asserted, Self::Given, Self::Fact, Self::Drawn];
-
     /// Of several statements of the same words, what they are worth together.
     pub(crate) fn with(self, other: Self) -> Self {
         let sure = |c: Self| matches!(c, Self::Exact | Self::Enclosed);
@@ -67,139 +62,120 @@ const LETS_FLOATS_IN: [&str; 7] =
 
 /// What this comparison rests on; literals alone are given.
 pub(super) fn rests_on(expr: &Expr) -> Certainty {
+    // What a method or a cast makes of an exact number is not exact.
+    let given = |all: Certainty| if all == Certainty::Given { all } else { Certainty::Asserted };
     match expr {
         Expr::Lit(_) => Certainty::Given,
         Expr::Paren(inner) => rests_on(&inner.expr),
         Expr::Group(inner) => rests_on(&inner.expr),
         Expr::Reference(inner) => rests_on(&inner.expr),
         Expr::Unary(inner) => rests_on(&inner.expr),
-        Expr::Binary(both) => rests_on(&both.left).min(rests_on(&both.right)),
+        Expr::Binary(both) => weakest([&*both.left, &both.right]),
         Expr::Array(array) => weakest(&array.elems),
         Expr::Tuple(tuple) => weakest(&tuple.elems),
-        Expr::Struct(value) => {
-            value.fields.iter().map(|f| rests_on(&f.expr)).min().unwrap_or(Certainty::Given)
-        }
-        Expr::Call(call) => match called(&call.func).as_deref() {
-            Some("enclosed") => Certainty::Enclosed,
-            Some("exactly") => Certainty::Exact,
-            _ if wraps(&call.func) => weakest(&call.args),
+        Expr::Struct(value) => weakest(value.fields.iter().map(|field| &field.expr)),
+        Expr::Cast(inner) => given(rests_on(&inner.expr)),
+        Expr::MethodCall(call) => given(weakest(call.args.iter().chain([&*call.receiver]))),
+        Expr::Call(call) => match called(&call.func).as_str() {
+            "enclosed" => Certainty::Enclosed,
+            "exactly" => Certainty::Exact,
+            "String::from" | "Vector3::new" | "f64::from" | "Some" => weakest(&call.args),
             _ => Certainty::Asserted,
         },
         Expr::Macro(inner) if inner.mac.path.is_ident("given") => Certainty::Given,
-        Expr::Macro(inner) if inner.mac.path.is_ident("format") => {
-            let parse = Punctuated::<Expr, Token![,]>::parse_terminated;
-            let Ok(arguments) = parse.parse2(inner.mac.tokens.clone()) else { return Certainty::Asserted };
-            let pattern = match arguments.first() {
-                Some(Expr::Lit(ExprLit { lit: Lit::Str(text), .. })) => text.value().replace("{{", ""),
-                _ => return Certainty::Asserted,
-            };
-            // `{name}` brings a value that stands in no call.
-            let named =
-                pattern.split('{').skip(1).any(|p| p.starts_with(|c: char| c.is_alphabetic() || c == '_'));
-            let rest: Vec<&Expr> = arguments.iter().skip(1).collect();
-            if named || rest.is_empty() {
-                return Certainty::Asserted;
-            }
-            rest.into_iter().map(rests_on).min().unwrap_or(Certainty::Asserted)
-        }
+        Expr::Macro(inner) if inner.mac.path.is_ident("format") => formatted(inner),
         _ => Certainty::Asserted,
     }
 }
 
-fn weakest(all: &Punctuated<Expr, Token![,]>) -> Certainty {
-    all.iter().map(rests_on).min().unwrap_or(Certainty::Given)
+pub(super) fn weakest<'a>(all: impl IntoIterator<Item = &'a Expr>) -> Certainty {
+    all.into_iter().map(rests_on).min().unwrap_or(Certainty::Given)
 }
 
-/// The name of a function that is called by its name alone.
-fn called(function: &Expr) -> Option<String> {
-    let Expr::Path(path) = function else { return None };
-    path.path.get_ident().map(ToString::to_string)
+/// What the arguments of a `format!` rest on; `{name}` in the pattern brings a value that stands in no call.
+fn formatted(format: &ExprMacro) -> Certainty {
+    let parse = Punctuated::<Expr, Token![,]>::parse_terminated;
+    let arguments = parse.parse2(format.mac.tokens.clone()).unwrap_or_default();
+    let Some(Expr::Lit(ExprLit { lit: Lit::Str(pattern), .. })) = arguments.first() else {
+        return Certainty::Asserted;
+    };
+    let names = |piece: &str| piece.starts_with(|c: char| c.is_alphabetic() || c == '_');
+    if pattern.value().replace("{{", "").split('{').skip(1).any(names) {
+        return Certainty::Asserted;
+    }
+    weakest(&arguments)
+}
+
+/// The path of a function that is called by it.
+fn called(function: &Expr) -> String {
+    let Expr::Path(path) = function else { return String::new() };
+    let words = path.path.segments.iter().map(|segment| segment.ident.to_string());
+    words.collect::<Vec<_>>().join("::")
+}
+
+/// Whether the pattern of this format has digits of its own, which nothing computes.
+pub(super) fn prints_own_digits(expr: &Expr) -> bool {
+    let Expr::Macro(inner) = expr else { return false };
+    if inner.mac.path.is_ident("given") {
+        return false; // a number, and no pattern
+    }
+    let Some(TokenTree::Literal(pattern)) = inner.mac.tokens.clone().into_iter().next() else { return false };
+    let pattern = pattern.to_string().replace("{{", "").replace("}}", "");
+    let outside = pattern.split('}').map(|piece| piece.split('{').next().unwrap_or_default());
+    outside.map(digits::plain).any(|found| !found.is_empty())
 }
 
 /// What would let a block pass floats for exact numbers: the line, from zero, and what stands there.
-pub(super) fn laundering(statements: &[syn::Stmt]) -> Vec<(usize, String)> {
-    let mut watch = Watch::default();
-    for statement in statements {
-        watch.visit_stmt(statement);
-    }
-    watch.taken.extend(watch.floats.into_iter().filter(|_| watch.certain));
-    watch.taken
+pub(super) fn laundering(block: TokenStream) -> Vec<(usize, String)> {
+    let mut found = Laundering::default();
+    found.look(block);
+    found.taken.extend(found.floats.into_iter().filter(|_| found.certain));
+    found.taken
 }
 
 #[derive(Default)]
-struct Watch {
+struct Laundering {
     /// Whether the block calls `enclosed` or `exactly`.
     certain: bool,
     taken: Vec<(usize, String)>,
     floats: Vec<(usize, String)>,
 }
 
-impl Watch {
-    fn name(&mut self, ident: &syn::Ident) {
-        if OWN.iter().any(|own| ident == own) {
-            let line = ident.span().start().line.saturating_sub(1);
-            self.taken.push((line, format!("another thing called `{ident}`")));
-        }
-    }
-
-    fn use_of(&mut self, ident: &syn::Ident) {
-        let line = ident.span().start().line.saturating_sub(1);
-        if LETS_FLOATS_IN.iter().any(|way| ident == way) {
-            self.floats.push((line, format!("`{ident}` beside exact numbers")));
-        }
-        self.certain |= ident == "enclosed" || ident == "exactly";
-    }
-}
-
-impl<'ast> Visit<'ast> for Watch {
-    fn visit_pat_ident(&mut self, pattern: &'ast syn::PatIdent) {
-        self.name(&pattern.ident);
-        syn::visit::visit_pat_ident(self, pattern);
-    }
-    fn visit_item_fn(&mut self, item: &'ast syn::ItemFn) {
-        self.name(&item.sig.ident);
-        syn::visit::visit_item_fn(self, item);
-    }
-    fn visit_item_macro(&mut self, item: &'ast syn::ItemMacro) {
-        item.ident.iter().for_each(|ident| self.name(ident));
-        self.visit_macro(&item.mac);
-    }
-    fn visit_item_use(&mut self, item: &'ast syn::ItemUse) {
-        let own = matches!(&item.tree, syn::UseTree::Path(path) if path.ident == "tumbling_proofs");
-        if !own {
-            syn::visit::visit_item_use(self, item);
-        }
-    }
-    fn visit_use_name(&mut self, name: &'ast syn::UseName) {
-        self.name(&name.ident);
-    }
-    fn visit_use_rename(&mut self, name: &'ast syn::UseRename) {
-        self.name(&name.rename);
-    }
-    fn visit_ident(&mut self, ident: &'ast syn::Ident) {
-        self.use_of(ident);
-    }
-    fn visit_expr_cast(&mut self, cast: &'ast syn::ExprCast) {
-        if let syn::Type::Path(path) = &*cast.ty
-            && let Some(ident) = path.path.get_ident()
-            && ident.to_string().starts_with(['i', 'u'])
-        {
-            let line = ident.span().start().line.saturating_sub(1);
-            self.floats.push((line, "a cast to a whole number beside exact numbers".into()));
-        }
-        syn::visit::visit_expr_cast(self, cast);
-    }
-    fn visit_macro(&mut self, mac: &'ast syn::Macro) {
-        fn each(tokens: proc_macro2::TokenStream, watch: &mut Watch) {
-            for token in tokens {
-                match token {
-                    TokenTree::Group(group) => each(group.stream(), watch),
-                    TokenTree::Ident(ident) => watch.use_of(&ident),
-                    _ => {}
+impl Laundering {
+    fn look(&mut self, tokens: TokenStream) {
+        let mut tokens = tokens.into_iter().peekable();
+        let mut before = String::new();
+        while let Some(token) = tokens.next() {
+            let word = match token {
+                TokenTree::Group(group) => {
+                    self.look(group.stream());
+                    String::new()
                 }
+                other => other.to_string(),
+            };
+            // What the proofs' crate itself gives may have these names.
+            if before == "use" && word == "tumbling_proofs" {
+                tokens.by_ref().find(|token| token.to_string() == ";");
             }
+            let next = tokens.peek();
+            let line = || next.map_or(0, |token| token.span().start().line.saturating_sub(1));
+            if OWN.contains(&word.as_str()) {
+                let called = match next {
+                    Some(TokenTree::Group(group)) => group.delimiter() == Delimiter::Parenthesis,
+                    Some(TokenTree::Punct(mark)) => word == "given" && mark.as_char() == '!',
+                    _ => false,
+                };
+                if !called || before == "fn" {
+                    self.taken.push((line(), format!("another thing called `{word}`")));
+                }
+                self.certain |= word != "given";
+            } else if LETS_FLOATS_IN.contains(&word.as_str()) {
+                self.floats.push((line(), format!("`{word}` beside exact numbers")));
+            } else if before == "as" && word.starts_with(['i', 'u']) {
+                self.floats.push((line(), "a cast to a whole number beside exact numbers".into()));
+            }
+            before = word;
         }
-        each(mac.tokens.clone(), self);
     }
 }
 
@@ -232,10 +208,7 @@ mod tests {
 
     #[test]
     fn a_block_cannot_call_something_else_exact_nor_let_floats_in() {
-        let found = |text: &str| {
-            let statements = syn::Block::parse_within.parse_str(text).unwrap();
-            laundering(&statements).len()
-        };
+        let found = |text: &str| laundering(text.parse().unwrap()).len();
         assert_eq!(found("use tumbling_proofs::{enclosed, exactly}; enclosed(x); let n = x as f64;"), 0);
         for wrong in [
             "fn exactly(x: f64) -> f64 { x }",

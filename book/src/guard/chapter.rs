@@ -129,6 +129,7 @@ impl Reader {
 fn comments<'a>(block: &'a Block, text: &'a str) -> impl Iterator<Item = Passage> + 'a {
     block.code.comments.iter().map(|comment| {
         let mut passage = Passage::new(if comment.note { Kind::Note } else { Kind::Comment });
+        passage.values.clone_from(&comment.values);
         for part in &comment.lines {
             let (start, end) = (block.source(part.line, part.start), block.source(part.line, part.end));
             passage.push(text.get(start..end).unwrap_or_default(), start);

@@ -1,8 +1,8 @@
 //! Reads the Rust of a block: which phrases it holds.
 
-use super::certainty::{Certainty, laundering, rests_on};
+use super::certainty::{Certainty, laundering, prints_own_digits, weakest};
 use super::digits;
-use super::hollow::{is_literal, prints_own_digits};
+use super::phrase::Phrase;
 use super::spelled;
 use proc_macro2::{LineColumn, Span, TokenStream, TokenTree};
 use std::collections::HashMap;
@@ -23,31 +23,6 @@ pub(crate) struct Code {
     pub(crate) comments: Vec<Comment>,
 }
 
-/// Words with numbers that the text may repeat.
-#[derive(Debug, Clone)]
-pub(crate) struct Phrase {
-    pub(crate) text: String,
-    /// The same as a sentence begins.
-    pub(crate) first: String,
-    /// Whether an assertion expects it, so that the text must repeat it; otherwise it is the note at a line's
-    /// end.
-    pub(crate) asserted: bool,
-    pub(crate) line: usize,
-    /// What the assertion rests on; of an input's note, that it is given.
-    pub(crate) certainty: Certainty,
-}
-
-impl Phrase {
-    fn new(text: &str, asserted: bool, line: usize, certainty: Certainty) -> Self {
-        let text = text.replace('\u{2212}', "-");
-        let mut first = text.clone();
-        if let Some(letter) = first.get_mut(..1) {
-            letter.make_ascii_uppercase();
-        }
-        Self { text, first, asserted, line, certainty }
-    }
-}
-
 /// A literal in a block: its line, from zero, and its bytes there.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Literal {
@@ -62,6 +37,8 @@ pub(crate) struct Comment {
     pub(crate) lines: Vec<Literal>,
     /// Whether it stands behind code.
     pub(crate) note: bool,
+    /// The values of the literals on a note's line.
+    pub(crate) values: Vec<f64>,
 }
 
 /// Rust that could not be read: the line, from zero, and why.
@@ -92,12 +69,12 @@ pub(crate) fn read(text: &str) -> Result<Code, Fault> {
     if let Some(e) = reader.fault {
         return Err(fault(&e));
     }
-    let floats = laundering(&statements).into_iter();
+    let floats = laundering(tokens.clone()).into_iter();
     reader.code.hollow.extend(floats.map(|(line, found)| (line, found, EXACT)));
     let mut literals = Vec::new();
     reader.literals(tokens, &mut literals);
-    let comments = comments(text, &literals);
-    reader.notes(&comments, &literals);
+    let mut comments = comments(text, &literals);
+    reader.notes(&mut comments, &literals);
     reader.code.comments = comments;
     Ok(reader.code)
 }
@@ -149,7 +126,7 @@ fn comments(text: &str, literals: &[Literal]) -> Vec<Comment> {
         let goes_on = |c: &&mut Comment| !note && c.lines.last().is_some_and(|last| last.line + 1 == number);
         match found.last_mut().filter(goes_on) {
             Some(comment) => comment.lines.push(part),
-            None => found.push(Comment { lines: vec![part], note }),
+            None => found.push(Comment { lines: vec![part], note, values: Vec::new() }),
         }
     }
     found
@@ -201,27 +178,24 @@ impl<'a> Reader<'a> {
 
     /// The phrases of the notes, divided by `;`. The numbers of each must be literals of its line, one after
     /// the other.
-    fn notes(&mut self, comments: &[Comment], literals: &[Literal]) {
-        for at in comments.iter().filter(|c| c.note).flat_map(|c| &c.lines) {
+    fn notes(&mut self, comments: &mut [Comment], literals: &[Literal]) {
+        for comment in comments.iter_mut().filter(|c| c.note) {
+            let at = &comment.lines[0];
             let own: Vec<f64> =
                 literals.iter().filter(|l| l.line == at.line).flat_map(|l| self.values(l)).collect();
             for phrase in self.written(at).split(';').map(str::trim) {
                 let numbers = digits::plain(phrase);
-                let (words, _) = spelled::spelled(phrase);
+                let said = |word: &spelled::Word| own.iter().any(|value| word.says(*value));
                 let stand = |run: &[f64]| run.iter().zip(&numbers).all(|(own, said)| *own == said.value);
-                let held = numbers.is_empty() || own.windows(numbers.len()).any(stand);
-                let wrong = Some(phrase).filter(|_| !held);
-                let wrong = wrong.or_else(|| {
-                    words.iter().find(|w| !own.iter().any(|v| w.says(*v))).map(|w| &phrase[w.at.clone()])
-                });
-                if let Some(wrong) = wrong {
-                    let found = format!("`{wrong}` in a note");
+                if !numbers.is_empty() && !own.windows(numbers.len()).any(stand) {
+                    let found = format!("`{phrase}` in a note");
                     self.code.hollow.push((at.line, found, "a literal of its line of code"));
-                } else if !(numbers.is_empty() && words.is_empty()) {
+                } else if !numbers.is_empty() || spelled::words(phrase).iter().any(said) {
                     let certainty = self.claimed.get(&at.line).copied().unwrap_or(Certainty::Given);
                     self.code.phrases.push(Phrase::new(phrase, false, at.line, certainty));
                 }
             }
+            comment.values = own;
         }
     }
 
@@ -321,10 +295,9 @@ impl<'ast> Visit<'ast> for Reader<'_> {
             let why = "an assertion inside a branch, which may never be taken";
             self.code.hollow.push((line, why.to_owned(), COMPUTED));
         }
+        let weakest = weakest(arguments.iter().take(if name == "assert" { 1 } else { 2 }));
         // Of literals alone nothing is claimed.
-        let sides = arguments.iter().take(if name == "assert" { 1 } else { 2 });
-        let weakest = sides.map(rests_on).min().filter(|c| *c != Certainty::Given);
-        let certainty = weakest.unwrap_or(Certainty::Asserted);
+        let certainty = if weakest == Certainty::Given { Certainty::Asserted } else { weakest };
         if name.starts_with("assert") {
             let end = mac.delimiter.span().close().end().line.saturating_sub(1);
             self.claimed.extend((line..=end).map(|line| (line, certainty)));
@@ -333,16 +306,13 @@ impl<'ast> Visit<'ast> for Reader<'_> {
         let mut rest = arguments.iter();
         match name.as_str() {
             "assert_eq" => {
-                let sides: Vec<&Expr> = rest.by_ref().take(2).collect();
-                if sides.iter().all(|side| is_literal(side)) {
+                if weakest == Certainty::Given {
                     hollow("an assertion of a literal about a literal");
                 }
-                if sides.iter().any(|side| prints_own_digits(side)) {
+                if arguments.iter().take(2).any(prints_own_digits) {
                     hollow("digits in the pattern of a format, which nothing computes");
                 }
-                for side in sides {
-                    self.expected(side, certainty);
-                }
+                rest.by_ref().take(2).for_each(|side| self.expected(side, certainty));
             }
             "assert" => rest.by_ref().take(1).for_each(|claim| self.claim(claim)),
             _ => {}

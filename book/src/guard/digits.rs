@@ -10,26 +10,24 @@ pub(crate) struct Numeral {
     pub(crate) value: f64,
 }
 
-/// The numbers of a text of which these ranges are TeX, and how many others are parts of formulas.
-pub(crate) fn numerals(text: &str, tex: &[Range<usize>]) -> (Vec<Numeral>, usize) {
-    let (mut found, mut parts, mut at) = (Vec::new(), 0, 0);
+/// The numbers of a text of which these ranges are TeX, without those that are parts of formulas.
+pub(crate) fn numerals(text: &str, tex: &[Range<usize>]) -> Vec<Numeral> {
+    let (mut found, mut at) = (Vec::new(), 0);
     for formula in tex {
         scan(text, at..formula.start, false, &mut found);
         let mut inside = Vec::new();
         scan(text, formula.clone(), true, &mut inside);
-        let all = inside.len();
         inside.retain(|numeral| is_value(text, formula, &numeral.at));
-        parts += all - inside.len();
         found.append(&mut inside);
         at = formula.end;
     }
     scan(text, at..text.len(), false, &mut found);
-    (found, parts)
+    found
 }
 
 /// The numbers of a text without TeX.
 pub(crate) fn plain(text: &str) -> Vec<Numeral> {
-    numerals(text, &[]).0
+    numerals(text, &[])
 }
 
 /// Whether a number in a formula is a value, and not an index, a factor or an entry that is true or false

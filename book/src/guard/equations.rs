@@ -6,16 +6,6 @@ use super::laws;
 use super::offence::Offence;
 use tumbling_proofs::equations::{Equation, Fault, read};
 
-/// How the equations stand.
-#[derive(Debug, Default)]
-pub(crate) struct Counts {
-    pub(crate) proven: usize,
-    pub(crate) apart: usize,
-    pub(crate) exempt: usize,
-    pub(crate) notation: usize,
-    pub(crate) values: usize,
-}
-
 /// The maths of a chapter, as it stands there.
 fn maths(chapter: &Chapter) -> Vec<Equation> {
     let passages = chapter.sections.iter().flat_map(|section| &section.passages);
@@ -40,7 +30,7 @@ fn offence(file: &str, fault: Fault) -> Offence {
 }
 
 /// Proves the equations of a chapter; what cannot be proven is an offence.
-pub(crate) fn offences(chapter: &Chapter, counts: &mut Counts, held: &mut Vec<String>) -> Vec<Offence> {
+pub(crate) fn offences(chapter: &Chapter, held: &mut Vec<String>) -> Vec<Offence> {
     let read = read(&laws::of(&chapter.name), &maths(chapter));
     for (settled, how) in [
         (&read.proven, "proven"),
@@ -54,11 +44,6 @@ pub(crate) fn offences(chapter: &Chapter, counts: &mut Counts, held: &mut Vec<St
             format!("{file}:{line}: `{}`: {how}: {}", s.tex, s.why)
         }));
     }
-    counts.proven += read.proven.len();
-    counts.apart += read.apart.len();
-    counts.exempt += read.exempt.len();
-    counts.notation += read.notation.len();
-    counts.values += read.values.len();
     read.faults.into_iter().map(|fault| offence(&chapter.path, fault)).collect()
 }
 

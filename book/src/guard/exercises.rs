@@ -3,7 +3,7 @@
 
 use super::chapter::{Chapter, Reader};
 use crate::preprocess;
-use std::fs;
+use crate::site::files;
 use std::path::Path;
 
 /// Reads all exercises; what is wrong with one as Markdown and TeX goes to `wrong`.
@@ -15,7 +15,7 @@ pub(super) fn read(
     for exercise in tumbling_exercises::all()? {
         let name = &exercise.name;
         let path = tumbling_exercises::whole().join(format!("{name}.md"));
-        let text = fs::read_to_string(&path).map_err(|e| format!("cannot read {}: {e}", path.display()))?;
+        let text = files::text(&path)?;
         let shown = format!("book/exercises/whole/{name}.md");
         let faults = preprocess::unreadable(Path::new(name), &text);
         wrong.extend(faults.into_iter().map(|f| f.replacen(&format!("book/chapters/{name}"), &shown, 1)));

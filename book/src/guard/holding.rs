@@ -2,18 +2,16 @@
 
 use super::certainty::Certainty;
 use super::chapter::{Chapter, Section};
-use super::counts::Counts;
 use super::digits::{self, Numeral};
 use super::facts::Fact;
 use super::offence::Offence;
 use super::passage::{Kind, Passage};
 use super::phrase::{Phrase, nearest, strengthened};
 use super::spelled;
-use std::cell::Cell;
 use std::collections::HashMap;
 use std::ops::Range;
 
-/// The words that count, with what they count, by chapter; each as often as it is said.
+/// The number words that no code holds, each with the word behind it, by chapter, as often as it is said.
 pub(crate) type Words = HashMap<String, Vec<String>>;
 
 /// What there is besides the chapter.
@@ -22,7 +20,7 @@ pub(crate) struct Beside {
     pub(crate) facts: Vec<Fact>,
     /// What the drawings say of themselves, title and description, by the figure's name.
     pub(crate) drawings: HashMap<String, String>,
-    /// The words that count, with what they count, by the chapter's name. Those of other chapters are free.
+    /// Those of chapters that are not in it are free.
     pub(crate) words: Words,
 }
 
@@ -30,21 +28,14 @@ pub(crate) struct Beside {
 #[derive(Debug, Default)]
 pub(crate) struct Findings {
     pub(crate) offences: Vec<Offence>,
-    pub(crate) counts: Counts,
     /// Where the numbers and number words of the text stand in the chapter's bytes.
     pub(crate) places: Vec<Range<usize>>,
     /// Each number and what holds it: `file:line: number: holder`.
     pub(crate) held: Vec<String>,
 }
 
-/// What holds a number.
-#[derive(Debug, Clone, Copy)]
-enum Holder {
-    Assertion(usize, Certainty),
-    Note(usize, Certainty),
-    Fact,
-    Drawing,
-}
+/// What holds a number, and how certain that is.
+type Holder = (String, Certainty);
 
 /// Checks a chapter.
 pub(crate) fn findings(chapter: &Chapter, beside: &Beside) -> Findings {
@@ -69,7 +60,7 @@ struct Checker<'a> {
     beside: &'a Beside,
     found: Findings,
     ordinals: HashMap<u8, usize>,
-    /// The words that count, and where.
+    /// The number words that no phrase holds, and where.
     counting: Vec<(String, usize)>,
 }
 
@@ -83,12 +74,8 @@ impl Checker<'_> {
         let mut phrases = Vec::new();
         for block in &section.blocks {
             phrases.extend(block.code.phrases.iter().map(|phrase| Phrase {
-                text: &phrase.text,
-                first: &phrase.first,
-                asserted: phrase.asserted,
-                certainty: phrase.certainty,
                 line: self.chapter.line(block.source(phrase.line, 0)),
-                said: Cell::new(None),
+                ..phrase.clone()
             }));
             for (line, found, expected) in &block.code.hollow {
                 self.offend(block.source(*line, 0), found.clone(), (*expected).to_owned());
@@ -103,9 +90,9 @@ impl Checker<'_> {
 
     /// The text says what the code asserts, and in the same order: so numbers cannot trade places, nor rows
     /// of a table.
-    fn asserted_is_said(&mut self, phrases: &[Phrase<'_>]) {
+    fn asserted_is_said(&mut self, phrases: &[Phrase]) {
         for rows in [true, false] {
-            let mut latest: Option<(&Phrase<'_>, usize)> = None;
+            let mut latest: Option<(&Phrase, usize)> = None;
             for phrase in phrases.iter().filter(|p| p.asserted && p.is_row() == rows) {
                 let found = format!("`{}`", phrase.text);
                 let line = phrase.line;
@@ -117,7 +104,7 @@ impl Checker<'_> {
                         expected: "the same in the text of the section".into(),
                     }),
                     (Some(at), Some((before, last))) if at < last => {
-                        let (text, of) = (before.text, before.line);
+                        let (text, of) = (&before.text, before.line);
                         self.offend(
                             at,
                             found,
@@ -130,127 +117,88 @@ impl Checker<'_> {
         }
     }
 
-    fn passage(&mut self, passage: &Passage, phrases: &[Phrase<'_>]) {
+    fn passage(&mut self, passage: &Passage, phrases: &[Phrase]) {
         let text = &passage.text;
         let tex: Vec<_> = passage.tex.iter().map(|t| t.at.clone()).collect();
-        let (mut numbers, structural) = digits::numerals(text, &tex);
-        self.found.counts.structural += structural;
+        let mut numbers = digits::numerals(text, &tex);
         if let Kind::Heading(level) = passage.kind {
             self.ordinal(passage, level, &mut numbers);
         }
-        let (words, counting) = spelled::spelled(text);
-        self.found.counts.counting += counting.len();
+        let words = spelled::words(text);
         let all = numbers.iter().map(|number| &number.at).chain(words.iter().map(|word| &word.at));
         self.found.places.extend(all.map(|at| span(passage, at)));
-        self.found.counts.all += numbers.len() + words.len();
-        if passage.kind == Kind::Note {
-            // The code's reader holds them.
-            let line = self.chapter.line(passage.source(0));
-            let own = phrases.iter().find(|p| p.line == line && !p.asserted);
-            let certainty = own.map_or(Certainty::Given, |p| p.certainty);
-            self.found.counts.by_note += numbers.len() + words.len();
-            *self.found.counts.certainty.entry(certainty).or_default() += numbers.len() + words.len();
-            counting.iter().for_each(|at| self.count(passage, at));
-            return;
-        }
-        if numbers.is_empty() && words.is_empty() && counting.is_empty() {
-            return;
-        }
         let quoted = self.quoted(passage, phrases);
-        let free = counting.iter().filter(|at| holder(&quoted, at).is_none());
-        free.for_each(|at| self.count(passage, at));
+        let note = passage.kind == Kind::Note;
+        for word in words {
+            // The code's reader holds a note's numbers, and each word of it that is a literal of its line.
+            let at = passage.source(word.at.start);
+            match holder(&quoted, &word.at) {
+                _ if note && passage.values.iter().any(|value| word.says(*value)) => {}
+                Some(held) if !note => self.hold(at, &text[word.at], held),
+                _ => self.counting.push((spelled::counted(text, &word.at), at)),
+            }
+        }
+        if note {
+            return;
+        }
         let drawing = passage.figure.as_ref().and_then(|name| self.beside.drawings.get(name));
         let mut drawn =
             drawing.map(|words| digits::plain(words).into_iter().map(move |n| digits::with_unit(words, &n)));
         for number in &numbers {
             let own = digits::with_unit(text, number);
+            let by_drawing = || in_drawing(own, phrases);
             let holder = match &mut drawn {
                 // The words for a figure say what the drawing says of itself, in the same order.
-                Some(rest) if passage.kind == Kind::Alt => {
-                    rest.any(|words| words == own).then_some(Holder::Drawing)
-                }
+                Some(rest) if passage.kind == Kind::Alt => rest.any(|words| words == own).then(by_drawing),
                 _ => holder(&quoted, &number.at)
-                    .or_else(|| drawn.clone()?.any(|words| words == own).then_some(Holder::Drawing)),
+                    .or_else(|| drawn.clone()?.any(|words| words == own).then(by_drawing)),
             };
-            self.settle(passage, own, &number.at, holder, phrases);
-        }
-        for word in words {
-            let own = &text[word.at.clone()];
-            let drawn = || drawing.filter(|words| words.contains(own)).map(|_| Holder::Drawing);
-            let holder = holder(&quoted, &word.at).or_else(drawn);
-            self.settle(passage, own, &word.at, holder, phrases);
+            let place = passage.source(number.at.start);
+            match holder {
+                Some(held) => self.hold(place, own, held),
+                None => self.refuse(place, own, passage, phrases),
+            }
         }
     }
 
-    /// Notes a word that only counts, for the list.
-    fn count(&mut self, passage: &Passage, at: &Range<usize>) {
-        self.counting.push((spelled::counted(&passage.text, at), passage.source(at.start)));
-        self.found.places.push(span(passage, at));
+    fn hold(&mut self, at: usize, own: &str, (name, certainty): Holder) {
+        let (file, line) = (&self.chapter.path, self.chapter.line(at));
+        self.found.held.push(format!("{file}:{line}: `{own}`: {name}: {certainty}"));
+    }
+
+    /// Objects to a number that nothing holds.
+    fn refuse(&mut self, at: usize, own: &str, passage: &Passage, phrases: &[Phrase]) {
+        if passage.kind == Kind::Alt {
+            let figure = passage.figure.as_deref().unwrap_or("?");
+            let expected = format!("it in the description inside the drawing `{figure}`, in this order");
+            self.offend(at, format!("`{own}` in the words for a figure"), expected);
+        } else {
+            let row = passage.kind == Kind::Row && phrases.iter().any(Phrase::is_row);
+            let own = if row { passage.text.trim() } else { own };
+            self.offend(at, format!("`{own}`"), nearest(phrases, own));
+        }
     }
 
     /// The stretches of the passage that quote a phrase or a fact.
-    fn quoted(&self, passage: &Passage, phrases: &[Phrase<'_>]) -> Vec<(Range<usize>, Holder)> {
+    fn quoted(&self, passage: &Passage, phrases: &[Phrase]) -> Vec<(Range<usize>, Holder)> {
         let text = &passage.text;
         let rows = passage.kind == Kind::Row && phrases.iter().any(Phrase::is_row);
         let read = matches!(passage.kind, Kind::Prose | Kind::Row | Kind::Heading(_));
         let mut found: Vec<(Range<usize>, Holder)> = Vec::new();
         for fact in self.own_facts() {
-            found.extend(
-                text.match_indices(&fact.text).map(|(at, words)| (at..at + words.len(), Holder::Fact)),
-            );
+            let holder = ("a fact".to_owned(), Certainty::Fact);
+            let all = text.match_indices(&fact.text);
+            found.extend(all.map(|(at, words)| (at..at + words.len(), holder.clone())));
         }
         for phrase in phrases.iter().filter(|p| p.is_row() || !rows) {
             for at in phrase.quotations(text) {
                 if read && phrase.said.get().is_none() {
                     phrase.said.set(Some(passage.source(at.start)));
                 }
-                let line = phrase.line;
-                let holder = if phrase.asserted { Holder::Assertion } else { Holder::Note };
-                found.push((at, holder(line, phrase.certainty)));
+                found.push((at, (phrase.holder(), phrase.certainty)));
             }
         }
         found
-    }
-
-    /// Counts what holds a number, or objects.
-    fn settle(
-        &mut self,
-        passage: &Passage,
-        own: &str,
-        at: &Range<usize>,
-        holder: Option<Holder>,
-        phrases: &[Phrase<'_>],
-    ) {
-        // What a drawing says, an assertion of the section may say too.
-        let says = |p: &&Phrase<'_>| digits::quotations(p.text, own).next().is_some();
-        let also = phrases.iter().filter(says).map(|p| p.certainty).reduce(Certainty::with);
-        let also = also.unwrap_or(Certainty::Drawn);
-        let counts = &mut self.found.counts;
-        let place = passage.source(at.start);
-        let (count, name, certainty) = match holder {
-            Some(Holder::Assertion(line, certainty)) => {
-                (&mut counts.by_assertion, format!("the assertion in line {line}"), certainty)
-            }
-            Some(Holder::Note(line, certainty)) => {
-                (&mut counts.by_note, format!("the note in line {line}"), certainty)
-            }
-            Some(Holder::Fact) => (&mut counts.by_fact, "a fact".into(), Certainty::Fact),
-            Some(Holder::Drawing) => (&mut counts.by_drawing, "the drawing".into(), also),
-            None if passage.kind == Kind::Alt => {
-                let figure = passage.figure.as_deref().unwrap_or("?");
-                let expected = format!("it in the description inside the drawing `{figure}`, in this order");
-                return self.offend(place, format!("`{own}` in the words for a figure"), expected);
-            }
-            None => {
-                let row = passage.kind == Kind::Row && phrases.iter().any(Phrase::is_row);
-                let own = if row { passage.text.trim() } else { own };
-                return self.offend(place, format!("`{own}`"), nearest(phrases, own));
-            }
-        };
-        *count += 1;
-        *counts.certainty.entry(certainty).or_default() += 1;
-        let (file, line) = (&self.chapter.path, self.chapter.line(place));
-        self.found.held.push(format!("{file}:{line}: `{own}`: {name}: {certainty}"));
     }
 
     /// `1. The first` and so on: the numbers before headings of one level count up from one.
@@ -262,7 +210,6 @@ impl Checker<'_> {
         let next = self.ordinals.entry(level).or_insert(0);
         *next += 1;
         let next = next.to_string();
-        self.found.counts.ordinals += 1;
         self.found.places.push(span(passage, &first.at));
         let own = &passage.text[first.at.clone()];
         if own != next {
@@ -275,7 +222,7 @@ impl Checker<'_> {
         self.beside.facts.iter().filter(|f| f.chapter == self.chapter.name)
     }
 
-    /// Each word that counts stands in the chapter's list with what it counts, and as often as there.
+    /// Each number word that no phrase holds stands in the chapter's list, and as often as there.
     fn words_are_listed(&mut self) {
         let Some(listed) = self.beside.words.get(&self.chapter.name) else { return };
         let mut left: Vec<&str> = listed.iter().map(String::as_str).collect();
@@ -304,7 +251,7 @@ impl Checker<'_> {
     }
 }
 
-/// What a word that counts must be.
+/// What a number word must be.
 const LISTED: &str = "digits that the section's code asserts or notes, or, where it is language, these words for this chapter in book/words.toml";
 
 /// The bytes of the chapter from which these of a passage came.
@@ -312,7 +259,14 @@ fn span(passage: &Passage, at: &Range<usize>) -> Range<usize> {
     passage.source(at.start)..passage.source(at.end - 1) + 1
 }
 
+/// What a drawing says, an assertion of the section may say too.
+fn in_drawing(own: &str, phrases: &[Phrase]) -> Holder {
+    let says = phrases.iter().filter(|phrase| digits::quotations(&phrase.text, own).next().is_some());
+    let certainty = says.map(|phrase| phrase.certainty).reduce(Certainty::with);
+    ("the drawing".to_owned(), certainty.unwrap_or(Certainty::Drawn))
+}
+
 fn holder(quoted: &[(Range<usize>, Holder)], at: &Range<usize>) -> Option<Holder> {
     let held = quoted.iter().find(|(range, _)| range.start <= at.start && at.end <= range.end);
-    held.map(|(_, holder)| *holder)
+    held.map(|(_, holder)| holder.clone())
 }

@@ -29,6 +29,8 @@ pub(crate) struct Passage {
     pub(crate) tex: Vec<Tex>,
     /// The name of the drawing that it belongs to.
     pub(crate) figure: Option<String>,
+    /// Of a note, the values of the literals on its line.
+    pub(crate) values: Vec<f64>,
     /// Where each stretch of the text begins, here and in the chapter.
     places: Vec<(usize, usize)>,
 }
@@ -45,7 +47,14 @@ pub(crate) struct Tex {
 
 impl Passage {
     pub(crate) fn new(kind: Kind) -> Self {
-        Self { kind, text: String::new(), tex: Vec::new(), figure: None, places: Vec::new() }
+        Self {
+            kind,
+            text: String::new(),
+            tex: Vec::new(),
+            figure: None,
+            values: Vec::new(),
+            places: Vec::new(),
+        }
     }
 
     pub(crate) fn push(&mut self, text: &str, source: usize) {

@@ -5,39 +5,57 @@ use super::digits;
 use std::cell::Cell;
 use std::ops::Range;
 
-/// Words with numbers in a section's code.
-pub(super) struct Phrase<'a> {
-    pub(super) text: &'a str,
-    /// The same as a sentence begins.
-    pub(super) first: &'a str,
+/// Words with numbers that the text may repeat.
+#[derive(Debug, Clone)]
+pub(crate) struct Phrase {
+    pub(super) text: String,
+    /// The text as it begins a sentence.
+    pub(super) first: String,
+    /// Whether an assertion expects it, so that the text must repeat it; otherwise it is the note at a line's
+    /// end.
     pub(super) asserted: bool,
+    /// What the assertion rests on; of an input's note, that it is given.
     pub(super) certainty: Certainty,
-    /// Its line in the chapter's file.
+    /// Its line: of a block's phrase within the block, from zero; of a section's, in the chapter's file.
     pub(super) line: usize,
     /// Where the text says it first.
     pub(super) said: Cell<Option<usize>>,
 }
 
-impl Phrase<'_> {
+impl Phrase {
+    pub(super) fn new(text: &str, asserted: bool, line: usize, certainty: Certainty) -> Self {
+        let text = text.replace('\u{2212}', "-");
+        let mut first = text.clone();
+        if let Some(letter) = first.get_mut(..1) {
+            letter.make_ascii_uppercase();
+        }
+        Self { text, first, asserted, certainty, line, said: Cell::new(None) }
+    }
+
     pub(super) fn is_row(&self) -> bool {
         self.text.starts_with('|')
+    }
+
+    /// What it is, in words.
+    pub(super) fn holder(&self) -> String {
+        format!("the {} in line {}", if self.asserted { "assertion" } else { "note" }, self.line)
     }
 
     /// Where the passage says it: a row as a whole, other phrases anywhere.
     pub(super) fn quotations<'b>(&'b self, text: &'b str) -> impl Iterator<Item = Range<usize>> + 'b {
         let row = (self.is_row() && text.trim() == self.text).then_some(0..text.len());
-        let phrase = (!self.is_row()).then_some(self.text);
-        let first = phrase.and(Some(self.first).filter(|first| *first != self.text));
+        let phrase = (!self.is_row()).then_some(&self.text);
+        let first = phrase.and(Some(&self.first).filter(|first| **first != self.text));
         let words = phrase.into_iter().chain(first);
         row.into_iter().chain(words.flat_map(|words| digits::quotations(text, words)))
     }
 }
 
-/// The phrases, each with what all that state the same words are worth together. One that is exact or
+/// The phrases, each with what all that state the same words are worth together. one that is exact or
 /// enclosed beside an assertion in floats strengthens it, and need not be said once more.
-pub(super) fn strengthened(phrases: Vec<Phrase<'_>>) -> Vec<Phrase<'_>> {
+pub(super) fn strengthened(phrases: Vec<Phrase>) -> Vec<Phrase> {
     let sure = |c: Certainty| matches!(c, Certainty::Exact | Certainty::Enclosed);
-    let mut kept: Vec<Phrase<'_>> = Vec::new();
+    let mut kept: Vec<Phrase> = Vec::new();
     for phrase in phrases {
         let mut again = false;
         for before in kept.iter_mut().filter(|before| before.text == phrase.text) {
@@ -52,8 +70,8 @@ pub(super) fn strengthened(phrases: Vec<Phrase<'_>>) -> Vec<Phrase<'_>> {
 }
 
 /// The phrase that is most like these words: that begins and ends as they do.
-pub(super) fn nearest(phrases: &[Phrase<'_>], own: &str) -> String {
-    let alike = |phrase: &&Phrase<'_>| {
+pub(super) fn nearest(phrases: &[Phrase], own: &str) -> String {
+    let alike = |phrase: &&Phrase| {
         let (a, b) = (own.bytes(), phrase.text.bytes());
         let begin = a.clone().zip(b.clone()).take_while(|(a, b)| a == b).count();
         let end = a.rev().zip(b.rev()).take_while(|(a, b)| a == b).count();
@@ -62,7 +80,7 @@ pub(super) fn nearest(phrases: &[Phrase<'_>], own: &str) -> String {
     phrases.iter().max_by_key(alike).map_or_else(
         || "a Rust block in this section that asserts it".into(),
         |near| {
-            let (text, line) = (near.text, near.line);
+            let (text, line) = (&near.text, near.line);
             format!("words that the section's code asserts or notes; nearest is `{text}` in line {line}")
         },
     )

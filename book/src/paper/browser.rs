@@ -26,7 +26,7 @@ const PLACES: [&str; 4] = [
 ];
 
 /// The browser that would print: the one that the variable `CHROMIUM` names, or the first that is found.
-pub(super) fn found() -> Option<PathBuf> {
+pub(crate) fn found() -> Option<PathBuf> {
     if let Some(named) = env::var_os("CHROMIUM") {
         return Some(named.into());
     }
@@ -43,7 +43,7 @@ pub(super) fn found() -> Option<PathBuf> {
 ///
 /// # Errors
 /// The browser cannot be started, or prints nothing.
-pub(super) fn pdf(browser: &Path, html: &Path) -> Result<Vec<u8>, String> {
+pub(crate) fn pdf(browser: &Path, html: &Path) -> Result<Vec<u8>, String> {
     let folder = tempfile::TempDir::new().map_err(|e| format!("no folder for the browser: {e}"))?;
     let file = folder.path().join("out.pdf");
     let option = |name: &str, path: &Path| {

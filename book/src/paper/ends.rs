@@ -1,7 +1,7 @@
 //! What stands at the end of a book on paper: answers to questions, hints and solutions.
 
 use super::page::{Page, opened};
-use super::tree::{Element, Node, text};
+use super::tree::{Element, Node};
 
 /// The folds that move to the end, by how their words begin.
 const MOVED: [&str; 3] = ["Hint", "Solution", "Answer"];
@@ -56,10 +56,8 @@ impl Ends {
     /// Keeps a hint or a solution; returns the link to it if it is the first of its exercise.
     fn solution(&mut self, page: &str, id: &str, words: &[Node], fold: Element) -> Option<Element> {
         let place = format!("{page}-{id}");
-        let is_new = !self
-            .solutions
-            .iter()
-            .any(|node| matches!(node, Node::Element(element) if element.get("id") == Some(place.as_str())));
+        let known = self.solutions.iter().filter_map(Node::element);
+        let is_new = known.filter_map(|element| element.get("id")).all(|id| id != place);
         if is_new {
             let back = link(&format!("{page}.html#{id}"), words.to_vec());
             self.solutions.push(Element::new("h3", &[("id", &place)], vec![back]).into());
@@ -85,11 +83,8 @@ impl Ends {
 }
 
 fn summary(fold: &Element) -> String {
-    let of = |node: &Node| match node {
-        Node::Element(element) if element.name == "summary" => Some(text(&element.children)),
-        _ => None,
-    };
-    fold.children.iter().find_map(of).unwrap_or_default()
+    let summary = fold.children.iter().filter_map(Node::element).find(|element| element.name == "summary");
+    summary.map_or_else(String::new, Element::text)
 }
 
 fn is_moved(fold: &Element) -> bool {
@@ -98,7 +93,7 @@ fn is_moved(fold: &Element) -> bool {
 }
 
 fn chapter_heading(page: &str, title: &str) -> Node {
-    let back = link(&format!("{page}.html"), vec![Node::Text(crate::site::places::escaped(title))]);
+    let back = link(&format!("{page}.html"), vec![Node::Text(title.to_owned())]);
     Element::new("h2", &[("id", &format!("of-{page}"))], vec![back]).into()
 }
 
@@ -119,9 +114,8 @@ fn answer(page: &str, question: &mut Element) -> Vec<Node> {
         _ => None,
     });
     let Some(quote) = quote else { return Vec::new() };
-    let is_paragraph = |node: &Node| matches!(node, Node::Element(element) if element.name == "p");
-    let Some(at) = quote.children.iter().rposition(is_paragraph) else { return Vec::new() };
-    let asked = quote.children.iter().find(|node| is_paragraph(node)).cloned();
+    let Some(at) = quote.children.iter().rposition(|node| node.is("p")) else { return Vec::new() };
+    let asked = quote.children.iter().find(|node| node.is("p")).cloned();
     let place = format!("{id}-answer");
     let told = std::mem::replace(
         &mut quote.children[at],

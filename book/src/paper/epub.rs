@@ -3,8 +3,8 @@
 use super::page::Page;
 use super::pages::{Paper, sections};
 use super::tree::{Node, each, rewritten, xml};
-use crate::site::paths;
 use crate::site::places::escaped;
+use crate::site::{files, paths};
 use std::fmt::Write as _;
 use std::io::{Cursor, Write as _};
 use std::time::{Duration, SystemTime};
@@ -61,9 +61,6 @@ pub(super) fn file(paper: &Paper) -> Result<Vec<u8>, String> {
 /// # Errors
 /// A file that cannot be read.
 pub(super) fn entries(paper: &Paper) -> Result<Vec<Entry>, String> {
-    let read = |file: std::path::PathBuf| {
-        std::fs::read(&file).map_err(|e| format!("cannot read {}: {e}", file.display()))
-    };
     let entry = |name: &str, media, properties: &str, content: Vec<u8>| Entry {
         name: name.to_owned(),
         media,
@@ -83,7 +80,12 @@ pub(super) fn entries(paper: &Paper) -> Result<Vec<Entry>, String> {
         ),
     ];
     for font in FONTS {
-        entries.push(entry(font, "font/woff2", "", read(paths::book().join("theme/fonts").join(font))?));
+        entries.push(entry(
+            font,
+            "font/woff2",
+            "",
+            files::bytes(&paths::book().join("theme/fonts").join(font))?,
+        ));
     }
     for page in &paper.pages {
         let text = document(paper, &page.title, &xml(&renamed(page)));
@@ -136,9 +138,9 @@ fn nav(paper: &Paper) -> String {
         let _ = write!(out, "<li><a href=\"{}.xhtml\">{number}{}</a>", page.name, escaped(&page.title));
         let sections = sections(page);
         if !sections.is_empty() {
-            let items = sections
-                .iter()
-                .map(|(id, title)| format!("<li><a href=\"{}.xhtml#{id}\">{title}</a></li>\n", page.name));
+            let items = sections.iter().map(|(id, title)| {
+                format!("<li><a href=\"{}.xhtml#{id}\">{}</a></li>\n", page.name, escaped(title))
+            });
             let _ = write!(out, "\n<ol>\n{}</ol>\n", items.collect::<String>());
         }
         out.push_str("</li>\n");

@@ -36,21 +36,20 @@ pub(super) fn sheet(paper: &Paper, name: &str, size: Size, fit: usize) -> Result
 }
 
 fn heading(body: &[Node]) -> String {
-    let is_title = |node: &&Node| matches!(node, Node::Element(element) if element.name == "h1");
-    body.iter().find(is_title).map_or(String::new(), |title| xml(std::slice::from_ref(title)))
+    body.iter().find(|node| node.is("h1")).map_or(String::new(), |title| xml(std::slice::from_ref(title)))
 }
 
 /// The chapter up to its exercises, without programs, stills and links.
 fn story(body: &[Node]) -> Vec<Node> {
-    let is_end = |node: &Node| matches!(node, Node::Element(element) if element.name == "h2" && element.get("id") == Some("exercises"));
-    let end = body.iter().position(is_end).unwrap_or(body.len());
+    let id = |node: &Node| node.element().and_then(|element| element.get("id")) == Some("exercises");
+    let end = body.iter().position(|node| node.is("h2") && id(node)).unwrap_or(body.len());
     rewritten(body[..end].to_vec(), &mut |element| on_sheet(element))
 }
 
 fn on_sheet(element: Element) -> Vec<Node> {
     // A still goes, the line that says where the live one is stays; the link in it has nowhere to lead.
     if element.has_class("still") {
-        let words = |node: &Node| matches!(node, Node::Element(element) if element.has_class("live-words"));
+        let words = |node: &Node| node.element().is_some_and(|element| element.has_class("live-words"));
         return element.children.into_iter().filter(words).collect();
     }
     let dropped = ["program", "to-end"].iter().any(|class| element.has_class(class));

@@ -17,7 +17,7 @@ use std::io::{Read as _, Write as _};
 pub(super) const FORMULA: &str = "formula: ";
 
 /// Objects by their numbers: what stands between `obj` and `endobj`.
-type Objects = BTreeMap<usize, Vec<u8>>;
+pub(super) type Objects = BTreeMap<usize, Vec<u8>>;
 
 /// The PDF with what it lacks.
 ///
@@ -71,7 +71,7 @@ pub(super) fn mended(pdf: &[u8], about: &About) -> Result<Vec<u8>, String> {
 }
 
 /// The dictionary of an object as text; nothing if it is none.
-fn text(body: &[u8]) -> String {
+pub(super) fn text(body: &[u8]) -> String {
     if body.ends_with(b"endstream") {
         String::new()
     } else {
@@ -89,7 +89,7 @@ fn reference(text: &str) -> Option<usize> {
 }
 
 /// The objects, and the entries of the trailer that name some of them.
-fn read(pdf: &[u8]) -> Option<(Objects, String)> {
+pub(super) fn read(pdf: &[u8]) -> Option<(Objects, String)> {
     let tail = String::from_utf8_lossy(&pdf[pdf.len().saturating_sub(400)..]).into_owned();
     let (rest, start) = tail.rsplit_once("startxref\n")?;
     let start: usize = start.lines().next()?.parse().ok()?;

@@ -1,6 +1,6 @@
 //! The book on paper: an EPUB, a PDF, handouts and sheets of problems.
 
-mod browser;
+pub(crate) mod browser;
 mod ends;
 mod epub;
 mod handout;
@@ -12,8 +12,6 @@ mod pages;
 mod problems;
 pub(crate) mod sheet;
 mod still;
-#[cfg(test)]
-mod tests;
 mod title;
 mod tree;
 
@@ -57,7 +55,7 @@ enum What {
 }
 
 /// What is said where no browser is found.
-const NO_BROWSER: &str = "No Chromium, Chrome or Edge was found to print the PDF (the variable CHROMIUM can name one). \
+pub(crate) const NO_BROWSER: &str = "No Chromium, Chrome or Edge was found to print the PDF (the variable CHROMIUM can name one). \
                           Open the HTML in any browser, and print it from there.";
 
 /// Writes what was asked for.
@@ -164,3 +162,6 @@ fn printed(
     say!("{}", html.display());
     write(&pdf, &mended(last, about))
 }
+
+#[cfg(test)]
+mod tests;

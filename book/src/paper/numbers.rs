@@ -1,20 +1,12 @@
 //! On which page of a PDF each named place is, as a browser writes it: objects in plain text, pages in order.
 
+use super::mend;
 use std::collections::BTreeMap;
 
 /// The number of the page, from one, of each named place.
 pub(super) fn of(pdf: &[u8]) -> BTreeMap<String, usize> {
-    let text = String::from_utf8_lossy(pdf);
-    let mut objects = BTreeMap::new();
-    for part in text.split("endobj") {
-        // `12 0 obj <<...`
-        if let Some((head, body)) = part.rsplit_once(" 0 obj") {
-            let digits = head.len() - head.trim_end_matches(|c: char| c.is_ascii_digit()).len();
-            if let Ok(number) = head[head.len() - digits..].parse::<usize>() {
-                objects.insert(number, body);
-            }
-        }
-    }
+    let objects = mend::read(pdf).map_or_else(BTreeMap::new, |(objects, _)| objects);
+    let objects: BTreeMap<usize, String> = objects.iter().map(|(at, body)| (*at, mend::text(body))).collect();
     let mut order = Vec::new();
     let is_root = |body: &str| body.contains("/Type /Pages") && !body.contains("/Parent");
     if let Some((root, _)) = objects.iter().find(|(_, body)| is_root(body)) {
@@ -38,7 +30,7 @@ pub(super) fn of(pdf: &[u8]) -> BTreeMap<String, usize> {
 }
 
 /// The pages under this object, in order.
-fn pages(object: usize, objects: &BTreeMap<usize, &str>, order: &mut Vec<usize>) {
+fn pages(object: usize, objects: &BTreeMap<usize, String>, order: &mut Vec<usize>) {
     let Some(body) = objects.get(&object) else { return };
     let Some((_, kids)) = body.split_once("/Kids [") else { return order.push(object) };
     let kids = kids.split(']').next().unwrap_or_default();

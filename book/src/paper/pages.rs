@@ -9,11 +9,10 @@ use super::page::{Page, opened};
 use super::still;
 use super::tree::{self, Element, Node, each, parse, rewritten};
 use crate::preprocess::Preprocess;
-use crate::site::{build, paths};
+use crate::site::{build, files, paths};
 use mdbook_driver::MDBook;
 use mdbook_preprocessor::book::BookItem;
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
 
 /// What the book says of itself.
 #[derive(Debug, Clone)]
@@ -38,7 +37,7 @@ impl Paper {
     /// What is wrong with the book, or a link that leads nowhere.
     pub(super) fn read() -> Result<Self, String> {
         let folder = tempfile::TempDir::new().map_err(|e| format!("no folder for the pages: {e}"))?;
-        let built = build::rendered(Some(folder.path()), Preprocess)?;
+        let built = build::rendered(Some(folder.path()), Preprocess::Pages)?;
         let book = MDBook::load(paths::book()).map_err(|e| e.to_string())?;
         let config = &book.config.book;
         let about = About {
@@ -53,9 +52,7 @@ impl Paper {
             let BookItem::Chapter(chapter) = item else { continue };
             let Some(path) = &chapter.path else { continue };
             let name = path.with_extension("").to_string_lossy().into_owned();
-            let file = built.join(format!("{name}.html"));
-            let html =
-                fs::read_to_string(&file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
+            let html = files::text(&built.join(format!("{name}.html")))?;
             let body = body(&html, &name).map_err(|what| format!("{name}.html: {what}"))?;
             let body = ends.take(&name, &chapter.name, body);
             let number = chapter.number.as_ref().map(|n| n.to_string().trim_end_matches('.').to_owned());
@@ -150,9 +147,7 @@ fn math_words(element: &Element) -> String {
         "mover" => format!("{first}{second}"),
         "mtr" => format!("{}; ", parts.iter().map(|(_, words)| words.as_str()).collect::<Vec<_>>().join(" ")),
         "mspace" => " ".into(),
-        "mo" if "=<>≤≥+−".contains(&*all()) || all() == "&lt;" || all() == "&gt;" => {
-            format!(" {} ", all())
-        }
+        "mo" if "=<>≤≥+−".contains(&*all()) => format!(" {} ", all()),
         _ => all(),
     }
 }

@@ -48,11 +48,7 @@ pub(super) fn sheet(paper: &Paper, name: &str, size: Size) -> Result<String, Str
 fn questions(paper: &Paper, page: &Page) -> Result<Vec<Problem>, String> {
     let answers = named(paper, "answers")?;
     let mut found = Vec::new();
-    for node in &page.body {
-        let Node::Element(question) = node else { continue };
-        if !question.has_class("question") {
-            continue;
-        }
+    for question in page.body.iter().filter_map(Node::element).filter(|it| it.has_class("question")) {
         let id = question.get("id").unwrap_or_default();
         let answer = after(&answers.body, &format!("{id}-answer"))
             .ok_or_else(|| format!("the question {id} has no answer"))?;
@@ -65,19 +61,15 @@ fn questions(paper: &Paper, page: &Page) -> Result<Vec<Problem>, String> {
 /// The problems of this chapter in the page of problems.
 fn written(paper: &Paper, name: &str) -> Result<Vec<Problem>, String> {
     let (page, solutions) = (named(paper, PAGE)?, named(paper, "solutions")?);
-    let is = |node: &Node, rank: &str| matches!(node, Node::Element(element) if element.name == rank);
-    let id = |node: &Node| match node {
-        Node::Element(element) => element.get("id").unwrap_or_default().to_owned(),
-        Node::Text(_) => String::new(),
-    };
-    let Some(start) = page.body.iter().position(|node| is(node, "h2") && id(node) == name) else {
+    let id = |node: &Node| node.element().and_then(|it| it.get("id")).unwrap_or_default().to_owned();
+    let Some(start) = page.body.iter().position(|node| node.is("h2") && id(node) == name) else {
         return Ok(Vec::new());
     };
     let section = &page.body[start + 1..];
-    let end = section.iter().position(|node| is(node, "h2")).unwrap_or(section.len());
+    let end = section.iter().position(|node| node.is("h2")).unwrap_or(section.len());
     let mut found: Vec<Problem> = Vec::new();
     for node in &section[..end] {
-        if is(node, "h3") {
+        if node.is("h3") {
             let place = format!("{PAGE}-{}", id(node));
             let answer = after(&solutions.body, &place).ok_or_else(|| format!("{place} has no answer"))?;
             found.push(Problem { asked: Vec::new(), answer: plain(answer) });

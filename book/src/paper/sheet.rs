@@ -4,8 +4,8 @@ use super::mend;
 use super::page::Page;
 use super::pages::{Paper, sections};
 use super::tree::{Element, Node, xml};
-use crate::site::paths;
 use crate::site::places::escaped;
+use crate::site::{files, paths};
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use std::fmt::Write as _;
 
@@ -62,9 +62,9 @@ fn contents(paper: &Paper, numbers: &dyn Fn(&str) -> Option<usize>) -> String {
         let words = format!("{number}{}", escaped(&page.title));
         let _ = write!(out, "<li><div>{}", line(&format!("{}--page", page.name), &words));
         if page.number.is_some() {
-            let items = sections(page)
-                .into_iter()
-                .map(|(id, title)| format!("<li>{}</li>\n", line(&format!("{}--{id}", page.name), &title)));
+            let items = sections(page).into_iter().map(|(id, title)| {
+                format!("<li>{}</li>\n", line(&format!("{}--{id}", page.name), &escaped(&title)))
+            });
             let items: String = items.collect();
             if !items.is_empty() {
                 let _ = write!(out, "\n<ol>\n{items}</ol>\n");
@@ -140,8 +140,7 @@ pub(super) fn document(
         ("Tumbling Sans", "normal", "tumbling-sans.woff2"),
         ("Tumbling Mono", "normal", "tumbling-mono.woff2"),
     ] {
-        let path = paths::book().join("theme/fonts").join(file);
-        let font = std::fs::read(&path).map_err(|e| format!("cannot read {}: {e}", path.display()))?;
+        let font = files::bytes(&paths::book().join("theme/fonts").join(file))?;
         let _ = writeln!(
             fonts,
             "@font-face {{ font-family: \"{family}\"; font-style: {style}; font-weight: 200 900; \
@@ -163,10 +162,7 @@ pub(super) fn document(
 
 /// The element that stands next after the one with this id, among these nodes.
 pub(super) fn after<'a>(nodes: &'a [Node], id: &str) -> Option<&'a Element> {
-    let mut elements = nodes.iter().filter_map(|node| match node {
-        Node::Element(element) => Some(element),
-        Node::Text(_) => None,
-    });
+    let mut elements = nodes.iter().filter_map(Node::element);
     elements.by_ref().find(|element| element.get("id") == Some(id))?;
     elements.next()
 }

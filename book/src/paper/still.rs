@@ -2,9 +2,8 @@
 
 use super::ink;
 use super::tree::{Element, Node, parse};
-use crate::site::paths;
+use crate::site::{files, paths};
 use std::collections::BTreeSet;
-use std::fs;
 
 /// A widget and what is to be seen on paper in its place.
 struct Still {
@@ -75,8 +74,7 @@ pub(super) fn of(widget: &str, page: &str, shown: &BTreeSet<String>) -> Result<V
 
 /// A figure's drawing, with ids of its own: the figure itself may stand elsewhere in the book.
 fn drawing(figure: &str, page: &str) -> Result<Node, String> {
-    let file = paths::figures().join(format!("{figure}.svg"));
-    let svg = fs::read_to_string(&file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
+    let svg = files::text(&paths::figures().join(format!("{figure}.svg")))?;
     let own = format!("{page}-{figure}-");
     let svg = svg.replace(&format!("\"{figure}-"), &format!("\"{own}"));
     framed(&svg.replace(&format!(" {figure}-desc\""), &format!(" {own}desc\"")))

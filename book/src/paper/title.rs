@@ -3,8 +3,8 @@
 use super::ink;
 use super::pages::Paper;
 use super::tree::{Node, parse, xml};
-use crate::site::paths;
 use crate::site::places::escaped;
+use crate::site::{files, paths};
 
 /// The cover: a drawing of the book, as a file of its own.
 ///
@@ -12,8 +12,7 @@ use crate::site::places::escaped;
 /// A drawing that cannot be read.
 pub(super) fn cover(paper: &Paper) -> Result<String, String> {
     let file = paths::figures().join("cover.svg");
-    let svg = std::fs::read_to_string(&file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
-    let Some(Node::Element(svg)) = parse(svg.trim())?.pop() else {
+    let Some(Node::Element(svg)) = parse(files::text(&file)?.trim())?.pop() else {
         return Err(format!("{} is no drawing", file.display()));
     };
     let mut drawing = ink::fixed(svg);

@@ -5,11 +5,10 @@
 use super::edits::Edits;
 use super::palette::Palette;
 use super::svg::{self, Drawing};
-use super::{Folders, Piece, Source};
-use crate::site::files::write_changed;
+use super::{Folders, Piece, Source, nested};
+use crate::site::files;
 use pulldown_cmark::{Event, Tag, TagEnd};
 use std::collections::BTreeMap;
-use std::fs;
 use std::ops::Range;
 use std::path::{Component, Path, PathBuf};
 
@@ -25,8 +24,7 @@ pub(super) fn replace(
     edits: &mut Edits,
 ) -> Vec<String> {
     let mut faults = Vec::new();
-    let mut depth = 0_usize;
-    for (at, (event, range)) in pieces.iter().enumerate() {
+    for (at, depth, (event, range)) in nested(pieces) {
         if let Event::Start(Tag::Image { dest_url, .. }) = event
             && let Some(name) = figure_name(source, dest_url, folders)
         {
@@ -41,11 +39,6 @@ pub(super) fn replace(
                 (None, Ok(_)) => {}
             }
         }
-        match event {
-            Event::Start(_) => depth += 1,
-            Event::End(_) => depth = depth.saturating_sub(1),
-            _ => {}
-        }
     }
     faults
 }
@@ -53,17 +46,10 @@ pub(super) fn replace(
 /// Lays the drawings beside the chapters, whence mdBook copies them to the pages: the links that open
 /// a drawing by itself lead there.
 pub(super) fn lay_out(shown: &Shown, palette: &Palette, folder: &Path) -> Result<(), String> {
-    let file_name = |name: &str| format!("{name}.svg");
-    for (name, (drawing, _)) in shown {
-        write_changed(&folder.join(file_name(name)), drawing.alone(&palette.of(name)).as_bytes())?;
-    }
-    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
-        let known = |file: &str| shown.keys().any(|name| file_name(name) == file);
-        if entry.file_name().to_str().is_none_or(|file| !known(file)) {
-            let _ = fs::remove_file(entry.path()); // shown by an earlier edition
-        }
-    }
-    Ok(())
+    let alone = |(name, (drawing, _)): (&String, &(Drawing, PathBuf))| {
+        (format!("{name}.svg"), drawing.alone(&palette.of(name)).into_bytes())
+    };
+    files::lay_out(folder, &shown.iter().map(alone).collect())
 }
 
 /// The name of the figure that this target leads to, if it leads to one.
@@ -172,13 +158,8 @@ fn opening(
             earlier.display()
         ));
     }
-    let file = folders.figures.join(format!("{name}.svg"));
-    let text = fs::read_to_string(&file).map_err(|e| {
-        format!(
-            "there is no drawing figures/{name}.svg ({e}); \
-             `cargo run -- figures {name}` draws it if `-- list` knows it"
-        )
-    })?;
+    let text = files::text(&folders.figures.join(format!("{name}.svg")))
+        .map_err(|what| format!("{what}; `cargo run -- figures {name}` draws it if `-- list` knows it"))?;
     let drawing = svg::Drawing::new(name, text)?;
     let up = "../".repeat(source.path.components().count().saturating_sub(1));
     let html = format!(

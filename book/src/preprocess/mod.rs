@@ -37,7 +37,11 @@ pub(crate) fn supports(renderer: &str) -> bool {
 }
 
 /// The preprocessor.
-pub(crate) struct Preprocess;
+pub(crate) enum Preprocess {
+    Pages,
+    /// For the index of the search alone.
+    Index,
+}
 
 impl Preprocessor for Preprocess {
     fn name(&self) -> &str {
@@ -49,25 +53,10 @@ impl Preprocessor for Preprocess {
     }
 
     fn run(&self, context: &PreprocessorContext, book: Book) -> Result<Book> {
-        run(context, book)
-    }
-}
-
-/// The preprocessor for the index of the search alone.
-pub(crate) struct Bare;
-
-impl Preprocessor for Bare {
-    fn name(&self) -> &str {
-        NAME
-    }
-
-    fn supports_renderer(&self, renderer: &str) -> Result<bool> {
-        Ok(supports(renderer))
-    }
-
-    fn run(&self, context: &PreprocessorContext, book: Book) -> Result<Book> {
         let mut book = run(context, book)?;
-        indexed::reduce(&mut book, &context.root).map_err(Error::msg)?;
+        if matches!(self, Self::Index) {
+            indexed::reduce(&mut book, &context.root).map_err(Error::msg)?;
+        }
         Ok(book)
     }
 }
@@ -157,6 +146,19 @@ pub(crate) fn pieces(text: &str) -> Vec<Piece<'_>> {
         | Options::ENABLE_GFM
         | Options::ENABLE_MATH;
     Parser::new_ext(text, options).into_offset_iter().collect()
+}
+
+/// Each piece with its place in the list and the number of those that it stands in.
+fn nested<'p, 'a>(pieces: &'p [Piece<'a>]) -> impl Iterator<Item = (usize, usize, &'p Piece<'a>)> {
+    pieces.iter().enumerate().scan(0_usize, |depth, (at, piece)| {
+        let here = *depth;
+        match piece.0 {
+            Event::Start(_) => *depth += 1,
+            Event::End(_) => *depth = depth.saturating_sub(1),
+            _ => {}
+        }
+        Some((at, here, piece))
+    })
 }
 
 /// The chapter's text with maths, figures and widgets replaced; or all that is wrong with it.

@@ -1,15 +1,14 @@
 //! Folds: each program of the text waits behind one quiet line. A fold is `<details>`: it opens without a
 //! script.
 
-use super::Piece;
 use super::edits::Edits;
+use super::{Piece, nested};
 use pulldown_cmark::{CodeBlockKind, Event, Tag};
 
 /// Folds every Rust block that stands in the text itself, in no list, no quote and no other fold.
 pub(super) fn replace(text: &str, pieces: &[Piece<'_>], edits: &mut Edits) {
-    let mut depth = 0_usize;
     let mut folds = 0_usize;
-    for (event, range) in pieces {
+    for (_, depth, (event, range)) in nested(pieces) {
         match event {
             Event::Html(html) | Event::InlineHtml(html) => {
                 folds = (folds + html.matches("<details").count())
@@ -21,11 +20,6 @@ pub(super) fn replace(text: &str, pieces: &[Piece<'_>], edits: &mut Edits) {
                 let block = &text[range.clone()];
                 edits.replace(range.clone(), fold("fold program", &summary(block), block));
             }
-            _ => {}
-        }
-        match event {
-            Event::Start(_) => depth += 1,
-            Event::End(_) => depth = depth.saturating_sub(1),
             _ => {}
         }
     }

@@ -11,7 +11,7 @@ use std::io::{Read, Write};
 /// What the preprocessor found wrong, or that the input is not what mdBook sends.
 pub(crate) fn answer(input: impl Read, mut output: impl Write) -> Result<()> {
     let (context, book) = parse_input(input)?;
-    let book = Preprocess.run(&context, book)?;
+    let book = Preprocess::Pages.run(&context, book)?;
     serde_json::to_writer(&mut output, &book)?;
     output.flush()?;
     Ok(())

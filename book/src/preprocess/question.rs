@@ -7,7 +7,7 @@
 //! the id `CHAPTER-question-NUMBER`.
 
 use super::edits::Edits;
-use super::{Piece, Source};
+use super::{Piece, Source, nested};
 use pulldown_cmark::{Event, Tag, TagEnd};
 use std::ops::Range;
 
@@ -17,10 +17,9 @@ const OPENING: &str = "> **Predict.**";
 /// Puts a box around each question of a chapter; returns what was wrong.
 pub(super) fn replace(source: &Source<'_>, pieces: &[Piece<'_>], edits: &mut Edits) -> Vec<String> {
     let mut faults = Vec::new();
-    let mut depth = 0_usize;
     let mut number = 0_usize;
     let page = source.path.with_extension("");
-    for (at, (event, range)) in pieces.iter().enumerate() {
+    for (at, depth, (event, range)) in nested(pieces) {
         if let Event::Start(Tag::BlockQuote(_)) = event
             && source.text[range.clone()].starts_with(OPENING)
         {
@@ -34,11 +33,6 @@ pub(super) fn replace(source: &Source<'_>, pieces: &[Piece<'_>], edits: &mut Edi
                 }
                 Some(what) => faults.push(source.fault(range.start, what)),
             }
-        }
-        match event {
-            Event::Start(_) => depth += 1,
-            Event::End(_) => depth = depth.saturating_sub(1),
-            _ => {}
         }
     }
     faults

@@ -169,7 +169,7 @@ fn a_paragraph_that_only_begins_with_emphasis_is_no_caption() {
 fn a_figure_that_is_wrong_says_how() {
     let wrong = |text: &str| shown(text).unwrap_err();
     let missing = wrong("a\n\n![What.](../../figures/none.svg)\n");
-    assert!(missing.starts_with("book/chapters/x.md:3: there is no drawing figures/none.svg"), "{missing}");
+    assert!(missing.starts_with("book/chapters/x.md:3: cannot read "), "{missing}");
     assert!(wrong("![](../../figures/arrows.svg)\n").contains("words"));
     assert!(wrong("See ![A](../../figures/arrows.svg) here.\n").contains("paragraph of its own"));
     assert!(wrong("- ![A](../../figures/arrows.svg)\n").contains("paragraph of its own"));
@@ -240,7 +240,7 @@ fn what_widgets_need_is_laid_beside_the_chapters_and_nothing_else() {
     let copies = root.join("chapters/widgets");
     fs::create_dir_all(&copies).unwrap();
     fs::write(copies.join("old.js"), "old").unwrap();
-    Preprocess.run(&context(&root), book_of(&[("x.md", "{{#widget dial}}\n")])).unwrap();
+    Preprocess::Pages.run(&context(&root), book_of(&[("x.md", "{{#widget dial}}\n")])).unwrap();
     let laid = |file: &str| fs::read_to_string(copies.join(file)).unwrap();
     assert_eq!([laid("live.js"), laid("dial.js")], ["live", "dial"]);
     assert_eq!(laid("dial.wasm.js"), "tumblingLive.carry(\"dial\", \"Zm9v\");\n");
@@ -264,7 +264,7 @@ fn a_widget_takes_along_the_parts_of_its_script_and_the_modules_that_it_asks() {
     ] {
         fs::write(widgets.join(file), text).unwrap();
     }
-    let run = || Preprocess.run(&context(&root), book_of(&[("x.md", "{{#widget steps}}\n")]));
+    let run = || Preprocess::Pages.run(&context(&root), book_of(&[("x.md", "{{#widget steps}}\n")]));
     // Steps ask the tumble's module for the exact motion: without it there is no book.
     let missing = run().unwrap_err().to_string();
     assert!(missing.contains("cannot read") && missing.contains("built/tumble.wasm"), "{missing}");
@@ -290,7 +290,7 @@ fn a_widget_that_does_not_exist_stops_the_book_and_lays_nothing_out() {
     let repository = with_drawing(ARROWS);
     let root = repository.path().join("book");
     let book = book_of(&[("x.md", "{{#widget dial}}\n"), ("y.md", "\n\n{{#widget dail}}\n")]);
-    let fault = Preprocess.run(&context(&root), book).unwrap_err().to_string();
+    let fault = Preprocess::Pages.run(&context(&root), book).unwrap_err().to_string();
     assert!(fault.contains("book/chapters/y.md:3: there is no widget `dail`"), "{fault}");
     assert!(fault.contains("page/dail.html"), "{fault}");
     assert!(!root.join("chapters/widgets").exists());
@@ -300,7 +300,7 @@ fn a_widget_that_does_not_exist_stops_the_book_and_lays_nothing_out() {
         let root = repository.path().join("book");
         fs::remove_file(root.join("widgets").join(gone)).unwrap();
         let book = book_of(&[("x.md", "{{#widget dial}}\n")]);
-        let fault = Preprocess.run(&context(&root), book).unwrap_err().to_string();
+        let fault = Preprocess::Pages.run(&context(&root), book).unwrap_err().to_string();
         assert!(fault.contains("cannot read") && fault.contains(gone), "{fault}");
     }
 }
@@ -329,7 +329,7 @@ fn drawings_that_are_shown_are_laid_beside_the_chapters_and_no_others() {
     fs::create_dir_all(&copies).unwrap();
     fs::write(copies.join("old.svg"), "<svg></svg>").unwrap();
     let book = book_of(&[("x.md", "![A](../../figures/arrows.svg)\n")]);
-    Preprocess.run(&context(&root), book).unwrap();
+    Preprocess::Pages.run(&context(&root), book).unwrap();
     let copy = fs::read_to_string(copies.join("arrows.svg")).unwrap();
     assert!(
         copy.starts_with("<svg width=\"100%\" height=\"100%\" "),
@@ -346,7 +346,7 @@ fn drawings_that_are_shown_are_laid_beside_the_chapters_and_no_others() {
 fn the_faults_of_all_chapters_are_told_at_once() {
     let repository = with_drawing(ARROWS);
     let book = book_of(&[("x.md", "$\\nosuch$"), ("y.md", "fine"), ("z.md", "$\\other$")]);
-    let faults = Preprocess.run(&context(&repository.path().join("book")), book).unwrap_err();
+    let faults = Preprocess::Pages.run(&context(&repository.path().join("book")), book).unwrap_err();
     let faults = faults.to_string();
     assert!(faults.contains("x.md:1") && faults.contains("z.md:1"), "{faults}");
 }
@@ -374,7 +374,7 @@ fn each_page_ends_with_its_neighbours_and_what_they_are_about() {
     let sentences = "x = 'First.'\ny = 'Then & there.'\nz = 'Last.'\n";
     fs::write(root.join("pages.toml"), sentences).unwrap();
     let three = [("x.md", "one"), ("y.md", "two"), ("z.md", "three")];
-    let book = Preprocess.run(&context(&root), book_of(&three)).unwrap();
+    let book = Preprocess::Pages.run(&context(&root), book_of(&three)).unwrap();
     let pages: Vec<&str> = book.chapters().map(|chapter| chapter.content.as_str()).collect();
     assert!(
         !pages[0].contains("Before") && pages[0].contains("<a href=\"y.html\">y.md</a> Then &amp; there.")
@@ -383,6 +383,6 @@ fn each_page_ends_with_its_neighbours_and_what_they_are_about() {
     assert!(pages[2].contains("y.html") && !pages[2].contains("Next"));
 
     fs::write(root.join("pages.toml"), sentences.replace("y =", "w =")).unwrap();
-    let faults = Preprocess.run(&context(&root), book_of(&three)).unwrap_err().to_string();
+    let faults = Preprocess::Pages.run(&context(&root), book_of(&three)).unwrap_err().to_string();
     assert!(faults.contains("no sentence for `y`") && faults.contains("`w`, which is no page"), "{faults}");
 }

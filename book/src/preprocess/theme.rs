@@ -19,18 +19,12 @@ struct Edit {
     replacement: &'static str,
 }
 
-const TEMPLATE: [Edit; 15] = [
+const TEMPLATE: [Edit; 10] = [
     // mdBook's default, `/`, would break the page for unknown addresses on every disk and on most sites.
     Edit {
         name: "a base only where one was set",
         sought: "<base href=\"{{ base_url }}\">\n",
         replacement: "{{#if (ne base_url \"/\")}}\n        <base href=\"{{ base_url }}\">\n        {{/if}}\n",
-    },
-    Edit {
-        name: "the chapter's name first in its description",
-        sought: "content=\"{{ description }}\"",
-        replacement: "content=\"{{#if is_print}}{{ description }}{{else}}{{#if chapter_title}}{{ chapter_title }}. \
-                      {{/if}}{{ description }}{{/if}}\"",
     },
     Edit {
         name: "a skip link as the first stop of the keyboard",
@@ -55,14 +49,7 @@ const TEMPLATE: [Edit; 15] = [
     Edit {
         name: "the menu bar is a landmark",
         sought: "<div id=\"mdbook-menu-bar\" class=\"menu-bar sticky\">",
-        replacement: "<header id=\"mdbook-menu-bar\" class=\"menu-bar sticky\">",
-    },
-    Edit {
-        name: "the end of the menu bar, and search as a landmark",
-        sought: "                </div>\n\n                {{#if search_enabled}}\n                \
-                 <div id=\"mdbook-search-wrapper\" class=\"hidden\">",
-        replacement: "                </header>\n\n                {{#if search_enabled}}\n                \
-                      <div id=\"mdbook-search-wrapper\" class=\"hidden\" role=\"search\">",
+        replacement: "<div id=\"mdbook-menu-bar\" class=\"menu-bar sticky\" role=\"banner\">",
     },
     // A keyboard reaches no <label>. `reader.js` passes the button's click on to the checkbox.
     Edit {
@@ -95,21 +82,6 @@ const TEMPLATE: [Edit; 15] = [
                             {{fa \"solid\" \"code\"}}
                         </button>\n",
     },
-    Edit {
-        name: "a name for the search field",
-        sought: "placeholder=\"Search this book ...\"",
-        replacement: "placeholder=\"Search this book ...\" aria-label=\"Search this book\"",
-    },
-    Edit {
-        name: "the description of the search field is there",
-        sought: "aria-describedby=\"searchresults-header\"",
-        replacement: "aria-describedby=\"mdbook-searchresults-header\"",
-    },
-    Edit {
-        name: "search results are announced",
-        sought: "<div id=\"mdbook-searchresults-header\" class=\"searchresults-header\">",
-        replacement: "<div id=\"mdbook-searchresults-header\" class=\"searchresults-header\" role=\"status\">",
-    },
 ];
 
 /// The languages of the book's programs, of the forty-odd that mdBook's highlighter knows: a page weighs a
@@ -130,11 +102,11 @@ pub(super) fn lay_out(theme: &Path) -> Result<(), String> {
 /// The colours of the pages' themes: mdBook's, and over them those of the folder of the theme, if it has any.
 ///
 /// # Errors
-/// A file that cannot be read, or a theme without a colour.
+/// A file that cannot be read.
 pub(super) fn palette(theme: &Path) -> Result<Palette, String> {
     let [variables] = originals(["css/variables.css"])?;
     let ours = fs::read_to_string(theme.join("palette.css")).unwrap_or_default();
-    Palette::new(&[&variables, &ours])
+    Ok(Palette::new(&[&variables, &ours]))
 }
 
 /// Files of mdBook's own theme.

@@ -5,13 +5,13 @@
 //! modules travel as text in scripts.
 
 use super::edits::Edits;
-use super::{Folders, Piece, Source};
-use crate::site::files::write_changed;
+use super::{Folders, Piece, Source, nested};
+use crate::site::files;
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use pulldown_cmark::{Event, Tag};
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// How a directive begins.
 const OPENING: &str = "{{#widget";
@@ -47,10 +47,9 @@ pub(super) fn replace(
     edits: &mut Edits,
 ) -> Vec<String> {
     let mut faults = Vec::new();
-    let mut depth = 0_usize;
     let mut in_code = false;
     let mut done = 0; // up to where a directive has been seen to
-    for (event, range) in pieces {
+    for (_, depth, (event, range)) in nested(pieces) {
         match event {
             Event::Start(Tag::Paragraph) if depth == 0 => {
                 if let Some(name) = directive(&source.text[range.clone()]) {
@@ -69,11 +68,6 @@ pub(super) fn replace(
                     faults.push(source.fault(range.start + at, what));
                 }
             }
-            _ => {}
-        }
-        match event {
-            Event::Start(_) => depth += 1,
-            Event::End(_) => depth = depth.saturating_sub(1),
             _ => {}
         }
     }
@@ -107,35 +101,26 @@ fn place(source: &Source<'_>, name: &str, folders: &Folders, placed: &mut Placed
 
 /// Lays the scripts and modules of these widgets beside the chapters, whence mdBook copies them to the pages.
 pub(super) fn lay_out(placed: &Placed, folders: &Folders) -> Result<(), String> {
-    let to = folders.chapters.join("widgets");
-    let mut files = BTreeMap::new();
+    let mut all = BTreeMap::new();
     if !placed.is_empty() {
         for script in scripts("live", folders)? {
-            files.insert(script.clone(), read(&folders.widgets.join("page").join(script))?);
+            all.insert(script.clone(), files::bytes(&folders.widgets.join("page").join(script))?);
         }
     }
     for name in placed.keys() {
         for script in scripts(name, folders)? {
-            files.insert(script.clone(), read(&folders.widgets.join("page").join(script))?);
+            all.insert(script.clone(), files::bytes(&folders.widgets.join("page").join(script))?);
         }
         for module in modules(&name.as_str()) {
-            let built = read(&folders.widgets.join(format!("built/{module}.wasm")))?;
-            files.insert(format!("{module}.wasm.js"), carrier(module, &built));
+            let built = files::bytes(&folders.widgets.join(format!("built/{module}.wasm")))?;
+            all.insert(format!("{module}.wasm.js"), carrier(module, &built));
         }
         for (_, what, file) in CARRIED.iter().filter(|(of, ..)| of == name) {
-            let carried = read(&folders.widgets.join("../..").join(file))?;
-            files.insert(format!("{name}.{what}.js"), carrier(&format!("{name}.{what}"), &carried));
+            let carried = files::bytes(&folders.widgets.join("../..").join(file))?;
+            all.insert(format!("{name}.{what}.js"), carrier(&format!("{name}.{what}"), &carried));
         }
     }
-    for (name, bytes) in &files {
-        write_changed(&to.join(name), bytes)?;
-    }
-    for entry in fs::read_dir(&to).into_iter().flatten().flatten() {
-        if entry.file_name().to_str().is_none_or(|file| !files.contains_key(file)) {
-            let _ = fs::remove_file(entry.path()); // of an earlier edition
-        }
-    }
-    Ok(())
+    files::lay_out(&folders.chapters.join("widgets"), &all)
 }
 
 /// A widget's script, and those that it loads itself: `NAME.js`, `NAME.PART.js`.
@@ -146,10 +131,6 @@ fn scripts(name: &str, folders: &Folders) -> Result<Vec<String>, String> {
     let parts = names.filter(|file| file.starts_with(&format!("{name}.")) && file.ends_with(".js"));
     let own = format!("{name}.js");
     Ok(std::iter::once(own.clone()).chain(parts.filter(|part| *part != own)).collect())
-}
-
-fn read(file: &Path) -> Result<Vec<u8>, String> {
-    fs::read(file).map_err(|e| format!("cannot read {}: {e}", file.display()))
 }
 
 /// A script that hands these bytes to the page.

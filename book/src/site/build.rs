@@ -1,12 +1,11 @@
 //! Building the pages.
 
 use crate::command::docs;
-use crate::preprocess::{Bare, Preprocess};
+use crate::preprocess::Preprocess;
 use crate::say;
 use crate::site::share::{self, Site};
 use crate::site::{log, paths};
 use mdbook_driver::MDBook;
-use mdbook_preprocessor::Preprocessor;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -31,7 +30,7 @@ pub(crate) fn build(site: Option<&Site>) -> Result<(), String> {
 
 /// Builds into `destination`, or where `book.toml` says; returns the number of pages.
 fn build_into(destination: Option<&Path>, site: Option<&Site>) -> Result<usize, String> {
-    let folder = rendered(destination, Preprocess)?;
+    let folder = rendered(destination, Preprocess::Pages)?;
     // mdBook copies whatever stands beside the chapters and is no Markdown; this is no page.
     let _ = fs::remove_file(folder.join("lib.rs"));
     for file in TO_TAKE_ALONG {
@@ -49,7 +48,7 @@ fn build_into(destination: Option<&Path>, site: Option<&Site>) -> Result<usize, 
 /// them.
 fn index_of_words(pages: &Path) -> Result<(), String> {
     let bare = tempfile::TempDir::new().map_err(|e| format!("no folder for the index: {e}"))?;
-    let [from, to] = [&rendered(Some(bare.path()), Bare)?, pages].map(|folder| {
+    let [from, to] = [&rendered(Some(bare.path()), Preprocess::Index)?, pages].map(|folder| {
         let files = fs::read_dir(folder).into_iter().flatten().flatten().map(|file| file.path());
         let named = |path: &PathBuf| path.file_name().and_then(|name| name.to_str()).map(str::to_owned);
         files
@@ -65,10 +64,7 @@ fn index_of_words(pages: &Path) -> Result<(), String> {
 }
 
 /// What mdBook makes of the chapters by this preprocessor, and where.
-pub(crate) fn rendered(
-    destination: Option<&Path>,
-    preprocessor: impl Preprocessor + 'static,
-) -> Result<PathBuf, String> {
+pub(crate) fn rendered(destination: Option<&Path>, preprocessor: Preprocess) -> Result<PathBuf, String> {
     let (built, complaints) = log::listening(|| -> Result<PathBuf, mdbook_driver::errors::Error> {
         let mut book = MDBook::load(paths::book())?;
         if let Some(folder) = destination {

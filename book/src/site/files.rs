@@ -1,7 +1,24 @@
-//! Writing files.
+//! Reading and writing files.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
+
+/// The bytes of a file.
+///
+/// # Errors
+/// That it cannot be read, in a sentence with its name.
+pub(crate) fn bytes(file: &Path) -> Result<Vec<u8>, String> {
+    fs::read(file).map_err(|e| format!("cannot read {}: {e}", file.display()))
+}
+
+/// The text of a file.
+///
+/// # Errors
+/// That it cannot be read, in a sentence with its name.
+pub(crate) fn text(file: &Path) -> Result<String, String> {
+    fs::read_to_string(file).map_err(|e| format!("cannot read {}: {e}", file.display()))
+}
 
 /// Writes the file where its content differs, with the folders above it; returns whether it did. A file that
 /// stays as it is wakes neither cargo nor a watching `mdbook serve`.
@@ -17,6 +34,22 @@ pub(crate) fn write_changed(file: &Path, content: &[u8]) -> Result<bool, String>
         .and_then(|()| fs::write(file, content))
         .map_err(|e| format!("cannot write {}: {e}", file.display()))?;
     Ok(true)
+}
+
+/// Lays these files into a folder, and takes away what else is there.
+///
+/// # Errors
+/// A file that cannot be written.
+pub(crate) fn lay_out(folder: &Path, files: &BTreeMap<String, Vec<u8>>) -> Result<(), String> {
+    for (name, bytes) in files {
+        write_changed(&folder.join(name), bytes)?;
+    }
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        if entry.file_name().to_str().is_none_or(|name| !files.contains_key(name)) {
+            let _ = fs::remove_file(entry.path()); // of an earlier edition
+        }
+    }
+    Ok(())
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! What a reader can do after each chapter, `book/goals.toml`, and by which exercise or question it shows.
 
-use crate::site::paths;
+use crate::site::{files, paths};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::fs;
@@ -64,8 +64,7 @@ pub(crate) fn replace(text: &str) -> Result<String, String> {
 
 /// The numbered chapters and their titles, in order.
 fn chapters() -> Result<Vec<(String, String)>, String> {
-    let file = paths::chapters().join("SUMMARY.md");
-    let summary = fs::read_to_string(&file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
+    let summary = files::text(&paths::chapters().join("SUMMARY.md"))?;
     let line = |line: &str| {
         let (title, file) = line.strip_prefix("- [")?.split_once("](")?;
         Some((file.strip_suffix(".md)")?.to_owned(), title.to_owned()))
@@ -74,8 +73,7 @@ fn chapters() -> Result<Vec<(String, String)>, String> {
 }
 
 fn read() -> Result<Goals, String> {
-    let file = paths::book().join("goals.toml");
-    let text = fs::read_to_string(&file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
+    let text = files::text(&paths::book().join("goals.toml"))?;
     let goals: Goals = toml::from_str(&text).map_err(|e| format!("book/goals.toml: {e}"))?;
     let names: Vec<String> = chapters()?.into_iter().map(|(chapter, _)| chapter).collect();
     let exercises = tumbling_exercises::all()?;

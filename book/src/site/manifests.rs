@@ -1,7 +1,6 @@
 //! What the manifests say of versions.
 
-use crate::site::paths;
-use std::fs;
+use crate::site::{files, paths};
 
 /// The versions that the pages name, each with its name: `Rust 1.95`.
 ///
@@ -10,8 +9,7 @@ use std::fs;
 pub(crate) fn versions() -> Result<Vec<String>, String> {
     let manifest = |folder: &std::path::Path| -> Result<toml::Table, String> {
         let file = folder.join("Cargo.toml");
-        let text = fs::read_to_string(&file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
-        text.parse().map_err(|e| format!("{}: {e}", file.display()))
+        files::text(&file)?.parse().map_err(|e| format!("{}: {e}", file.display()))
     };
     let (whole, book) = (manifest(paths::repository())?, manifest(paths::book())?);
     let package = |key: &str| whole.get("workspace")?.get("package")?.get(key)?.as_str();

@@ -1,7 +1,7 @@
 //! What a page says to other programs: its description, how it looks when shared, and the map of the site.
 
+use crate::site::files::{self, write_changed};
 use crate::site::places::{Sentences, escaped};
-use std::fs;
 use std::path::Path;
 
 /// The picture shown where a page is shared, beside the pages.
@@ -52,36 +52,33 @@ pub(crate) fn tell(book: &Path, pages: &Path, site: Option<&Site>) -> Result<(),
         let sentence = sentences.of(Path::new(name))?;
         // The first chapter is the index as well; the index is the one to be found.
         let file = pages.join(format!("{name}.html"));
-        let html = fs::read_to_string(&file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
         let index = name == "introduction";
         let address = if index { String::new() } else { format!("{name}.html") };
-        let page = with_head(&html, sentence, Some(&address), site)
-            .ok_or_else(|| format!("{} has no title or no description", file.display()))?;
-        let write =
-            |file: &Path| fs::write(file, &page).map_err(|e| format!("cannot write {}: {e}", file.display()));
-        write(&file)?;
+        rewrite(&file, |html| with_head(&html, sentence, Some(&address), site))?;
         if index {
-            write(&pages.join("index.html"))?;
+            write_changed(&pages.join("index.html"), &files::bytes(&file)?)?;
         }
         if let Some(Site(root)) = site {
             map.push_str(&format!("<url><loc>{root}{address}</loc></url>\n"));
         }
     }
     for (name, sentence) in OTHERS {
-        let file = pages.join(format!("{name}.html"));
-        let html = fs::read_to_string(&file).map_err(|e| format!("cannot read {}: {e}", file.display()))?;
-        let page = with_head(&named(html), sentence, None, site)
-            .ok_or_else(|| format!("{} has no title or no description", file.display()))?;
-        fs::write(&file, page).map_err(|e| format!("cannot write {}: {e}", file.display()))?;
+        rewrite(&pages.join(format!("{name}.html")), |html| with_head(&named(html), sentence, None, site))?;
     }
-    let file = pages.join("sitemap.xml");
     if site.is_some() {
         let text = format!(
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<urlset xmlns=\"http://www.sitemaps.org/schemas/sitemap/0.9\">\n{map}</urlset>\n"
         );
-        fs::write(&file, text).map_err(|e| format!("cannot write {}: {e}", file.display()))?;
+        write_changed(&pages.join("sitemap.xml"), text.as_bytes())?;
     }
     Ok(())
+}
+
+/// Changes a page.
+fn rewrite(file: &Path, change: impl Fn(String) -> Option<String>) -> Result<bool, String> {
+    let page = change(files::text(file)?);
+    let page = page.ok_or_else(|| format!("{} has no title or no description", file.display()))?;
+    write_changed(file, page.as_bytes())
 }
 
 /// The page with a title and a place for a description: mdBook's table of contents has neither.

@@ -8,9 +8,6 @@ pub(crate) mod polhodes;
 pub(crate) mod spins;
 pub(crate) mod tosses;
 
-#[cfg(test)]
-mod tests;
-
 use crate::draw::{P, polar};
 use crate::units;
 use nalgebra::{Matrix3, Vector3};
@@ -142,3 +139,6 @@ impl<'a> Subject<'a> {
         if known.is_empty() { "mass and size not given".into() } else { known.join(", ") }
     }
 }
+
+#[cfg(test)]
+mod tests;
