@@ -31,13 +31,8 @@ proofs! {
     }
 }
 
-/// A quaternion of these components.
 fn quaternion([w, x, y, z]: [Fraction; 4]) -> Quaternion<Fraction> {
     Quaternion::new(w, x, y, z)
-}
-
-fn square(x: &Quaternion<Fraction>) -> Fraction {
-    x.coords.dot(&x.coords)
 }
 
 fn turned(back: impl Fn(&Matrix) -> Matrix) -> Outcome {
@@ -46,7 +41,7 @@ fn turned(back: impl Fn(&Matrix) -> Matrix) -> Outcome {
     let unit = Relations::unit_quaternion(names);
     let (before, after) = (vector("L"), back(&rotation_matrix(&t)) * vector("L"));
     let end = product(&q, &t);
-    same_under(&unit, "the attitude's length", &square(&end), &square(&q))?;
+    same_under(&unit, "the attitude's length", &end.coords.dot(&end.coords), &q.coords.dot(&q.coords))?;
     same_under(&unit, "the momentum's length", &after.dot(&after), &before.dot(&before))?;
     let world = [rotation_matrix(&end) * after, rotation_matrix(&q) * before];
     same_entries_under(&unit, "the momentum in the world", &world[0], &world[1])
@@ -87,17 +82,11 @@ fn squares(mean: &Fraction) -> Outcome {
     let half = changes.sum() * Fraction::ratio(1, 2) * mean;
     let off = &off * &changes;
     let stages = off.map(|x| &start + &half + x);
-    same(
-        "the change of the square",
-        &(&end * &end - &start * &start),
-        &(changes.dot(&stages) * Fraction::from(2)),
-    )?;
+    let (gained, work) = (&end * &end - &start * &start, changes.dot(&stages) * Fraction::from(2));
+    same("the change of the square", &gained, &work)?;
     let back = off.map(|x| &end - &half + x);
     same_entries_under(&Relations::none(), "the stages of the step back", &back, &stages)?;
     let attitude = quaternion(variables(["w", "x", "y", "z"]));
-    same(
-        "the rate of the attitude's length",
-        &rate(&attitude, &vector("omega")).coords.dot(&attitude.coords),
-        &Fraction::zero(),
-    )
+    let across = rate(&attitude, &vector("omega")).coords.dot(&attitude.coords);
+    same("the rate of the attitude's length", &across, &Fraction::zero())
 }
