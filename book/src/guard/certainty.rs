@@ -1,8 +1,8 @@
 //! How certain a number is: by the calls that its assertion rests on, not by a label.
 //!
-//! `exactly(x)` and `enclosed(x)` of the proofs' crate give back what they are given and take exact numbers or
-//! intervals alone; the compiler refuses a float. So an assertion whose values all stand in such calls is one
-//! about those. Whatever else it rests on is computed in floats, and only asserted.
+//! `exactly(x)` and `enclosed(x)` of the proofs' crate give back what they are given and take exact numbers
+//! or intervals alone; the compiler refuses a float. So an assertion whose values all stand in such calls is
+//! one about those. Whatever else it rests on is computed in floats, and only asserted.
 
 use super::digits;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};

@@ -25,8 +25,8 @@ pub struct Certificate {
     pub text: String,
     /// The names of its proofs that have theorems.
     pub proofs: Vec<&'static str>,
-    /// The names of its proofs whose claims are all of numbers, or of the same on both sides: they have no
-    /// theorem.
+    /// The names of its proofs that have no theorem: their claims are all of numbers or of the same on both
+    /// sides, or too long for Coq.
     pub without: Vec<&'static str>,
     /// The number of theorems that hold for all numbers.
     pub theorems: usize,

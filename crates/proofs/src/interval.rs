@@ -41,8 +41,8 @@ impl Interval {
     /// All real numbers: what is known of a quotient by an interval with zero in it.
     pub const ALL: Self = Self { low: f64::NEG_INFINITY, high: f64::INFINITY };
 
-    /// No number: what is left of one by bounds that contradict it, and all that is computed from it. It prints
-    /// no digits and compares with nothing.
+    /// No number: what is left of one by bounds that contradict it, and all that is computed from it. It
+    /// prints no digits and compares with nothing.
     const NONE: Self = Self { low: f64::NAN, high: f64::NAN };
 
     /// The ratio of a circle to its diameter, between two neighbouring floats.
@@ -116,8 +116,8 @@ impl Interval {
         Self { low: self.low.min(other.low), high: self.high.min(other.high) }
     }
 
-    /// The part between these bounds, of a number that is known to lie there; none where that contradicts what
-    /// else is known of it.
+    /// The part between these bounds, of a number that is known to lie there; none where that contradicts
+    /// what else is known of it.
     fn clamped(self, low: f64, high: f64) -> Self {
         if self.low.is_nan() || self.high < low || self.low > high {
             return Self::NONE;

@@ -17,8 +17,8 @@
 //!
 //! [`proofs()`] lists them all. Two kinds say less. The closed form of the library computes in floats alone:
 //! its formulas are written here a second time, and what they make is put into the library's laws. And the
-//! laws that a stepping method keeps are proven of its equations, written here a second time; of its own step,
-//! of which the order is proven, they are tested from two starts in exact fractions.
+//! laws that a stepping method keeps are proven of its equations, written here a second time; of its own
+//! step, of which the order is proven, they are tested from two starts in exact fractions.
 //!
 //! A proof is about the formula in exact arithmetic: it says nothing of rounding, of overflow, or of what is
 //! computed with branches and roots, which other tests must watch.

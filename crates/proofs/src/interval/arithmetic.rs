@@ -93,13 +93,10 @@ impl Interval {
 impl Add for Interval {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        if Self::none([self, other]) {
-            return Self::NONE;
-        }
         let (low, e, known) = sum(self.low, other.low);
         let (high, f, sure) = sum(self.high, other.high);
         if low.is_nan() || high.is_nan() {
-            return Self::ALL;
+            return Self::NONE;
         }
         Self { low: below(low, e, known), high: above(high, f, sure) }
     }

@@ -31,11 +31,8 @@ impl Interval {
     /// The square root; all numbers where it may not have one.
     #[must_use]
     pub fn sqrt(self) -> Self {
-        if self.low < 0.0 {
-            return Self::ALL;
-        }
-        if self.low.is_nan() {
-            return self;
+        if self.low < 0.0 || self.low.is_nan() {
+            return if self.low.is_nan() { self } else { Self::ALL };
         }
         Self { low: root(self.low).0, high: root(self.high).1 }
     }

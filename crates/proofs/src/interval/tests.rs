@@ -204,8 +204,15 @@ fn bounds_that_contradict_a_number_leave_none_and_nothing_hides_it() {
     let two = Interval::whole(2);
     for none in [two.acos(), (-two).not_negative(), two.clamped(-1.0, 1.0)] {
         let (sine, cosine) = none.sin_cos();
-        let with_another =
-            [none + two, two - none, none * two, two / none, none / Interval::zero(), none.hull(two)];
+        let with_another = [
+            none + two,
+            two - none,
+            none * two,
+            none * Interval::zero(),
+            two / none,
+            none / Interval::zero(),
+            none.hull(two),
+        ];
         let alone =
             [none.abs(), none.square(), none.sqrt(), none.ln(), none.atan(), two.atan2(none), sine, cosine];
         for x in with_another.into_iter().chain(alone).chain([none.clamped(-1.0, 1.0), none.min_of(two)]) {

@@ -2,7 +2,6 @@
 
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
 use crate::proof::{Outcome, Residue, same, same_entries_under, vanishes};
-use crate::proofs::conserved::one_sign_wrong;
 use crate::symbols::{Vector, diagonal, square, variables, vector};
 use num_traits::One;
 use tumbling::dynamics::euler::angular_acceleration;
@@ -13,15 +12,12 @@ proofs! {
         "symmetric-top": symmetric_top(angular_acceleration, 1),
             "With I1 = I2 the spin w1 = A cos, w2 = A sin, w3 constant, which circles the third axis at the rate (I3 - I1) w3 / I1, obeys Euler's equations.";
             but "the other way round": symmetric_top(angular_acceleration, -1),
-            but "a sign in Euler's equations": symmetric_top(one_sign_wrong, 1),
         "separatrix": separatrix(angular_acceleration, 1),
             "The spin (A1 sech, w tanh, A3 sech) of w t sqrt((I2 - I1)(I3 - I2) / (I1 I3)), with A1 and A3 in closed form, obeys Euler's equations and has L² = 2 E I2, for every I1 < I2 < I3.";
             but "one amplitude with the wrong sign": separatrix(angular_acceleration, -1),
-            but "a sign in Euler's equations": separatrix(one_sign_wrong, 1),
         "circling-the-largest-axis": elliptic(angular_acceleration, Side::Largest, 1),
             "The spin (A1 cn, A2 sn, A3 dn), with amplitudes, rate and parameter in closed form, obeys Euler's equations, for every I1 < I2 < I3. The rates of Jacobi's functions are put in.";
             but "the rate reversed": elliptic(angular_acceleration, Side::Largest, -1),
-            but "a sign in Euler's equations": elliptic(one_sign_wrong, Side::Largest, 1),
         "circling-the-smallest-axis": elliptic(angular_acceleration, Side::Smallest, 1),
             "The spin (A1 dn, A2 sn, A3 cn) with the two ends exchanged obeys Euler's equations, for every I1 < I2 < I3.";
             but "the rate reversed": elliptic(angular_acceleration, Side::Smallest, -1),

@@ -13,7 +13,6 @@ proofs! {
             "The energy changes at the rate w.torque, and not at all without: by the law of the momentum for every symmetric J, by Euler's equations along principal axes for every spin.";
             but "the torque taken twice": power(|j, l, t| momentum_rate(j, l, &(t * Fraction::from(2))), angular_acceleration),
             but "the sign of one of Euler's equations": power(momentum_rate, one_sign_wrong),
-            but "L1' without its gyroscopic term": power(|j, l, t| { let mut rate = momentum_rate(j, l, t); rate.x = t.x.clone(); rate }, angular_acceleration),
         "length-of-momentum": length(momentum_rate, angular_acceleration),
             "|L|² changes at the rate 2 L.torque, and not at all without: by the law of the momentum for every symmetric J, by Euler's equations along principal axes for every spin.";
             but "the sign of one of Euler's equations": length(momentum_rate, one_sign_wrong),

@@ -25,7 +25,6 @@ proofs! {
         "errata-signs-on-the-separatrix": separatrix([true, true]),
             "On the separatrix the momentum (s B13 sech, G tanh, s' B31 sech) of s s' λ2 t, with two signs of its own, obeys Euler's equations.";
             but "one sign for both ends in the rate": separatrix([true, false]),
-            but "a rate without signs": separatrix([false, false]),
         "errata-rate-of-the-angle": rate_of_the_angle(1),
             "The attitude that takes the momentum to the third axis by the shortest way and then turns by ψ about it obeys q' = q ω / 2 if ψ' = (2 T + G m3 / I3) / (G + m3).";
             but "a minus in the numerator": rate_of_the_angle(-1),

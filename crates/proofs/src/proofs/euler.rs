@@ -13,7 +13,6 @@ proofs! {
             "Differentiate R I w, with R' as the attitude's own rate: it equals the world's torque exactly if I w' = (I w) x w + torque. For every tensor, attitude, spin and torque.";
             but "w x (I w) for (I w) x w": from_momentum(|i, w, t| -tensor_times_acceleration(i, w, &-t)),
             but "the gyroscopic term left out": from_momentum(|_, _, t| t.clone()),
-            but "the torque's sign": from_momentum(|i, w, t| tensor_times_acceleration(i, w, &-t)),
         "momentum-form": both_forms(momentum_rate),
             "L' = L x (J L) + torque is the same law as I w' = (I w) x w + torque, with L = I w and J I = 1, for every tensor that has an inverse.";
             but "(J L) x L for L x (J L)": both_forms(|j, l, t| -momentum_rate(j, l, &-t)),
@@ -22,7 +21,6 @@ proofs! {
             "Along principal axes the law is I1 w1' = (I2 - I3) w2 w3 + torque1 and so on round, as Euler wrote it.";
             but "the sign of one equation": principal_form(|i, w| { let mut x = coupling(i, w); x.y = -x.y.clone(); x }, angular_acceleration),
             but "two moments swapped": principal_form(|i, w| coupling(&swapped(i), w), angular_acceleration),
-            but "the torque not divided by the moments": principal_form(coupling, |i, w, t| angular_acceleration(i, w, &Vector::zeros()) + t),
         "spin-rate-in-both-frames": spin_rate(rate),
             "The rate of the spin is the same seen from body and world: (R w)' = R w', since w x w = 0.";
             but "the attitude turning about a fixed axis in place of the spin": spin_rate(|q, _| rate(q, &vector("e"))),

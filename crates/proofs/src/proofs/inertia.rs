@@ -11,7 +11,6 @@ proofs! {
         "point-mass": point(point_mass),
             "The tensor of a point, applied to a spin w, is its angular momentum m r x (w x r), for every point and spin.";
             but "the products without their minus": point(|m, r| Matrix::from_fn(|i, j| sign(i == j) * point_mass(m, r)[(i, j)].clone())),
-            but "the axes one further on": point(|m, r| Matrix::from_fn(|i, j| point_mass(m, r)[((i + 1) % 3, (j + 1) % 3)].clone())),
         "every-body-obeys-the-triangle-inequality": triangle(point_mass),
             "For one point and every n, half the trace less the moment is m (n.r)², which is never below zero. Tensors of points add, so that no body of points has a moment above the sum of the others; \
             the sum is no part of this check.";

@@ -17,7 +17,6 @@ proofs! {
             "By u = (t - a b/t)/2, which rises with t, the integrand 1/sqrt((t² + a²)(t² + b²)) becomes that of the arithmetic and the geometric mean; for a = b = m it is 1/m by the angle of t = m tan; \
             by t = k' tan that of 1 and k' becomes Legendre's. For all a and b; the limits of the integrals are no part of it.";
             but "a plus in the change of variable": gauss(1, 2),
-            but "a third of the sum for the mean": gauss(-1, 3),
         "last-mean": last_mean(16),
             "Of two numbers with mean m, difference d and geometric mean g, the next mean is m - d²/(16 m), but for (m - g)²/(4 m), g being the root of m² - d²/4.";
             but "twice as much taken off": last_mean(8),
@@ -34,7 +33,6 @@ proofs! {
             "By t = s²/sin² - 1 Legendre's integrand becomes that of s R_F(1 - s², 1 - m s², 1), and its derivative by m that of s³ R_D(1 - s², 1, 1 - m s²)/6; cn/dn, k' sn/dn and k'/dn are the functions \
             of what is left to the quarter period; and the squares of the theta zero's functions are tied by the complementary modulus. The limits are no part of it.";
             but "the parameter's sign": legendre(-1, 6),
-            but "a third for the sixth": legendre(1, 3),
     }
 }
 

@@ -32,7 +32,6 @@ proofs! {
             "An impulse of torque P, in any direction of body or world, raises the energy by P . (w + w')/2, w and w' being the spins before and after it; taking the share s of the spin away takes the \
             share 2 s - s² of the energy.";
             but "with the spin before alone": work(|p, before, _| p.dot(before)),
-            but "with the spin after alone": work(|p, _, after| p.dot(after)),
     }
 }
 

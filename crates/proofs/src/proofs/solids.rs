@@ -42,12 +42,9 @@ proofs! {
         "box": cuboid(cuboid_moments),
             "The moments of every box are the integrals of y² + z² and so on over it; its products vanish.";
             but "edges a and b swapped": cuboid(|m, a, b, c| cuboid_moments(m, b, a, c)),
-            but "12 becomes 8": cuboid(|m, a, b, c| cuboid_moments(&times(m, 3, 2), a, b, c)),
-            but "b² + c² becomes b² - c²": cuboid(|m, a, b, c| cuboid_moments(m, a, b, c) - along(0, m * c * c.clone() / Fraction::from(6))),
         "ellipsoid": ellipsoid(ellipsoid_moments),
             "The moments of every ellipsoid, by integrating over it; its products vanish.";
             but "axes b and c swapped": ellipsoid(|m, a, b, c| ellipsoid_moments(m, a, c, b)),
-            but "5 becomes 4": ellipsoid(|m, a, b, c| ellipsoid_moments(&times(m, 5, 4), a, b, c)),
         "ball": ball(ball_moments),
             "The library's moments of every ball are the integrals over it.";
             but "2/5 becomes 2/3, that of a shell": ball(|m, r| ball_moments(&times(m, 5, 3), r)),
@@ -57,7 +54,6 @@ proofs! {
         "cylinder": cylinder(cylinder_moments),
             "The moments of every full cylinder, by integrating over it; its products vanish.";
             but "axis along x, not z": cylinder(|m, r, h| turned_about_y(&cylinder_moments(m, r, h))),
-            but "the height doubled": cylinder(|m, r, h| cylinder_moments(m, r, &times(h, 2, 1))),
         "tube": tube(tube_moments),
             "The moments of every tube are those of a cylinder less those of its hole, for the mass that is left.";
             but "i² + o² becomes o²": tube(|m, _, o, h| cylinder_moments(m, o, h)),
@@ -78,7 +74,6 @@ proofs! {
             "Rod, plate and disk are the integrals over box and cylinder, with one or two of their sizes set to zero after the division by the volume.";
             but "the rod along x": thin(|m, l| turned_about_y(&rod_moments(m, l)), plate_moments, disk_moments),
             but "the plate's edges swapped": thin(rod_moments, |m, a, b| plate_moments(m, b, a), disk_moments),
-            but "the disk twice as heavy": thin(rod_moments, plate_moments, |m, r| disk_moments(&times(m, 2, 1), r)),
         "tetrahedron": tetrahedron(tetrahedron_moments),
             "Centre and inertia of every tetrahedron, wherever its corners are, by integrating over it.";
             but "a twentieth becomes a quarter, as if all mass sat at the corners": {

@@ -22,7 +22,6 @@ proofs! {
             "Linearised about each axis, Euler's equations leave the spin itself alone and drive the two small components by each other, so that their second rate is the library's rate squared times \
             themselves.";
             but "the sign": linearised(|w, i, a, b| -rate_squared(w, i, a, b)),
-            but "divided by the wrong moment": linearised(|w, i, a, b| rate_squared(w, i, a, b) * a.clone() / i.clone()),
         "the-middle-axis": middle(rate_squared, 1),
             "For every I1 < I2 < I3 the library's rate squared of the linearised wobble is positive about the middle axis and negative about the other two: with I2 = I1 + a and I3 = I1 + a + b all \
             coefficients have one sign.";
