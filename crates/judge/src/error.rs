@@ -56,6 +56,13 @@ pub enum Error {
     },
     /// The body or its motion is none that the library takes.
     Body(tumbling::Error),
+    /// The engine takes no such step: it puts the body back to its start.
+    StartsAnew {
+        /// A component of the spin or of its rate, rad/s or rad/s².
+        value: f64,
+        /// The most that the engine goes on with.
+        most: f64,
+    },
     /// Neither a header nor the caller gives the moments.
     NoMoments,
     /// A threshold that is no number above zero.
@@ -91,6 +98,9 @@ impl fmt::Display for Error {
                 write!(f, "line {line}, column {column} (`{name}`): {problem}")
             }
             Self::Body(error) => write!(f, "{error}"),
+            Self::StartsAnew { value, most } => {
+                write!(f, "the engine starts anew: the spin or its rate is {value:e}, and must be at most {most:e}")
+            }
             Self::Threshold { law, value } => {
                 let law = law.map_or("every law", LawName::words);
                 write!(f, "the threshold for {law} is {value}: it must be a number above zero")

@@ -3,9 +3,7 @@
 use crate::error::Error;
 use crate::laws::{Complaint, Trial};
 use crate::options::Options;
-use crate::read::{
-    Derived, Deriver, Feed, Fit, Known, Raw, Row, Rows, Said, Source, Stopped, fitted_start, in_world,
-};
+use crate::read::{Derived, Feed, Fit, Known, Raw, Row, Rows, Said, Source, Stopped, fitted_start, in_world};
 use crate::rule::{PHYSICS_ENGINES, Subject};
 use crate::thresholds::PROBE_ROWS;
 use crate::verdict::{Verdict, verdict};
@@ -61,8 +59,7 @@ pub(crate) fn judge_rows(rows: &mut dyn Source, said: Said, options: &Options) -
     PrincipalMoments::try_from(moments)?;
     let subject = Subject::new(moments, said.torque)?;
     let mut known = Known::of(&mut probe, said, moments);
-    let mut feed =
-        Feed { has_spin: known.has_spin(), moments, clock: known.clock, deriver: Deriver::default() };
+    let mut feed = Feed { has_spin: known.has_spin(), moments, clock: known.clock, waiting: None };
     let (states, stopped) = known.understood(&probe, &mut feed)?;
     let (first, fitted) = start(&states, stopped, probe.len(), &subject.moments, options)?;
     let (direction, fit) = fitted.unzip();

@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::judge::judge_rows;
 use crate::options::Options;
-use crate::read::{Kind, Printed, Raw, Said, Source};
+use crate::read::{Printed, Raw, Said, Source};
 use crate::thresholds::{MOST_DIGITS, ROWS_BEFORE_THE_END};
 use crate::verdict::Verdict;
 use nalgebra::{Quaternion, Vector3};
@@ -88,15 +88,8 @@ pub fn judge_in_memory<T: Precision>(
 ) -> Result<Verdict, Error> {
     let mut rows = rows.into_iter().peekable();
     let first = rows.peek().ok_or(Error::NoRowsInMemory)?;
-    let said = Said {
-        engine: None,
-        kind: Kind::SpinBody,
-        step: None,
-        torque: None,
-        moments: options.inertia.or_else(|| Some(moments.into())),
-        notes: Vec::new(),
-        ignored: Vec::new(),
-    };
+    let moments = options.inertia.or_else(|| Some(moments.into()));
+    let said = Said { moments, ..Said::default() };
     let attitudes = first.attitude.is_some();
     let mut rows = Memory { rows, attitudes, count: 0, last: f64::NEG_INFINITY, ended: None };
     judge_rows(&mut rows, said, options)

@@ -20,7 +20,7 @@ mod units;
 pub(crate) use clock::Clock;
 pub(crate) use columns::{Columns, Kind, TimeColumn};
 pub(crate) use comment::Header;
-pub(crate) use derived::{Derived, Deriver, Feed};
+pub(crate) use derived::{Derived, Feed};
 pub(crate) use digits::{last_place, significant};
 pub use fit::Fit;
 pub(crate) use fit::fitted_start;

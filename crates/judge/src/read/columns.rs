@@ -36,8 +36,9 @@ pub(crate) enum TimeColumn {
 }
 
 /// What the three numbers are that move.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) enum Kind {
+    #[default]
     SpinBody,
     SpinWorld,
     MomentumBody,

@@ -49,40 +49,12 @@ pub(crate) enum Derived {
     TooFar { line: usize, turn: f64 },
 }
 
-/// Rows in, rows with spins out: each as soon as the next one is there.
-#[derive(Debug, Default)]
-pub(crate) struct Deriver {
-    waiting: Option<Row>,
-}
-
-impl Deriver {
-    /// One more row, this number of steps and seconds after the last.
-    pub(crate) fn push(&mut self, moments: &Vector3<f64>, state: &Row, h: f64, times: f64) -> Derived {
-        let Some(from) = self.waiting.replace(*state) else { return Derived::Unknown };
-        let pair = Pair { from, to: *state, h };
-        let ahead = state.attitude.filter(|_| times == 1.0).map(|q| (state.line, q));
-        match spin(moments, &pair) {
-            Some(omega) => Derived::Known(Row { omega, ahead, ..from }),
-            None if times == 1.0 => {
-                let turn = pair.turn().map_or(f64::NAN, |turn| turn.norm());
-                Derived::TooFar { line: state.line, turn }
-            }
-            None => Derived::Unknown,
-        }
-    }
-
-    /// The time of the row that waits.
-    pub(crate) fn last(&self) -> Option<f64> {
-        self.waiting.map(|state| state.t)
-    }
-}
-
-/// Rows, with spins where the record has none.
+/// Rows, with spins where the record has none: each as soon as the next one is there.
 pub(crate) struct Feed {
     pub has_spin: bool,
     pub moments: Vector3<f64>,
     pub clock: Clock,
-    pub deriver: Deriver,
+    pub waiting: Option<Row>,
 }
 
 impl Feed {
@@ -94,7 +66,17 @@ impl Feed {
         if self.has_spin {
             return Ok(Derived::Known(*state));
         }
-        let (h, times) = self.deriver.last().map_or((0.0, 1.0), |last| self.clock.between(last, state.t));
-        Ok(self.deriver.push(&self.moments, state, h, times))
+        let Some(from) = self.waiting.replace(*state) else { return Ok(Derived::Unknown) };
+        let (h, times) = self.clock.between(from.t, state.t);
+        let pair = Pair { from, to: *state, h };
+        let ahead = state.attitude.filter(|_| times == 1.0).map(|q| (state.line, q));
+        Ok(match spin(&self.moments, &pair) {
+            Some(omega) => Derived::Known(Row { omega, ahead, ..from }),
+            None if times == 1.0 => {
+                let turn = pair.turn().map_or(f64::NAN, |turn| turn.norm());
+                Derived::TooFar { line: state.line, turn }
+            }
+            None => Derived::Unknown,
+        })
     }
 }

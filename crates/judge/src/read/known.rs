@@ -8,6 +8,7 @@ use crate::thresholds::{FEW_DIGITS, SPIN_FROM_TURN};
 use nalgebra::Vector3;
 
 /// What a record says of itself.
+#[derive(Default)]
 pub(crate) struct Said {
     pub engine: Option<String>,
     pub kind: Kind,

@@ -63,25 +63,22 @@ impl PhysicsEngine {
     /// // 100 rad/s about an axis, at 60 Hz: Rapier makes that an eighth of a turn a step, 47 rad/s.
     /// let end = rapier.step(&system, &start, 1.0 / 60.0)?;
     /// assert!((system.omega(&end.momentum).z - 15.0 * std::f64::consts::PI).abs() < 1e-12);
-    /// # Ok::<(), tumbling::Error>(())
+    /// # Ok::<(), tumbling_judge::Error>(())
     /// ```
     ///
     /// # Errors
     /// A step that is not finite, a motion that leaves what `f64` holds, or one that MuJoCo would take back
     /// to the beginning.
-    pub fn step(&self, system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64>, Error> {
+    pub fn step(&self, system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64>, crate::Error> {
         if let Some(most) = self.limits.rate {
             let omega = system.omega(&start.momentum);
             let rate = system.omega(&system.rate(start).momentum);
             let beyond = |x: &f64| x.is_nan() || x.abs() > most;
             if let Some(value) = omega.iter().chain(&rate).copied().find(beyond) {
-                return Err(Error::unrepresentable(
-                    "a spin or its rate, where the engine starts anew",
-                    value,
-                ));
+                return Err(crate::Error::StartsAnew { value, most });
             }
         }
-        parted(self.method, self.parts, &self.limits, system, start, h)
+        Ok(parted(self.method, self.parts, &self.limits, system, start, h)?)
     }
 }
 
