@@ -5,8 +5,9 @@ use crate::proof::{Outcome, Residue, breaks, same};
 use crate::symbols::{Matrix, diagonal, vector};
 use nalgebra::{Matrix3, Quaternion, Vector3};
 use num_traits::{One, Zero};
+use tumbling::laws::Rate;
 use tumbling::number::Field;
-use tumbling::step::{Engine, Rate, State, rk4};
+use tumbling::step::{Engine, State, rk4};
 use tumbling::{attitude, dynamics::euler};
 
 proofs! {
