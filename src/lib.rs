@@ -40,6 +40,7 @@
 //! - [`exact`]: free motion in closed form: [`exact::FreeMotion`] of one body, [`exact::Batch`] of many.
 //! - [`step`]: stepping through time, right and wrong: a [`step::Stepper`] runs any body by any method, under
 //!   torques.
+//! - [`laws`]: what is public for the proofs alone.
 //!
 //! A `Body` of any tensor goes into `FreeMotion::of` and `Stepper::new` as it is, and comes back in its own
 //! axes.
@@ -99,6 +100,7 @@ pub mod body;
 pub mod dynamics;
 pub mod exact;
 pub mod inertia;
+pub mod laws;
 pub mod number;
 pub mod references;
 pub mod solid;
@@ -106,7 +108,7 @@ pub mod step;
 
 mod error;
 
-pub use body::{Body, Rate, State};
+pub use body::{Body, State};
 pub use error::{Error, ErrorKind, Subject};
 pub use inertia::{Axis, Inertia, PrincipalAxes, PrincipalMoments};
 pub use solid::{MassProperties, Solid};

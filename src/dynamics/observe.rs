@@ -43,7 +43,7 @@ pub fn sign_changes(samples: impl IntoIterator<Item = (f64, f64)>) -> Vec<f64> {
         if x != 0.0 {
             if below.is_some_and(|below| below != (x < 0.0)) {
                 let (t0, x0): (f64, f64) = last;
-                // The share of the interval, and the mean of the ends with it, without a sum that could overflow.
+                // The share of the interval, and the mean of the ends, without a sum that could overflow.
                 let share = if x0 == 0.0 { 0.0 } else { 1.0 / (1.0 + (x / x0).abs()) };
                 // Rounding could take it beyond the samples, and so past the next change.
                 crossings.push((t0 * (1.0 - share) + t * share).clamp(t0.min(t), t0.max(t)));

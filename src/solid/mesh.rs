@@ -54,7 +54,7 @@ fn mesh_sums<'a, T: Ring>(
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tumbling::solid::mesh_moments;
+/// use tumbling::laws::mesh_moments;
 /// let [o, a, b, c] = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 6.0]].map(Vector3::from);
 /// let corner = [[&o, &b, &a], [&o, &c, &b], [&o, &a, &c], [&a, &b, &c]];
 /// let solid = mesh_moments(corner, &o);

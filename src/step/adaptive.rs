@@ -28,20 +28,6 @@ use num_traits::FromPrimitive;
 
 pub(super) use dense::{AdaptiveRun, Tracked};
 
-/// The end of a run of `duration` seconds on numbers that carry derivatives, whose error in each step is
-/// below the tolerance too, relative to the size of their column.
-pub(super) fn end_with_derivatives<T: Analytic + Copy + FromPrimitive>(
-    system: System<T>,
-    start: &State<T>,
-    duration: f64,
-    tolerance: f64,
-    budget: &mut usize,
-    derivatives: DerivativeSizes<T>,
-) -> Result<State<T>, Error> {
-    AdaptiveRun::new(system, start, duration, tolerance, Tracked::Derivatives(derivatives))?
-        .at(duration, budget)
-}
-
 /// That the tolerance of a step is above rounding.
 pub(super) fn check_tolerance<T: Analytic>(tolerance: f64) -> Result<(), Error> {
     positive(Subject::Tolerance, tolerance)?;

@@ -15,7 +15,7 @@ pub(crate) mod engine_rules {
     pub(crate) mod turn;
 }
 pub(crate) mod gauss;
-mod implicit;
+pub(crate) mod implicit;
 pub(crate) mod lie;
 pub(crate) mod moser_veselov;
 pub(crate) mod rk4;

@@ -1,7 +1,7 @@
 //! The position stage of a physics engine: attitude and spin over a time step, with nothing else acting.
 
 mod coefficients;
-mod turn;
+pub(crate) mod turn;
 
 use crate::attitude::product;
 use crate::error::{Error, Refusal, Subject};
@@ -9,8 +9,7 @@ use crate::number::Field;
 use coefficients::{Coefficients, finite};
 use nalgebra::{Quaternion, Scalar, Vector3};
 use num_traits::Float;
-use turn::three;
-pub use turn::{change_of_spin, conserving_pace, conserving_turn};
+use turn::{change_of_spin, conserving_turn, three};
 
 /// The longest turn of one part of a step, radians.
 const LONGEST: f32 = 0.5;

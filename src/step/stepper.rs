@@ -107,9 +107,9 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// principal axes: it must be the same about all three where the tensor has products of inertia.
     ///
     /// # Errors
-    /// A torque whose numbers are not finite, a coefficient of damping or dissipation below zero, a direction of the gravity
-    /// gradient whose length is not 1, or damping that differs from
-    /// axis to axis of a body with products of inertia.
+    /// A torque whose numbers are not finite, a coefficient of damping or dissipation below zero, a
+    /// direction of the gravity gradient whose length is not 1, or damping that differs from axis to axis of
+    /// a body with products of inertia.
     pub fn with_torques(mut self, torques: impl IntoIterator<Item = Torque<T>>) -> Result<Self, Error> {
         let mut all = self.system.torques().to_vec();
         for torque in torques {
@@ -129,8 +129,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// # Errors
     /// As [`Method::step`] or [`fixed_rate`]; of an adaptive stepper an error that stays too large however
     /// short the step, and one of kind [`TooMany`](crate::ErrorKind::TooMany) after its budget of steps, or
-    /// as soon as stiff damping would need more; a torque, such as that of a [`Torque::Function`], that is not
-    /// finite at the start or the end; a spin or a time beyond its numbers.
+    /// as soon as stiff damping would need more; a torque, such as that of a [`Torque::Function`], that is
+    /// not finite at the start or the end; a spin or a time beyond its numbers.
     pub fn step(&mut self, h: T) -> Result<State<T>, Error> {
         self.go(self.time + finite(Subject::Step, number(h))?, h)
     }

@@ -31,7 +31,8 @@ pub enum Torque<T: nalgebra::Scalar> {
     /// `-c_i w_i` along each principal axis, `c` in N m s: viscous drag.
     Damping(Vector3<T>),
     /// `k L x (L x w)`, `k` in s/(kg m²): dissipation inside a body that is not quite rigid. It keeps `|L|`
-    /// and takes energy, until the body turns about the axis of its largest moment [BKMR96](crate::references).
+    /// and takes energy, until the body turns about the axis of its largest moment
+    /// [BKMR96](crate::references).
     Dissipation(T),
     /// `strength n x I n`, with `n` the unit vector to a body that attracts: the gravity gradient of one that
     /// is far away, as [`Torque::gravity_gradient`] gives it.

@@ -2,7 +2,7 @@
 
 mod dual;
 
-use super::adaptive::{AdaptiveRun, Tracked, end_with_derivatives};
+use super::adaptive::{AdaptiveRun, Tracked};
 use super::stepper::Stepper;
 use super::system::System;
 use super::torque::Torque;
@@ -140,8 +140,8 @@ impl Stepper<f64> {
         let mut system = System::of_numbers(moments.map(Dual::from), torques);
         system.set_time(Dual::from(time));
         let start = varied(start, &moments);
-        let derivatives = |x: &Dual| x.derivatives.map(f64::abs);
-        let end = end_with_derivatives(system, &start, duration, tolerance, budget, derivatives)?;
+        let tracked = Tracked::Derivatives(|x: &Dual| x.derivatives.map(f64::abs));
+        let end = AdaptiveRun::new(system, &start, duration, tolerance, tracked)?.at(duration, budget)?;
         Ok(read(&end, self.system.inverse()))
     }
 

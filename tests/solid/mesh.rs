@@ -7,6 +7,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use num_rational::Ratio;
 use proptest::prelude::*;
 use tumbling::ErrorKind;
+use tumbling::laws::mesh_moments;
 use tumbling::solid::*;
 
 /// A regular icosahedron with corners on the unit sphere.

@@ -1,6 +1,6 @@
 //! Adaptive runs under torques: against a table of many digits, another engine, and what is conserved.
 
-use super::adaptive;
+use super::{adaptive, apart as off, spinning};
 use crate::common::refused;
 use nalgebra::{Matrix3, Matrix6, Quaternion, UnitQuaternion, Vector3, Vector6};
 use serde_json::Value;
@@ -9,12 +9,6 @@ use tumbling::step::{Method, State, Stepper, System, Torque};
 use tumbling::{Body, ErrorKind, Inertia, PrincipalMoments};
 
 const TABLE: &str = include_str!("../../crates/measure/data/truth.json");
-
-pub(super) fn off(a: &State<f64>, b: &State<f64>) -> f64 {
-    let turned =
-        (a.attitude.coords - b.attitude.coords).norm().min((a.attitude.coords + b.attitude.coords).norm());
-    turned + (a.momentum - b.momentum).norm() / b.momentum.norm()
-}
 
 fn digits<const N: usize>(list: &Value) -> [f64; N] {
     std::array::from_fn(|i| list[i].as_f64().unwrap_or_else(|| list[i].as_str().unwrap().parse().unwrap()))
@@ -164,12 +158,7 @@ fn a_run_forth_and_back_under_lossless_torques_returns_to_its_start() {
     ];
     let system = System::with(PrincipalMoments::new(1.0, 1.5, 0.75).unwrap(), torques).unwrap();
     let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.25, 0.75, 6.0) };
-    let body = Body::spinning(
-        Inertia::from_moments(1.0, 1.5, 0.75).unwrap(),
-        UnitQuaternion::identity(),
-        &system.omega(&start.momentum),
-    )
-    .unwrap();
+    let body = spinning([1.0, 1.5, 0.75], &system.omega(&start.momentum));
     let mut stepper = Stepper::<f64>::adaptive(&body, 1e-13, 1000).unwrap();
     stepper = stepper.with_torques(system.torques().to_vec()).unwrap();
     let there = stepper.step(4.0).unwrap();
@@ -224,8 +213,7 @@ fn a_thruster_acts_for_the_whole_of_its_time_and_no_longer() {
 #[test]
 fn a_torque_within_a_torque_acts_while_both_of_them_do() {
     // 2000 N m for a thousandth of a second on 4 kg m², from rest; over before the outer one ends.
-    let inertia = Inertia::from_moments(2.0, 3.0, 4.0).unwrap();
-    let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::zeros()).unwrap();
+    let body = spinning([2.0, 3.0, 4.0], &Vector3::zeros());
     let push = || Torque::InBody(Vector3::z() * 2000.0);
     for (first, inner, expected) in [
         ([0.0, 10.0], [3.0, 3.001], 0.5),
@@ -246,8 +234,7 @@ fn a_torque_within_a_torque_acts_while_both_of_them_do() {
 
 /// The flips of a body that spins at 1 rad/s about its middle axis, with -1 rad/s² on it in these times.
 fn flips_by_pushes(times: &[[f64; 2]]) -> Vec<f64> {
-    let inertia = Inertia::from_moments(1.0, 2.0, 3.0).unwrap();
-    let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::y()).unwrap();
+    let body = spinning([1.0, 2.0, 3.0], &Vector3::y());
     let push = |&[start, end]: &[f64; 2]| Torque::during(start, end, Torque::InBody(Vector3::y() * -2.0));
     let stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000).unwrap();
     stepper.with_torques(times.iter().map(push)).unwrap().flips(4.0).unwrap()
@@ -431,8 +418,7 @@ fn a_run_that_was_refused_on_its_way_stays_where_its_last_step_took_it() {
 /// 2.5 kg m² under 4 N m for a second.
 #[test]
 fn a_torque_added_on_the_way_acts_by_the_time_of_the_stepper() {
-    let inertia = Inertia::from_moments(1.0, 2.0, 2.5).unwrap();
-    let resting = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::zeros()).unwrap();
+    let resting = spinning([1.0, 2.0, 2.5], &Vector3::zeros());
     let push = Torque::InBody(Vector3::new(0.0, 0.0, 4.0));
     let mut stepper = Stepper::<f64>::adaptive(&resting, 1e-12, 1000).unwrap();
     let _ = stepper.step(3.0).unwrap();

@@ -1,5 +1,6 @@
 //! The energy under torques that have a potential, and flips where runs meet.
 
+use super::spinning;
 use nalgebra::{UnitQuaternion, Vector3};
 use tumbling::step::{Stepper, Torque};
 use tumbling::{Body, Inertia};
@@ -59,8 +60,7 @@ fn kinetic_and_potential_energy_together_stay_where_each_torque_has_a_potential(
 
 /// A spin about the middle axis that a torque has brought to exactly zero at 1 s.
 fn at_rest() -> Stepper<f64> {
-    let inertia = Inertia::from_moments(1.0, 2.0, 3.0).unwrap();
-    let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::y()).unwrap();
+    let body = spinning([1.0, 2.0, 3.0], &Vector3::y());
     let stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000).unwrap();
     let mut stepper = stepper.with_torques([Torque::InBody(Vector3::y() * -2.0)]).unwrap();
     assert!(stepper.flips(1.0).unwrap().is_empty());

@@ -26,7 +26,7 @@ mod transition;
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use tumbling::step::{Method, State, Stepper, System};
-use tumbling::{Error, Inertia};
+use tumbling::{Body, Error, Inertia};
 
 /// The state `duration` seconds after the start by an adaptive run; its steps are taken off the budget.
 fn adaptive(
@@ -70,6 +70,11 @@ fn changes(system: &System<f64>, start: &State<f64>, end: &State<f64>) -> [f64; 
         (in_world(end) - in_world(start)).norm() / start.momentum.norm(),
         relative(end.attitude.norm(), start.attitude.norm()),
     ]
+}
+
+/// A body with these moments, its axes along the world's.
+fn spinning([a, b, c]: [f64; 3], omega: &Vector3<f64>) -> Body {
+    Body::spinning(Inertia::from_moments(a, b, c).unwrap(), UnitQuaternion::identity(), omega).unwrap()
 }
 
 fn in_axes(moments: Vector3<f64>, axes: &UnitQuaternion<f64>) -> Inertia {

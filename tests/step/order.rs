@@ -1,10 +1,10 @@
 //! The order of every method under torques that depend on time, attitude and spin. Orders are proven on power
 //! series by the proofs; here they are seen in `f64`.
 
-use super::{adaptive, apart, in_axes, seen_along, steppers, turn_by};
+use super::{adaptive, apart, in_axes, seen_along, spinning, steppers, turn_by};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use tumbling::Body;
 use tumbling::step::{Method, State, Stepper, System, Torque};
-use tumbling::{Body, Inertia};
 
 /// Errors at `t` in `count` steps and in twice as many, as a power of two.
 fn order(
@@ -48,8 +48,7 @@ fn claimed(method: Option<Method>) -> f64 {
 fn under_a_cosine_torque_about_a_principal_axis_every_method_has_its_order() {
     // I w' = a cos(b t): w = w0 + a sin(b t) / (b I), angle = w0 t + a (1 - cos(b t)) / (b^2 I).
     let (moment, spin, a, b, t) = (2.5, 0.7, 1.5, 3.0_f64, 2.0);
-    let inertia = Inertia::from_moments(1.0, 2.0, moment).unwrap();
-    let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(0.0, 0.0, spin)).unwrap();
+    let body = spinning([1.0, 2.0, moment], &Vector3::new(0.0, 0.0, spin));
     let torque = Torque::function(move |time: f64, _, _| Vector3::z() * (a * (b * time).cos()));
     let angle = spin * t + a * (1.0 - (b * t).cos()) / (b * b * moment);
     let truth = State {

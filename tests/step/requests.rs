@@ -1,7 +1,7 @@
 //! States requested on the way of an adaptive run: the run is the same with them and without.
 
 use super::adaptive;
-use super::driven::off;
+use super::apart as off;
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::PrincipalMoments;

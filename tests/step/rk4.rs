@@ -1,5 +1,6 @@
 //! The classical Runge-Kutta step, as the right engine takes it: what it keeps, and where it must be.
 
+use super::spinning;
 use crate::common::*;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
@@ -27,12 +28,7 @@ fn a_quarter_period_after_the_start_the_spin_is_where_the_two_conserved_quantiti
     let y_squared = (momentum_squared - c * twice_energy) / (b * (b - c));
     let z_squared = (b * twice_energy - momentum_squared) / (c * (b - c));
 
-    let start = Body::spinning(
-        Inertia::from_moments(a, b, c).unwrap(),
-        UnitQuaternion::identity(),
-        &Vector3::new(1.0, 1.0, 0.0),
-    )
-    .unwrap();
+    let start = spinning([a, b, c], &Vector3::new(1.0, 1.0, 0.0));
     let flight = Engine::Turned.run(&start, 0.0005, 4200).unwrap();
     let moment = flight.windows(2).find(|pair| pair[1].omega_body().x <= 0.0).unwrap();
     let (before, after) = (moment[0].omega_body(), moment[1].omega_body());
@@ -46,12 +42,7 @@ fn a_quarter_period_after_the_start_the_spin_is_where_the_two_conserved_quantiti
 #[test]
 fn the_plain_stepper_converges_at_fourth_order_to_the_closed_form() {
     let quarter = 2.050372310942469;
-    let start = Body::spinning(
-        Inertia::from_moments(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0).unwrap(),
-        UnitQuaternion::identity(),
-        &Vector3::new(1.0, 1.0, 0.0),
-    )
-    .unwrap();
+    let start = spinning([10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0], &Vector3::new(1.0, 1.0, 0.0));
     let error = |steps: usize| {
         let h = quarter / steps as f64;
         Engine::Turned.run(&start, h, steps).unwrap()[steps].omega_body().x.abs()

@@ -1,7 +1,7 @@
 //! Damping far faster than the motion: steps as long as the motion allows.
 
 use super::adaptive;
-use super::driven::off;
+use super::apart as off;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::PrincipalMoments;

@@ -1,12 +1,13 @@
 //! Steps by collocation at Radau's nodes, where damping is far faster than the motion: the
 //! damping is solved for, all else iterated.
 
-use super::logarithm::{exponential, logarithm};
+use super::logarithm::logarithm;
 use super::radau::{MOST, Radau};
 use super::{Run, TRIES, largest, ratio, smallest};
 use crate::body::{Rate, State};
 use crate::error::Error;
 use crate::number::Analytic;
+use crate::number::functions::exp;
 use alloc::vec;
 use alloc::vec::Vec;
 use nalgebra::{Quaternion, Vector3, Vector4};
@@ -119,7 +120,7 @@ impl<T: Analytic + Copy + FromPrimitive> Collocation<T> {
             });
             let error = largest(&[error, run.project(&mut end)]) / tolerance;
             // As usual: aim a little below the tolerance, and keep the change of the step within bounds.
-            let factor = exponential(-logarithm(2.0 * error) / order).clamp(0.2, 4.0);
+            let factor = exp(-logarithm(2.0 * error) / order).clamp(0.2, 4.0);
             self.next = h * if error.is_nan() { 0.25 } else { factor };
             if error <= 1.0 {
                 self.length = h;

@@ -2,6 +2,7 @@
 
 use crate::number::Analytic;
 use crate::number::quadrature::legendre;
+use crate::step::methods::implicit::eliminate;
 use alloc::vec;
 use alloc::vec::Vec;
 #[cfg(not(feature = "std"))]
@@ -76,30 +77,13 @@ impl Radau {
 
     /// The integrals `A`, with a decay of the result at this rate: `(1 + rate A)^-1 A`, by elimination.
     pub(super) fn decaying(&self, rate: f64) -> Vec<Row> {
-        let count = self.nodes.len();
-        let mut left = self.integrals.clone();
-        for (i, row) in left.iter_mut().enumerate() {
-            row.iter_mut().for_each(|x| *x *= rate);
-            row[i] += 1.0;
-        }
-        let mut right = self.integrals.clone();
-        for column in 0..count {
-            let size = |&row: &usize| left[row][column].abs();
-            let pivot = (column..count).max_by(|a, b| size(a).total_cmp(&size(b))).unwrap_or(column);
-            left.swap(column, pivot);
-            right.swap(column, pivot);
-            let over = 1.0 / left[column][column];
-            let [own, other] = [&left, &right].map(|rows| rows[column].map(|x| x * over));
-            (left[column], right[column]) = (own, other);
-            for row in (0..count).filter(|&row| row != column) {
-                let times = left[row][column];
-                for i in 0..count {
-                    left[row][i] -= times * own[i];
-                    right[row][i] -= times * other[i];
-                }
-            }
-        }
-        right
+        let row = |(i, integrals): (usize, &Row)| {
+            let left = |j: usize| rate * integrals[j] + if i == j { 1.0 } else { 0.0 };
+            core::array::from_fn(|j| if j < MOST { left(j) } else { integrals[j - MOST] })
+        };
+        let mut rows: Vec<[f64; 2 * MOST]> = self.integrals.iter().enumerate().map(row).collect();
+        eliminate(&mut rows, self.nodes.len());
+        rows.iter().map(|row| core::array::from_fn(|j| row[MOST + j])).collect()
     }
 }
 

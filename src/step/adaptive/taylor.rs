@@ -2,12 +2,13 @@
 
 use super::derivatives::Derivatives;
 use super::law::{Law, Rates};
-use super::logarithm::{exponential, logarithm};
+use super::logarithm::logarithm;
 use super::series::{LENGTH, MOST, Series};
 use super::{Run, TRIES, largest, ratio, smallest};
 use crate::body::State;
 use crate::error::Error;
 use crate::number::Analytic;
+use crate::number::functions::exp;
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use crate::step::system::System;
 use alloc::boxed::Box;
@@ -84,7 +85,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
         let size = |order: usize| self.series.size(order, weights, derivatives);
         let longest = |order: usize| (goal - logarithm(size(order))) / order as f64;
         let [last, before] = [self.most, self.most - 1].map(longest);
-        let longest = exponential(if last < before { last } else { before });
+        let longest = exp(if last < before { last } else { before });
         // Rather than a short step at the end, one that is somewhat longer.
         if left < 1.1 * longest { left } else { longest }
     }

@@ -1,5 +1,6 @@
 //! The step of order 5 of the pair of Dormand and Prince of orders 5 and 4 [DP80](crate::references).
 
+use super::implicit::ratio;
 use crate::body::{Rate, State};
 use crate::number::Analytic;
 use crate::step::system::System;
@@ -17,17 +18,14 @@ const STAGES: [&[Ratio]; 6] = [
     &[(35, 384), (0, 1), (500, 1113), (125, 192), (-2187, 6784), (11, 84)],
 ];
 
-fn number<T: Analytic>((n, d): Ratio) -> T {
-    let size = T::integer(n.unsigned_abs()) / T::integer(d);
-    if n < 0 { -size } else { size }
-}
-
 fn combined<T: Analytic>(start: &State<T>, rates: &[Rate<T>], weights: &[Ratio], h: &T) -> State<T> {
     rates
         .iter()
         .zip(weights)
         .filter(|(_, weight)| weight.0 != 0)
-        .fold(start.clone(), |sum, (rate, &weight)| sum.plus(rate, h.clone() * number::<T>(weight)))
+        .fold(start.clone(), |sum, (rate, &weight)| {
+            sum.plus(rate, h.clone() * ratio::<T>(weight.0, weight.1))
+        })
 }
 
 /// The times of the stages after the first as fractions of the step: the sums of their weights.
@@ -39,7 +37,7 @@ pub(crate) fn step<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> 
     let [inner @ .., last] = &STAGES;
     for (k, weights) in inner.iter().enumerate() {
         let near = combined(start, &rates, weights, h);
-        rates[k + 1] = system.rate_after(&near, &(number::<T>(NODES[k]) * h.clone()));
+        rates[k + 1] = system.rate_after(&near, &(ratio::<T>(NODES[k].0, NODES[k].1) * h.clone()));
     }
     combined(start, &rates, last, h)
 }

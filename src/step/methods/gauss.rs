@@ -6,7 +6,7 @@
 //! also with coefficients as rounded ([HMR08](crate::references)): of a law that holds but for the rounding
 //! of a coefficient, each step misses the same.
 
-use super::implicit::{By, Equation};
+use super::implicit::{By, Equation, cramer, ratio};
 use crate::attitude;
 use crate::body::{Rate, State};
 use crate::error::{Error, Refusal, Subject};
@@ -172,9 +172,7 @@ fn newton<T: Analytic>([p, q, r]: &[T; 3], mean: &Vector3<T>, miss: &Vector3<T>)
     let x = Vector3::new(T::one(), t(q, &mean.z), t(r, &mean.y));
     let y = Vector3::new(t(p, &mean.z), T::one(), t(r, &mean.x));
     let z = Vector3::new(t(p, &mean.y), t(q, &mean.x), T::one());
-    let (yz, zx, xy) = (y.cross(&z), z.cross(&x), x.cross(&y));
-    let over = T::one() / x.dot(&yz);
-    Vector3::new(yz.dot(miss), zx.dot(miss), xy.dot(miss)).map(|x| x * over.clone())
+    cramer([x, y, z], miss)
 }
 
 /// A collocation method with coefficients `b_j (1/2 + off_ij)`. It conserves squares because `off` is
@@ -199,12 +197,11 @@ pub(crate) fn gauss_4<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) 
 }
 
 pub(crate) fn gauss_6<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
-    let part = |n: u32, below: u32| T::integer(n) / T::integer(below);
-    let root = |n: u32, below: u32| T::integer(15).sqrt() * part(n, below);
-    let (half, near, far) = (part(1, 2), root(3, 20), root(3, 25));
+    let root = |n: i32, below: u32| T::integer(15).sqrt() * ratio(n, below);
+    let (half, near, far) = (ratio::<T>(1, 2), root(3, 20), root(3, 25));
     let tableau = Tableau {
         nodes: [half.clone() - root(1, 10), half.clone(), half + root(1, 10)],
-        weights: [part(5, 18), part(4, 9), part(5, 18)],
+        weights: [ratio(5, 18), ratio(4, 9), ratio(5, 18)],
         off: [
             [T::zero(), -near.clone(), -far.clone()],
             [near.clone(), T::zero(), -near.clone()],

@@ -1,8 +1,9 @@
-//! The equations of an implicit step `x = next(x)`: by iteration, and where that fails by Newton's method.
+//! The equations of an implicit step `x = next(x)`: by iteration, and where that fails by Newton's method;
+//! and linear ones.
 
 use crate::body::Rate;
 use crate::error::{Error, Refusal, Subject};
-use crate::number::Analytic;
+use crate::number::{Analytic, Field, Ring};
 use nalgebra::Vector3;
 
 /// The most rounds of an iteration. Where it converges at all it gains a digit in a few rounds.
@@ -156,8 +157,9 @@ fn settled(moved: f64, before: f64, rounding: f64) -> bool {
     moved == 0.0 || small && (moved >= 0.5 * before || moved * moved <= 1e-6 * rounding * before)
 }
 
-/// Solves `count` linear equations: the solution takes the place of the right sides, in the last column.
-fn eliminate<T: Analytic>(rows: &mut [[T; MOST + 1]; MOST], count: usize) {
+/// Solves `count` linear equations, whose coefficients are the first columns: what they do with the further
+/// columns, the right sides, leaves solutions there.
+pub(crate) fn eliminate<T: Analytic, const N: usize>(rows: &mut [[T; N]], count: usize) {
     for k in 0..count {
         let pivot = (k..count).max_by(|&i, &j| rows[i][k].size().total_cmp(&rows[j][k].size())).unwrap_or(k);
         rows.swap(k, pivot);
@@ -173,4 +175,24 @@ fn eliminate<T: Analytic>(rows: &mut [[T; MOST + 1]; MOST], count: usize) {
             }
         }
     }
+}
+
+/// The solution of three linear equations, by the columns of their coefficients.
+#[inline(always)]
+pub(crate) fn cramer<T: Field>([x, y, z]: [Vector3<T>; 3], right: &Vector3<T>) -> Vector3<T> {
+    let (yz, zx, xy) = (y.cross(&z), z.cross(&x), x.cross(&y));
+    let over = T::one() / x.dot(&yz);
+    Vector3::new(yz.dot(right), zx.dot(right), xy.dot(right)).map(|x| x * over.clone())
+}
+
+/// An integer over another.
+pub(crate) fn ratio<T: Field>(n: i32, below: u32) -> T {
+    whole::<T>(n) / T::integer(below)
+}
+
+/// An integer.
+#[inline(always)]
+pub(crate) fn whole<T: Ring>(n: i32) -> T {
+    let size = T::integer(n.unsigned_abs());
+    if n < 0 { -size } else { size }
 }

@@ -18,11 +18,12 @@
 //! the turn of one step. `crates/proofs/programs/moser_veselov.py` expands this in exact fractions and prints
 //! the sums below. The order of the result is proven of this very code, on power series.
 
+use super::implicit::{cramer, whole};
 use crate::attitude;
 use crate::body::State;
 use crate::error::{Error, Refusal, Subject};
+use crate::number::Analytic;
 use crate::number::functions::atan2;
-use crate::number::{Analytic, Ring};
 use crate::step::system::System;
 use nalgebra::{Quaternion, Vector3};
 #[cfg(not(feature = "std"))]
@@ -167,9 +168,7 @@ fn tangents<T: Analytic>(k: &Vector3<T>, inverse: &Vector3<T>, m: &Vector3<T>) -
         let x = column(0, Vector3::new(k.x.clone(), -p(&zx, &c.z), -p(&xy, &c.y)));
         let y = column(1, Vector3::new(-p(&yz, &c.z), k.y.clone(), -p(&xy, &c.x)));
         let z = column(2, Vector3::new(-p(&yz, &c.y), -p(&zx, &c.x), k.z.clone()));
-        let (yz, zx, xy) = (y.cross(&z), z.cross(&x), x.cross(&y));
-        let over = T::one() / x.dot(&yz);
-        let change = Vector3::new(yz.dot(&miss), zx.dot(&miss), xy.dot(&miss)).map(|x| x * over.clone());
+        let change = cramer([x, y, z], &miss);
         let size = |v: &Vector3<T>| v.as_slice().iter().map(Analytic::size).sum::<f64>();
         moved = size(&change);
         c -= change;
@@ -181,13 +180,6 @@ fn tangents<T: Analytic>(k: &Vector3<T>, inverse: &Vector3<T>, m: &Vector3<T>) -
         }
     }
     Err(Refusal::NotConverged { what: Subject::MoserVeselovTurn, iterations: ROUNDS, residual: moved }.into())
-}
-
-/// An integer.
-#[inline(always)]
-fn whole<T: Ring>(n: i32) -> T {
-    let size = T::integer(n.unsigned_abs());
-    if n < 0 { -size } else { size }
 }
 
 /// Sums of integers times products of the elementary symmetric functions.

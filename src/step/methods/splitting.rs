@@ -3,6 +3,7 @@
 //! compositions of it to orders 4 and 6.
 
 use super::decimal::Decimal;
+use super::implicit::ratio;
 use crate::body::State;
 use crate::number::Analytic;
 use crate::step::system::System;
@@ -35,10 +36,7 @@ pub(crate) fn order_2<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) 
 }
 
 pub(crate) fn order_4<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
-    let [a, b, c, d] = SEVEN.map(|(n, below)| {
-        let size = T::integer(n.unsigned_abs()) / T::integer(below);
-        if n < 0 { -size } else { size }
-    });
+    let [a, b, c, d] = SEVEN.map(|(n, below)| ratio::<T>(n, below));
     composed(system, start, h, &[a.clone(), b.clone(), c.clone(), d, c, b, a])
 }
 

@@ -124,7 +124,7 @@ impl<T: Field + Float + From<f32>> Coefficients<T> {
         self.bound[0] * x + self.bound[1] * y + self.bound[2] * z
     }
 
-    /// What [`conserving_turn`](super::conserving_turn) takes as pace and weights.
+    /// What [`conserving_turn`](crate::laws::conserving_turn) takes as pace and weights.
     #[inline(always)]
     pub(super) fn pace(&self, omega: &[T; 3], h: T) -> (T, [T; 3]) {
         let one = T::one();

@@ -5,8 +5,9 @@ use crate::proof::{Outcome, Residue, same};
 use crate::symbols::{Matrix, diagonal, vector};
 use nalgebra::{Matrix3, Quaternion, Vector3};
 use num_traits::{One, Zero};
+use tumbling::laws::Rate;
 use tumbling::number::Field;
-use tumbling::step::{Engine, Rate, State};
+use tumbling::step::{Engine, State};
 use tumbling::{attitude, dynamics::euler};
 
 proofs! {

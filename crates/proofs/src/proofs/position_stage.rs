@@ -7,7 +7,7 @@ use crate::symbols::{Vector, diagonal, quaternion, scalar, symmetric, variables,
 use num_traits::One;
 use tumbling::attitude::rotation_matrix;
 use tumbling::dynamics::observe;
-use tumbling::step::{change_of_spin, conserving_pace, conserving_turn};
+use tumbling::laws::{change_of_spin, conserving_pace, conserving_turn};
 
 proofs! {
     "step" {

@@ -3,6 +3,7 @@
 use super::turn::turned;
 use crate::body::State;
 use crate::number::Analytic;
+use crate::step::methods::implicit::cramer;
 use crate::step::system::System;
 use nalgebra::Vector3;
 
@@ -22,11 +23,7 @@ fn solved<T: Analytic>(
         let rate = omega.cross(&moment) - start.momentum.cross(&axis) + axis.map(|x| x * drag[k].clone());
         moment + rate.map(|x| x * h.clone())
     });
-    let [a, b, c] = &columns;
-    // Cramer's rule: three unknowns, any number type.
-    let (bc, ca, ab) = (b.cross(c), c.cross(a), a.cross(b));
-    let determinant = a.dot(&bc);
-    Vector3::new(bc.dot(impulse), ca.dot(impulse), ab.dot(impulse)).map(|x| x / determinant.clone())
+    cramer(columns, impulse)
 }
 
 fn ended<T: Analytic>(system: &System<T>, start: &State<T>, h: &T, change: &Vector3<T>) -> State<T> {

@@ -11,7 +11,8 @@ use crate::symbols::{Matrix, Vector, diagonal, square, variables};
 use nalgebra::Vector3;
 use num_traits::{One, Zero};
 use tumbling::inertia::point_mass;
-use tumbling::solid::{MassMoments, mesh_moments, tetrahedron_moments};
+use tumbling::laws::mesh_moments;
+use tumbling::solid::{MassMoments, tetrahedron_moments};
 
 fn symbol(name: &str) -> Polynomial {
     Polynomial::variable(name)
