@@ -19,7 +19,7 @@ struct Edit {
     replacement: &'static str,
 }
 
-const TEMPLATE: [Edit; 10] = [
+const TEMPLATE: [Edit; 11] = [
     // mdBook's default, `/`, would break the page for unknown addresses on every disk and on most sites.
     Edit {
         name: "a base only where one was set",
@@ -81,6 +81,11 @@ const TEMPLATE: [Edit; 10] = [
                                 title=\"Show the code, or fold it away\" aria-label=\"Code\" aria-pressed=\"false\">
                             {{fa \"solid\" \"code\"}}
                         </button>\n",
+    },
+    Edit {
+        name: "the description of the search field is there",
+        sought: "aria-describedby=\"searchresults-header\"",
+        replacement: "aria-describedby=\"mdbook-searchresults-header\"",
     },
 ];
 
