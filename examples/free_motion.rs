@@ -4,23 +4,26 @@
 //! `cargo run --example free_motion -- tests/data/free-motion.json`
 //!
 //! The file holds `{"cases": [{"name": ..., "inertia": [3], "w0": [3], "t": [...]}]}`, its numbers as numbers
-//! or as decimal strings. A case that cannot be answered has an `error` in place of its answer.
+//! or as decimal strings. A case that cannot be answered has an `error` in place of its answer, and the program
+//! ends with 1 after answering the others.
 
 use nalgebra::Vector3;
 use serde_json::{Value, json};
 use std::error::Error;
+use std::process::ExitCode;
 use tumbling::PrincipalMoments;
 use tumbling::exact::FreeMotion;
 
-fn main() -> Result<(), Box<dyn Error>> {
+fn main() -> Result<ExitCode, Box<dyn Error>> {
     let file = std::env::args_os().nth(1).ok_or("usage: free_motion CASES.json")?;
     let cases: Value = serde_json::from_str(&std::fs::read_to_string(file)?)?;
     let cases = cases["cases"].as_array().ok_or("no list of `cases`")?;
     let answers = cases.iter().map(|case| {
         solve(case).unwrap_or_else(|error| json!({ "name": case["name"], "error": error.to_string() }))
     });
-    println!("{}", json!({ "cases": answers.collect::<Vec<_>>() }));
-    Ok(())
+    let answers: Vec<_> = answers.collect();
+    println!("{}", json!({ "cases": answers }));
+    Ok(ExitCode::from(u8::from(answers.iter().any(|answer| answer.get("error").is_some()))))
 }
 
 fn solve(case: &Value) -> Result<Value, Box<dyn Error>> {

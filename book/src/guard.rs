@@ -15,7 +15,7 @@
 //! - **drawn**: what a caption says may stand in the description inside the drawing, which is made from
 //!   computed values. The words for a figure bring no other number, and in the drawing's order.
 //!
-//! How certain a number is, the calls in its assertion show: `exactly(x)` is exact, `enclosed(x)` an interval,
+//! The calls in an assertion show how certain its number is: `exactly(x)` is exact, `enclosed(x)` an interval;
 //! all else is computed in floats. Where an assertion says a string again that the section's code asserts
 //! already, but of an exact number or an interval, the better one counts: see `certainty`.
 //!
