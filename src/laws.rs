@@ -1,5 +1,5 @@
-//! The library's laws on any number that only proofs call: `crates/proofs` runs these very functions on
-//! algebraic symbols, as it does the other laws, which stand in their modules.
+//! Laws on any kind of number that are public for proofs alone: `crates/proofs` runs these very functions on
+//! algebraic symbols. The other laws that it runs stand in their modules.
 
 pub use crate::body::Rate;
 pub use crate::solid::mesh::mesh_moments;
