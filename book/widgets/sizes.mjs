@@ -8,7 +8,8 @@ import path from "node:path";
 import { gzipSync } from "node:zlib";
 
 const MOST = { "two-arrows": 8_000 };
-const MOST_TOGETHER = 340_000; // without the judge, which reads files of any kind and size; each has the words of all errors
+// Without the judge, which reads files of any kind and size. Each has the words of all errors, and what steps has all kinds of torques.
+const MOST_TOGETHER = 347_000;
 const [folder, ...names] = process.argv.slice(2);
 
 let together = 0;
