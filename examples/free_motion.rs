@@ -4,8 +4,8 @@
 //! `cargo run --example free_motion -- tests/data/free-motion.json`
 //!
 //! The file holds `{"cases": [{"name": ..., "inertia": [3], "w0": [3], "t": [...]}]}`, its numbers as numbers
-//! or as decimal strings. A case that cannot be answered has an `error` in place of its answer, and the program
-//! ends with 1 after answering the others.
+//! or as decimal strings. A case that cannot be answered has an `error` in place of its answer, and the
+//! program ends with 1 after answering the others.
 
 use nalgebra::Vector3;
 use serde_json::{Value, json};

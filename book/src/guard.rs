@@ -15,9 +15,9 @@
 //! - **drawn**: what a caption says may stand in the description inside the drawing, which is made from
 //!   computed values. The words for a figure bring no other number, and in the drawing's order.
 //!
-//! The calls in an assertion show how certain its number is: `exactly(x)` is exact, `enclosed(x)` an interval;
-//! all else is computed in floats. Where an assertion says a string again that the section's code asserts
-//! already, but of an exact number or an interval, the better one counts: see `certainty`.
+//! The calls in an assertion show how certain its number is: `exactly(x)` is exact, `enclosed(x)` an
+//! interval; all else is computed in floats. Where an assertion says a string again that the section's code
+//! asserts already, but of an exact number or an interval, the better one counts: see `certainty`.
 //!
 //! What follows a number belongs to the phrase: `7.4` does not hold `7.4 m`, nor `0.2 kg` a `0.2 kg m²`, so
 //! that no unit needs to be known here. Minus signs of both kinds are one, a power of ten in TeX is `3e-13`,

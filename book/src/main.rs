@@ -20,7 +20,7 @@ macro_rules! say {
 }
 pub(crate) use say;
 
-/// The same for standard error.
+/// Writes a line to standard error.
 macro_rules! complain {
     ($($arg:tt)*) => {{
         use std::io::Write as _;

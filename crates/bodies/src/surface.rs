@@ -161,7 +161,7 @@ impl Surface {
         sizes.fold(0.0, f64::max)
     }
 
-    /// The same with each vertex moved.
+    /// This surface with each vertex moved.
     #[must_use]
     pub fn mapped(&self, place: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Self {
         Self { vertices: self.vertices.iter().map(place).collect(), ..self.clone() }

@@ -23,7 +23,7 @@ pub trait Precision: sealed::Sealed + Copy {
     #[must_use]
     fn of(x: f64) -> Self;
 
-    /// The same number.
+    /// This number in double precision.
     #[must_use]
     fn get(self) -> f64;
 }

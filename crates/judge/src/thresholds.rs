@@ -33,7 +33,7 @@ pub(crate) const PROBE_ROWS: usize = 2048;
 pub(crate) const PROBE_PAIRS: usize = 256;
 /// Steps held against each rule, evenly from the whole record.
 pub(crate) const TRIED_STEPS: usize = 2048;
-/// The same where each rule's spin has first to be found, step by step.
+/// Steps compared with each rule where its spin must first be found, step by step.
 pub(crate) const TRIED_TURNS: usize = 256;
 /// Share of the pairs of rows that must be one step apart for a rule to be named.
 pub(crate) const TRIED_SHARE: f64 = 0.25;
@@ -119,7 +119,7 @@ pub(crate) const TURNS_AGREE: f64 = 0.05;
 pub(crate) const NEARER_READING: f64 = 0.2;
 /// Cosine between changes of spin and the law's, from which on attitudes alone are read as named.
 pub(crate) const LAW_AGREES: f64 = 0.8;
-/// The same from which on the law alone names another reading.
+/// Cosine from which on the law alone names another reading.
 pub(crate) const LAW_DECIDES: f64 = 0.98;
 /// By how much more of that cosine a rarer reading is preferred: mirror images tie but for rounding.
 pub(crate) const LAW_BETTER: f64 = 1e-3;
@@ -148,13 +148,13 @@ pub(crate) const TURN_LEFT: f64 = 1e-6;
 pub(crate) const STEPS_BEFORE_A_JUMP: u64 = 8;
 /// Jump of spin or turn, as a share of the spin: less may be a rule's error.
 pub(crate) const JUMP: f64 = 0.2;
-/// The same, in angles turned a step: the law itself changes the spin by no more than one.
+/// Jump of spin, in angles turned a step: the law itself changes the spin by no more than one.
 pub(crate) const JUMP_IN_TURNS: f64 = 3.0;
-/// The same, relative to the errors of the steps before.
+/// Jump, relative to the errors of the steps before.
 pub(crate) const JUMP_IN_ERRORS: f64 = 100.0;
 /// A turn of a slow body that is a jump, in angles turned a step.
 pub(crate) const THROWN_IN_TURNS: f64 = 20.0;
-/// The same, in roundings.
+/// A turn of a slow body that is a jump, in roundings.
 pub(crate) const THROWN_IN_ROUNDINGS: f64 = 1e3;
 /// Turn of a step, rad, beyond which the straight difference of turn and spin says nothing.
 pub(crate) const SHORT_TURN: f64 = 1.0;
@@ -183,7 +183,7 @@ pub(crate) const ON_AXIS: f64 = 8.0;
 pub(crate) const TURN_ROUNDINGS: f64 = 8.0;
 /// Roundings in a law kept: of the numbers, and of each step.
 pub(crate) const LAW_ROUNDINGS: [f64; 2] = [32.0, 4.0];
-/// The same for laws that are a product or an angle of two such.
+/// How many times these for laws that are a product of two such numbers, or an angle between two vectors.
 pub(crate) const LAW_OF_TWO: f64 = 2.0;
 
 // How an error grows.
@@ -205,7 +205,7 @@ pub(crate) const EXPONENTIAL_FROM: f64 = 0.125;
 pub(crate) const OF_ITSELF: [f64; 2] = [0.05, 0.5];
 /// Powers of e in a second beyond which the time of a tenfold is plainer than a factor.
 pub(crate) const STEEP: f64 = 7.0;
-/// The same below which hundredths are plainer than a factor.
+/// Powers of e in a second below which hundredths are plainer than a factor.
 pub(crate) const GENTLE: f64 = 0.1;
 
 // Which rule made the steps.
@@ -213,18 +213,18 @@ pub(crate) const GENTLE: f64 = 0.1;
 /// Roundings within which steps are a rule's own: half of them, and 95 in 100; a step may multiply its
 /// rounding.
 pub(crate) const FITS: [f64; 2] = [100.0, 1e4];
-/// The same for numbers of single precision, of which a rule that is another is not so far.
+/// Roundings of single precision within which steps are a rule's own: another rule is off by fewer of these.
 pub(crate) const FITS_SINGLE: [f64; 2] = [8.0, 64.0];
-/// The same for few decimal digits, which are off by half a unit and no more.
+/// Roundings of few decimal digits within which they are: each is off by half a unit at most.
 pub(crate) const FITS_FEW: [f64; 2] = [2.0, 16.0];
-/// The same for the exact motion, to which any accurate rule comes near.
+/// Roundings within which steps are those of the exact motion, to which any accurate rule comes near.
 pub(crate) const FITS_EXACT: [f64; 2] = [8.0, 256.0];
 /// Rounding from which on it is that of decimal digits, not of an engine's double precision.
 pub(crate) const FITS_FEW_FROM: f64 = 5e-15;
 /// Roundings within which the steps of a rule are its own, and not those of one that is close to it: the
 /// recorded engines' are within six, a tensor frozen at an attitude within ten.
 pub(crate) const CLOSELY: [f64; 2] = [16.0, 64.0];
-/// The same for numbers of single precision.
+/// Roundings of single precision within which they are its own, and not those of a rule that is close to it.
 pub(crate) const CLOSELY_SINGLE: [f64; 2] = [4.0, 64.0];
 /// How many times as large as what a rule leaves of it, and as the rounding, the error must be that the rule
 /// explains: rules of one order differ by a tenth of their errors and more, but for chance; and where numbers
@@ -232,9 +232,9 @@ pub(crate) const CLOSELY_SINGLE: [f64; 2] = [4.0, 64.0];
 pub(crate) const ERROR_ABOVE: [f64; 2] = [32.0, 1e3];
 /// How far from the best, as factors, rules still explain a record alike: half of the steps, and 95 in 100.
 pub(crate) const ALIKE: [f64; 2] = [2.0, 4.0];
-/// The same in roundings.
+/// How far from the best, in roundings, rules still explain a record alike.
 pub(crate) const ALIKE_ROUNDINGS: [f64; 2] = [8.0, 64.0];
-/// The same in roundings of few decimal digits.
+/// How far from the best, in roundings of few decimal digits.
 pub(crate) const ALIKE_FEW: [f64; 2] = [2.0, 16.0];
 /// Error of half of the steps, relative to the spin, below which a rule may be named though it does not fit.
 pub(crate) const NEAR: f64 = 0.01;

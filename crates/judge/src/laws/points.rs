@@ -12,7 +12,7 @@ pub struct Point {
     pub time: f64,
     /// The energy's error, as a share of the first row's: of all rows the one largest in size.
     pub energy: f64,
-    /// The same of the momentum's length.
+    /// The error of the momentum's length, as a share of the first row's: the one largest in size.
     pub momentum: f64,
     /// The greatest angle between the momentum and the first one in the world, rad, where there are
     /// attitudes.
@@ -25,7 +25,7 @@ pub struct Point {
     pub exact: Vector3<f64>,
     /// The least of each component of the spin in any of the rows, and the greatest.
     pub spin_range: [Vector3<f64>; 2],
-    /// The same of the exact motion at these rows.
+    /// The least and the greatest of each component of the exact motion's spin at these rows.
     pub exact_range: [Vector3<f64>; 2],
 }
 

@@ -261,7 +261,7 @@ fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bool) -> Vec<
     let rules = match in_the_clear(&found, floor) {
         _ if !free => Vec::new(),
         None => in_parts(per_row, !sought),
-        // The same steps by other rules.
+        // Other rules may make equal steps.
         Some(parts) => of_parts(parts),
     };
     if !rules.is_empty() {

@@ -31,7 +31,7 @@ pub enum Base {
     Engine(PhysicsEngine),
     /// The spin in the world by the body's tensor as it stood at the identity.
     FrozenTensor(Steps),
-    /// The same by the tensor as it stood at this attitude, the record's first.
+    /// The spin in the world by the body's tensor as it stood at this attitude, the record's first.
     FrozenAt(Quaternion<f64>, Steps),
     /// The momentum, divided by this one number, turns the body.
     MomentumForSpin(f64),
@@ -141,7 +141,7 @@ impl Base {
         }
     }
 
-    /// The same rule in this number of parts.
+    /// This rule with this number of parts a step.
     pub(crate) const fn in_parts(self, parts: u32) -> Self {
         match self {
             Self::Method(method, _) => Self::Method(method, parts),
