@@ -364,7 +364,7 @@ mod tests {
             ("moments = [1, 2, 2]\nmass = 0", "line 2, `mass`: the mass is 0.0: it must be above zero"),
             ("moments = [1, 2, nan]", "line 1, `moments`"),
             ("mass = 'a'", "line 1, `mass`: a number is expected here, not string \"a\""),
-            ("moments = [1, 2]", "line 1, `moments`: numbers in a list: 3"),
+            ("moments = [1, 2]", "line 1, `moments`: a list of numbers, its length 3"),
             ("shape = 3", "line 1, `shape`: a string is expected here, not integer `3`"),
             ("[[part]]\nmass = [1]", "line 2, `mass`: a number is expected here, not sequence"),
             (

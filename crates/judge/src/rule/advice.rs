@@ -112,7 +112,7 @@ impl Advice {
     }
 
     const KEEPS_LAWS: Self =
-        with(STEPS, "A method that keeps what it says it keeps; what is left is an error of phase.");
+        with(STEPS, "The method conserves what it should; what is left is an error of phase.");
 
     const fn of_method(method: Method) -> Self {
         match method {

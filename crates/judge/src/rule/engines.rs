@@ -18,7 +18,7 @@ const RULE_ALONE: PhysicsEngine = PhysicsEngine {
 };
 
 /// Engines and what they do to a free body. The recorded ones are followed step by step in
-/// `tests/engines_recorded.rs`; of the others the rule is known, and neither the last digits nor their
+/// `tests/judge/engines_recorded.rs`; of the others the rule is known, and neither the last digits nor their
 /// limits.
 ///
 /// ```

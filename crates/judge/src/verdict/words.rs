@@ -1,4 +1,4 @@
-//! The sentences for what is found, one for each, whether a page, a program or a terminal shows it.
+//! The sentences of complaints, notes and resets: one for each, on a page, in a program or on a terminal.
 
 use crate::laws::{Complaint, Reset};
 use crate::read::Note;
