@@ -4,7 +4,8 @@ use super::method::Method;
 use Conserved as C;
 use Method as M;
 
-/// A method's name, order and conserved quantities in free motion: the order is proven, and each quantity is tested.
+/// A method's name, and its order and conserved quantities in free motion: the order is proven, and each
+/// quantity is tested.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct MethodInfo {
     /// Its usual name.
