@@ -45,7 +45,7 @@ impl System<f64> {
     /// A body with these principal moments under all of `torques` together.
     ///
     /// # Errors
-    /// As [`free`](Self::free), or a torque that is not valid.
+    /// As [`free`](Self::free), a torque that is not valid, or torques whose sum is beyond `f64`.
     pub fn with(moments: PrincipalMoments, torques: Vec<Torque<f64>>) -> Result<Self, Error> {
         for &moment in &moments.vector() {
             let inverse = 1.0 / moment;
@@ -54,7 +54,12 @@ impl System<f64> {
             }
         }
         torques.iter().try_for_each(Torque::validate)?;
-        Ok(Self::of_numbers(moments.vector(), torques))
+        let system = Self::of_numbers(moments.vector(), torques);
+        let value = system.sum.largest();
+        if !value.is_finite() {
+            return Err(Refusal::OutOfRange { what: Subject::Torque, value }.into());
+        }
+        Ok(system)
     }
 }
 

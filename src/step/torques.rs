@@ -6,7 +6,8 @@ use crate::number::{Analytic, Field};
 use alloc::vec::Vec;
 use nalgebra::{Matrix3, Vector3};
 
-/// The sum of torques. So their order changes nothing.
+/// The sum of torques, so that the order of those that are added to one number or vector changes rounding
+/// alone. Functions and torques with a time act one after another in a kick, in their order.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Torques<T: nalgebra::Scalar> {
     /// Constant in body axes, N m.
@@ -112,6 +113,18 @@ impl<T: Field> Torques<T> {
             });
             self.world = axes.collect();
         }
+    }
+}
+
+impl Torques<f64> {
+    /// A bound on what constant, periodic and world-fixed torques can be together, N m, and on each
+    /// coefficient: infinite where a sum overflows.
+    pub(crate) fn largest(&self) -> f64 {
+        let world = self.world.iter().map(|one| 3.0 * one.torque.amax() * one.vector.amax());
+        let periodic = self.periodic.iter().map(|one| one.amplitude.amax());
+        let timed = self.timed.iter().map(|one| one.torques.largest());
+        let coefficients = self.damping.amax().max(self.dissipation);
+        (self.constant.amax() + world.chain(periodic).chain(timed).sum::<f64>()).max(coefficients)
     }
 }
 

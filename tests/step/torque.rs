@@ -204,3 +204,45 @@ fn implicit_euler_with_the_damping_inside_never_turns_the_momentum_round() {
         assert!(end.momentum.z > 0.0);
     }
 }
+
+/// Two torques of a kind act as one of twice the size, in values and in kicks.
+#[test]
+fn two_torques_of_a_kind_are_one_of_twice_the_size() {
+    let (x, y) = (Vector3::new(0.3, -0.2, 0.7), Vector3::new(-0.1, 0.8, 0.4));
+    let kinds: [fn(f64, Vector3<f64>, Vector3<f64>) -> Torque<f64>; 8] = [
+        |size, x, _| Torque::InBody(x * size),
+        |size, x, _| Torque::InWorld(x * size),
+        |size, x, y| Torque::Aligning { arm: x * size, field: y },
+        |size, x, _| Torque::Damping(x.abs() * size),
+        |size, _, _| Torque::Dissipation(0.1 * size),
+        |size, x, y| Torque::GravityGradient { strength: size, direction: x.normalize(), orbit: y },
+        |size, x, _| Torque::Periodic { amplitude: x * size, rate: 2.0, phase: 0.3 },
+        |size, x, _| Torque::during(-1.0, 1.0, Torque::InBody(x * size)),
+    ];
+    for (number, kind) in kinds.iter().enumerate() {
+        let moments: PrincipalMoments = Vector3::new(1.0, 2.0, 2.6).try_into().unwrap();
+        let [both, one] = [vec![kind(1.0, x, y); 2], vec![kind(2.0, x, y)]]
+            .map(|torques| System::with(moments, torques).unwrap());
+        let attitude = UnitQuaternion::from_scaled_axis(Vector3::new(0.4, -1.1, 0.6)).into_inner();
+        let state = State { attitude, momentum: Vector3::new(0.9, -0.4, 1.3) };
+        let torque = one.torque(&state);
+        assert!(torque.norm() > 0.01 && (both.torque(&state) - torque).norm() < 1e-15, "{number}");
+        let kick = |system: &System<f64>| system.kick(&state, 0.1).momentum;
+        assert!((kick(&both) - kick(&one)).norm() < 1e-15, "{number}");
+    }
+}
+
+#[test]
+fn torques_whose_sum_no_number_holds_are_refused() {
+    let moments: PrincipalMoments = Vector3::new(1.0, 2.0, 2.6).try_into().unwrap();
+    let large = Vector3::new(1e308, -1e308, 0.0);
+    for torques in [
+        vec![Torque::InBody(large); 2],
+        vec![Torque::InBody(large), Torque::InWorld(large)],
+        vec![Torque::Aligning { arm: large, field: large.yxz() }],
+        vec![Torque::during(0.0, 1.0, Torque::InBody(large)), Torque::InBody(large)],
+        vec![Torque::Damping(large.abs()); 2],
+    ] {
+        assert!(System::with(moments, torques.clone()).is_err(), "{torques:?}");
+    }
+}

@@ -89,7 +89,7 @@ fn reworded(message: &str) -> (Option<String>, String) {
         "f64" => "a number".to_owned(),
         "a sequence" => "a list".to_owned(),
         "struct Table" => "a table".to_owned(),
-        other => other.replace("an array of length ", "a list of numbers, its length "),
+        other => other.to_owned(),
     };
     let found = found.trim_start_matches("invalid type: ").trim_start_matches("invalid ");
     (None, format!("{expected} is expected here, not {found}"))

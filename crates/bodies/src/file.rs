@@ -343,6 +343,15 @@ mod tests {
         BodyModel::from_toml(text, Path::new(""))
     }
 
+    /// A lone point off the origin of its axes: a quarter turn about z takes its centre from x to y.
+    #[test]
+    fn a_part_that_is_turned_takes_its_centre_along() {
+        let part = "[[part]]\npoints = [[1, 0, 0, 2]]\nturn = [0, 0, 1, 90]\nat = [0, 0, 3]";
+        let other = "[[part]]\nsides = [1, 2, 3]\nmass = 2";
+        let found = body(&format!("{part}\n{other}")).unwrap();
+        assert!((found.centre - Vector3::new(0.0, 0.5, 1.5)).norm() < 1e-15, "{}", found.centre);
+    }
+
     #[test]
     fn what_is_wrong_is_named_with_its_line_and_its_field() {
         for (text, words) in [
@@ -364,7 +373,14 @@ mod tests {
             ("moments = [1, 2, 2]\nmass = 0", "line 2, `mass`: the mass is 0.0: it must be above zero"),
             ("moments = [1, 2, nan]", "line 1, `moments`"),
             ("mass = 'a'", "line 1, `mass`: a number is expected here, not string \"a\""),
-            ("moments = [1, 2]", "line 1, `moments`: a list of numbers, its length 3"),
+            ("moments = [1, 2]", "line 1, `moments`: 3 numbers are expected here, not 2"),
+            ("moments = [1, 2, 2.5, 0]", "line 1, `moments`: 3 numbers are expected here, not 4"),
+            ("moments = [1, 2, 2.5]\nproducts = [0, 0, 0, 1]", "line 2, `products`: 3 numbers are expected"),
+            ("points = [[1, 0, 0, 0, 9]]", "line 1, `points`: 4 numbers are expected here, not 5"),
+            (
+                "shape = 'tetrahedron'\nmass = 1\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]",
+                "line 3, `vertices`: 3 lists are too many or too few here",
+            ),
             ("shape = 3", "line 1, `shape`: a string is expected here, not integer `3`"),
             ("[[part]]\nmass = [1]", "line 2, `mass`: a number is expected here, not sequence"),
             (

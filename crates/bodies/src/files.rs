@@ -9,6 +9,9 @@ use std::path::Path;
 /// The most bytes that are read of texts: of one, and of all that one text names together.
 const TEXT: u64 = 16 << 20;
 
+/// The most files that one text names, each as often as it is named: what they say takes time to read.
+const FILES: u64 = 10_000;
+
 /// The most bytes that are read of meshes.
 const MESH: u64 = 256 << 20;
 
@@ -26,13 +29,14 @@ pub(crate) struct Files<'a> {
 
 #[derive(Debug)]
 pub(crate) struct Left {
+    files: Cell<u64>,
     text: Cell<u64>,
     mesh: Cell<u64>,
 }
 
 impl Default for Left {
     fn default() -> Self {
-        Self { text: Cell::new(TEXT), mesh: Cell::new(MESH) }
+        Self { files: Cell::new(FILES), text: Cell::new(TEXT), mesh: Cell::new(MESH) }
     }
 }
 
@@ -53,6 +57,10 @@ impl<'a> Files<'a> {
     }
 
     pub(crate) fn text(&self, path: &Path) -> Result<String, Error> {
+        let files = &self.left.files;
+        files.set(files.get().checked_sub(1).ok_or_else(|| {
+            Error::new(format!("files that name files: at most {FILES} are read")).in_file(path)
+        })?);
         String::from_utf8(read(path, TEXT, &self.left.text)?).map_err(|error| {
             let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
             let line = Some(before.iter().filter(|&&byte| byte == b'\n').count() + 1);

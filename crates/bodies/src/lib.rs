@@ -54,4 +54,4 @@ pub use files::read_text;
 pub use model::BodyModel;
 pub use scene::SceneBodies;
 pub use surface::Surface;
-pub use table::{Spin, Table};
+pub use table::{Spin, Table, list};

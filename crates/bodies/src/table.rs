@@ -1,6 +1,7 @@
 //! The fields of a body in a file, and which of them an error is about.
 
 use serde::Deserialize;
+use serde::de::{Deserializer, Error};
 use std::ops::Range;
 use toml::Spanned;
 use tumbling::Subject;
@@ -16,13 +17,18 @@ pub struct Table {
     pub(crate) inner: Option<Spanned<f64>>,
     pub(crate) height: Option<Spanned<f64>>,
     pub(crate) length: Option<Spanned<f64>>,
+    #[serde(default, deserialize_with = "list")]
     pub(crate) semiaxes: Option<Spanned<[f64; 3]>>,
+    #[serde(default, deserialize_with = "lists")]
     pub(crate) vertices: Option<Spanned<[[f64; 3]; 4]>>,
+    #[serde(default, deserialize_with = "lists")]
     pub(crate) points: Option<Spanned<Vec<[f64; 4]>>>,
     pub(crate) mesh: Option<Spanned<String>>,
     pub(crate) unit: Option<Spanned<f64>>,
     pub(crate) part: Option<Spanned<Vec<Spanned<Table>>>>,
+    #[serde(default, deserialize_with = "list")]
     pub(crate) moments: Option<Spanned<[f64; 3]>>,
+    #[serde(default, deserialize_with = "list")]
     pub(crate) products: Option<Spanned<[f64; 3]>>,
     pub(crate) tolerance: Option<Spanned<f64>>,
     pub(crate) urdf: Option<Spanned<String>>,
@@ -31,13 +37,47 @@ pub struct Table {
     /// How fast it spins.
     pub spin: Option<Spanned<Spin>>,
     /// Of a body in a scene: its angular momentum in world axes, kg m²/s.
+    #[serde(default, deserialize_with = "list")]
     pub momentum: Option<Spanned<[f64; 3]>>,
     /// Of a body in a scene: body to world, a unit quaternion, scalar part first.
+    #[serde(default, deserialize_with = "list")]
     pub attitude: Option<Spanned<[f64; 4]>>,
     pub(crate) mass: Option<Spanned<f64>>,
     pub(crate) density: Option<Spanned<f64>>,
+    #[serde(default, deserialize_with = "list")]
     pub(crate) at: Option<Spanned<[f64; 3]>>,
+    #[serde(default, deserialize_with = "list")]
     pub(crate) turn: Option<Spanned<[f64; 4]>>,
+}
+
+/// A list of just this number of numbers: an array by itself would leave the rest of a longer list unread.
+///
+/// # Errors
+/// A list of more or fewer.
+pub fn list<'de, D: Deserializer<'de>, const N: usize>(
+    from: D,
+) -> Result<Option<Spanned<[f64; N]>>, D::Error> {
+    let found = Spanned::<Vec<f64>>::deserialize(from)?;
+    Ok(Some(Spanned::new(found.span(), whole(found.into_inner()).map_err(D::Error::custom)?)))
+}
+
+/// Lists of just this number of numbers each: as many as `L` takes.
+fn lists<'de, D, L, const N: usize>(from: D) -> Result<Option<Spanned<L>>, D::Error>
+where
+    D: Deserializer<'de>,
+    L: TryFrom<Vec<[f64; N]>>,
+{
+    let found = Spanned::<Vec<Vec<f64>>>::deserialize(from)?;
+    let (span, count) = (found.span(), found.get_ref().len());
+    let all: Result<Vec<_>, _> = found.into_inner().into_iter().map(whole).collect();
+    let all = L::try_from(all.map_err(D::Error::custom)?);
+    let all = all.map_err(|_| D::Error::custom(format!("{count} lists are too many or too few here")))?;
+    Ok(Some(Spanned::new(span, all)))
+}
+
+fn whole<const N: usize>(numbers: Vec<f64>) -> Result<[f64; N], String> {
+    let found = numbers.len();
+    numbers.try_into().map_err(|_| format!("{N} numbers are expected here, not {found}"))
 }
 
 /// How fast a body spins, rad/s.

@@ -52,7 +52,7 @@ fn a_wrong_file_is_refused_by_line_field_and_what_was_expected() {
         ),
         (refusal("span = 1.0", "times = [1.0]"), "line 2, `times`: either `times` or `every` and `span`"),
         (refusal("\"spin\"", "\"spni\""), "line 4, `wants`: `spni` is not known here. Did you mean `spin`?"),
-        (refusal("[1, 2.0, 2.5]", "[1, 2.0]"), "line 7, `moments`: a list of numbers, its length 3"),
+        (refusal("[1, 2.0, 2.5]", "[1, 2.0]"), "line 7, `moments`: 3 numbers are expected here, not 2"),
         (refusal("2.5]", "inf]"), "line 7, `moments`: inf is no finite number"),
         (refusal("2.5]", "1e999]"), "line 7"),
         (refusal("0.1, 1.0", "1e-400, 1.0"), "line 8, `spin`: 1e-400 is closer to zero"),

@@ -6,7 +6,7 @@ use std::ops::Range;
 use toml::Spanned;
 use tumbling::Subject;
 use tumbling::step::Torque;
-use tumbling_bodies::Error;
+use tumbling_bodies::{Error, list};
 
 type Vector = Option<Spanned<[f64; 3]>>;
 type Number = Option<Spanned<f64>>;
@@ -14,18 +14,28 @@ type Number = Option<Spanned<f64>>;
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 pub(super) struct TorqueTable {
+    #[serde(default, deserialize_with = "list")]
     in_body: Vector,
+    #[serde(default, deserialize_with = "list")]
     in_world: Vector,
+    #[serde(default, deserialize_with = "list")]
     arm: Vector,
+    #[serde(default, deserialize_with = "list")]
     field: Vector,
+    #[serde(default, deserialize_with = "list")]
     moment: Vector,
+    #[serde(default, deserialize_with = "list")]
     rest: Vector,
     stiffness: Number,
+    #[serde(default, deserialize_with = "list")]
     damping: Vector,
     dissipation: Number,
+    #[serde(default, deserialize_with = "list")]
     toward: Vector,
+    #[serde(default, deserialize_with = "list")]
     orbit: Vector,
     strength: Number,
+    #[serde(default, deserialize_with = "list")]
     amplitude: Vector,
     rate: Number,
     phase: Number,
