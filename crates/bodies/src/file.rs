@@ -343,10 +343,11 @@ mod tests {
         BodyModel::from_toml(text, Path::new(""))
     }
 
-    /// A lone point off the origin of its axes: a quarter turn about z takes its centre from x to y.
+    /// Two points on x: a quarter turn about z takes their centre from x to y.
     #[test]
     fn a_part_that_is_turned_takes_its_centre_along() {
-        let part = "[[part]]\npoints = [[1, 0, 0, 2]]\nturn = [0, 0, 1, 90]\nat = [0, 0, 3]";
+        let part =
+            "[[part]]\npoints = [[0.5, 0, 0, 1], [1.5, 0, 0, 1]]\nturn = [0, 0, 1, 90]\nat = [0, 0, 3]";
         let other = "[[part]]\nsides = [1, 2, 3]\nmass = 2";
         let found = body(&format!("{part}\n{other}")).unwrap();
         assert!((found.centre - Vector3::new(0.0, 0.5, 1.5)).norm() < 1e-15, "{}", found.centre);
