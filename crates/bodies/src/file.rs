@@ -347,7 +347,7 @@ mod tests {
     #[test]
     fn a_part_that_is_turned_takes_its_centre_along() {
         let part =
-            "[[part]]\npoints = [[0.5, 0, 0, 1], [1.5, 0, 0, 1]]\nturn = [0, 0, 1, 90]\nat = [0, 0, 3]";
+            "[[part]]\npoints = [[1, 0.5, 0, 0], [1, 1.5, 0, 0]]\nturn = [0, 0, 1, 90]\nat = [0, 0, 3]";
         let other = "[[part]]\nsides = [1, 2, 3]\nmass = 2";
         let found = body(&format!("{part}\n{other}")).unwrap();
         assert!((found.centre - Vector3::new(0.0, 0.5, 1.5)).norm() < 1e-15, "{}", found.centre);
