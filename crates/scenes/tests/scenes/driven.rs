@@ -177,7 +177,7 @@ fn a_driven_scene_of_which_nothing_is_requested_computes_nothing() {
     let body = InitialState::spinning(Vector3::new(1.0, 2.0, 2.5), Vector3::new(3.0, 5.0, 2.0));
     let scene = one(body, damped.clone(), Times::every(0.1, 100.0), Outputs::NOTHING, 1e-9);
     let plan = scene.plan(0).unwrap();
-    assert!(plan.strategy() == Strategy::Nothing && plan.cost().once < 2000.0, "{}", plan.explain());
+    assert!(plan.strategy() == Strategy::Nothing && plan.cost().once < 3000.0, "{}", plan.explain());
     // And the attitude, not requested, refines no step.
     let cost = |outputs| {
         one(body, damped.clone(), Times::every(0.1, 5.0), outputs, 1e-7).plan(0).unwrap().cost().state
