@@ -83,9 +83,9 @@ impl<T: Analytic + Copy> Law<T> {
         let place = known.unwrap_or(self.periodic_count);
         let one = self.periodic.get_mut(place)?;
         (one.rate, one.rate_in_units) = (torque.rate, torque.rate * unit);
-        for i in 0..4 {
-            one.cosine[i] += acceleration[i] * cosine;
-            one.sine[i] -= acceleration[i] * sine;
+        for (i, &component) in acceleration.iter().enumerate() {
+            one.cosine[i] += component * cosine;
+            one.sine[i] -= component * sine;
         }
         self.periodic_count = self.periodic_count.max(place + 1);
         Some(())
