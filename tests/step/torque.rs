@@ -6,6 +6,9 @@ use tumbling::PrincipalMoments;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, State, System, Torque};
 
+/// A torque of this size, from two vectors.
+type Kind = fn(f64, Vector3<f64>, Vector3<f64>) -> Torque<f64>;
+
 type Step = dyn Fn(&System<f64>, &State<f64>, f64) -> State<f64>;
 
 /// Every method that goes to the truth.
@@ -209,7 +212,7 @@ fn implicit_euler_with_the_damping_inside_never_turns_the_momentum_round() {
 #[test]
 fn two_torques_of_a_kind_are_one_of_twice_the_size() {
     let (x, y) = (Vector3::new(0.3, -0.2, 0.7), Vector3::new(-0.1, 0.8, 0.4));
-    let kinds: [fn(f64, Vector3<f64>, Vector3<f64>) -> Torque<f64>; 8] = [
+    let kinds: [Kind; 8] = [
         |size, x, _| Torque::InBody(x * size),
         |size, x, _| Torque::InWorld(x * size),
         |size, x, y| Torque::Aligning { arm: x * size, field: y },
