@@ -48,8 +48,8 @@ export async function arrowsDrawn(page, set, shown, wants) {
     const axes = [[0, 1], [1, 2], [0, 2]][between].map((i) => order[i]);
     const momentum = [all[axes[0]] * Math.cos(angle / DEGREES), all[axes[1]] * Math.sin(angle / DEGREES)];
     const to = Math.atan2(momentum[1], momentum[0]) * DEGREES;
-    const told = (await Promise.all(["spin", "momentum", "gap"].map((what) => shown(page, "two-arrows", what)))).map(read);
-    says(`the numbers are ${told}`, near(told[0], angle, 0.051) && near(told[1], to, 0.051) && near(told[2], to - angle, 0.051));
+    const displayed = (await Promise.all(["spin", "momentum", "gap"].map((what) => shown(page, "two-arrows", what)))).map(read);
+    says(`the numbers are ${displayed}`, near(displayed[0], angle, 0.051) && near(displayed[1], to, 0.051) && near(displayed[2], to - angle, 0.051));
 
     const drawing = await parts(page, "#live-two-arrows svg");
     const [point] = withClasses(drawing, "live-point");
@@ -72,8 +72,8 @@ export async function arrowsDrawn(page, set, shown, wants) {
     const [from, end] = [polar([x, y]), polar([toX, toY])];
     says(`the arc goes from ${from[1]} to ${end[1]}`, near(from[1], angle, 0.1) && near(end[1], to, 0.1) && near(from[0], r, 0.1));
     says(`the arc lies inside both arrows: ${r}, ${omega[0]}, ${l[0]}`, r < omega[0] && r < 0.95 * l[0]);
-    const label = drawing.all.find(({ text }) => text === `${told[2].toFixed(1)}°`);
-    says("the gap is told in the drawing", told[2] < 8 || label !== undefined);
+    const label = drawing.all.find(({ text }) => text === `${displayed[2].toFixed(1)}°`);
+    says("the gap stands in the drawing", displayed[2] < 8 || label !== undefined);
     const [ring] = withClasses(drawing, "live-ring");
     says("a ring and a word show what can be dragged", near(polar([ring.cx, ring.cy])[0], omega[0], 0.1) &&
       near(polar([ring.cx, ring.cy])[1], angle, 0.1) && ring.colour !== "none" && drawing.all.some(({ text }) => text === "drag"));
@@ -112,17 +112,17 @@ export async function boxDrawn(page, set, shown, wants) {
     const inertia = moments(edges, mass);
     const momentum = inertia.map((moment, i) => moment * spin[i]);
     const gap = Math.acos(Math.min(1, dot(spin, momentum) / length(spin) / length(momentum))) * DEGREES;
-    const told = Object.fromEntries(await Promise.all(["moments", "momentum", "gap", "circled"].map(async (what) => [what, await shown(page, "your-box", what)])));
+    const displayed = Object.fromEntries(await Promise.all(["moments", "momentum", "gap", "circled"].map(async (what) => [what, await shown(page, "your-box", what)])));
     const same = (text, right) => numbers(text).length === 3 && numbers(text).every((x, i) => near(x, right[i], 0.00051));
-    says(`moments ${told.moments}, momentum ${told.momentum}, gap ${told.gap}`,
-      same(told.moments, inertia) && same(told.momentum, momentum) && near(read(told.gap), gap, 0.051));
+    says(`moments ${displayed.moments}, momentum ${displayed.momentum}, gap ${displayed.gap}`,
+      same(displayed.moments, inertia) && same(displayed.momentum, momentum) && near(read(displayed.gap), gap, 0.051));
     const order = [0, 1, 2].sort((i, j) => inertia[i] - inertia[j]);
     const moving = spin.filter((x) => x !== 0).length > 1;
     // Inside the separatrix, 2 E I2 > L², it goes round the axis of the smallest moment.
     const round = order[dot(spin, momentum) * inertia[order[1]] > dot(momentum, momentum) ? 0 : 2];
     const words = moving ? [`circles the axis ${"xyz"[round]}, of the ${round === order[0] ? "smallest" : "largest"} moment`, "for ever"] : on;
-    for (const word of words) says(`"${told.circled}" says "${word}"`, told.circled.includes(word));
-    if (!moving) says(`"${told.circled}" says one thing`, told.circled.includes("flip") !== told.circled.includes("wobble"));
+    for (const word of words) says(`"${displayed.circled}" says "${word}"`, displayed.circled.includes(word));
+    if (!moving) says(`"${displayed.circled}" says one thing`, displayed.circled.includes("flip") !== displayed.circled.includes("wobble"));
 
     const drawing = await parts(page, "#live-your-box svg");
     const [width, height] = drawing.size;
@@ -214,21 +214,21 @@ export async function stepsDrawn(page, set, shown, wants, methods) {
     const count = COUNTS[step];
     const h = 10 / count;
     const says = (what, holds) => wants(`${method}, start ${start}, ${count} steps: ${what}`, holds);
-    const told = Object.fromEntries(await Promise.all(["step", "attitude", "better", "slope", "order", "energy", "length", "keeps"].map(async (what) => [what, await shown(page, "steps", what)])));
-    says(`its step is told as ${told.step}`, as(told.step, h) && told.step.endsWith(` ${count} steps`));
-    says(`its order is ${told.order}`, told.order === `${power}${method === "implicit midpoint" ? ", implicit" : ""}`);
+    const displayed = Object.fromEntries(await Promise.all(["step", "attitude", "better", "slope", "order", "energy", "length", "keeps"].map(async (what) => [what, await shown(page, "steps", what)])));
+    says(`its step is shown as ${displayed.step}`, as(displayed.step, h) && displayed.step.endsWith(` ${count} steps`));
+    says(`its order is ${displayed.order}`, displayed.order === `${power}${method === "implicit midpoint" ? ", implicit" : ""}`);
     const keeps = { "explicit Euler": /^nothing$/, "Runge-Kutta 4": /^nothing$/, "implicit midpoint": /^the energy, \|L\|/ }[method];
-    says(`it keeps ${told.keeps}`, keeps.test(told.keeps));
+    says(`it keeps ${displayed.keeps}`, keeps.test(displayed.keeps));
     const long = step === 16;
     const right = method === "explicit Euler" ? eulerErrors(SPINS[start], count) : null;
     if (right && !long) {
-      says(`energy is off by ${told.energy}, |L| by ${told.length}`, as(told.energy, right.energy) && as(told.length, right.length));
+      says(`energy is off by ${displayed.energy}, |L| by ${displayed.length}`, as(displayed.energy, right.energy) && as(displayed.length, right.length));
     }
-    if (method === "implicit midpoint") says(`it keeps what it is said to: ${told.energy}, ${told.length}`, !(read(told.energy) > 1e-12) && !(read(told.length) > 1e-12));
-    if (long) says(`its slope is ${told.slope}`, told.slope === "none: the step is too long" || told.slope === "none to see");
+    if (method === "implicit midpoint") says(`it keeps what it is said to: ${displayed.energy}, ${displayed.length}`, !(read(displayed.energy) > 1e-12) && !(read(displayed.length) > 1e-12));
+    if (long) says(`its slope is ${displayed.slope}`, displayed.slope === "none: the step is too long" || displayed.slope === "none to see");
     else {
-      says(`its slope is ${told.slope}`, near(read(told.slope), power, 0.25));
-      says(`half the step is ${told.better}`, near(Math.log2(read(told.better)), read(told.slope), 0.25));
+      says(`its slope is ${displayed.slope}`, near(read(displayed.slope), power, 0.25));
+      says(`half the step is ${displayed.better}`, near(Math.log2(read(displayed.better)), read(displayed.slope), 0.25));
     }
 
     // The spin along the middle axis, recorded and exact, on one scale.
@@ -252,7 +252,7 @@ export async function stepsDrawn(page, set, shown, wants, methods) {
       says(`what the method does is off by ${off}`, ran.numbers.length === 2 * (count + 1) && off < 0.03);
     }
     const key = await page.locator("#live-steps .live-key-exact + span").evaluate((span) => [span.textContent, getComputedStyle(span, "::before").borderBlockStartColor]);
-    says(`the key calls it "${key}", drawn ${ran?.colour}`, key[1] === ran?.colour && key[0].includes("astray") === !(read(told.energy) < 0.1 && read(told.attitude) < 90));
+    says(`the key calls it "${key}", drawn ${ran?.colour}`, key[1] === ran?.colour && key[0].includes("astray") === !(read(displayed.energy) < 0.1 && read(displayed.attitude) < 90));
 
     // The errors, by the names at the axes.
     const errors = await parts(page, "#live-steps [data-drawing=errors]");
@@ -274,9 +274,9 @@ export async function stepsDrawn(page, set, shown, wants, methods) {
       const marks = withClasses(errors, "live-mark", `live-curve-${kind}`).map(middle[kind]);
       const chosen = marks.find(([, , large]) => large);
       const clamp = (x) => Math.max(-16, Math.min(4, x > 0 ? Math.log10(x) : -16));
-      const size = told[kind] === "nothing" ? 0 : read(told[kind]);
-      // The attitude is told to one digit.
-      if (!long) says(`${kind} stands at ${chosen && error(chosen[1])}, told as ${told[kind]}`, chosen && near(error(chosen[1]), clamp(size), kind === "attitude" ? 0.2 : 0.025) && near(stepAt(chosen[0]), Math.log10(h), 0.01));
+      const size = displayed[kind] === "nothing" ? 0 : read(displayed[kind]);
+      // The attitude is shown to one digit.
+      if (!long) says(`${kind} stands at ${chosen && error(chosen[1])}, shown as ${displayed[kind]}`, chosen && near(error(chosen[1]), clamp(size), kind === "attitude" ? 0.2 : 0.025) && near(stepAt(chosen[0]), Math.log10(h), 0.01));
       const [drawn] = withClasses(errors, "live-curve", `live-curve-${kind}`);
       const points = Array.from({ length: (drawn?.numbers.length ?? 0) / 2 }, (_, i) => [stepAt(drawn.numbers[2 * i]), error(drawn.numbers[2 * i + 1])]);
       says(`${kind} has its curve of ${points.length} points`, points.length >= 6);
@@ -300,6 +300,6 @@ export async function stepsDrawn(page, set, shown, wants, methods) {
       says("and goes through the error", near(y1 + (stepAt(x) - x1) * (y2 - y1) / (x2 - x1), error(y), 0.05));
     } else says("there is a dotted line", long);
     const slope = texts.find(({ text }) => text.startsWith("slope "));
-    says(`the drawing says ${slope?.text}`, long ? slope === undefined : slope?.text === `slope ${told.slope}`);
+    says(`the drawing says ${slope?.text}`, long ? slope === undefined : slope?.text === `slope ${displayed.slope}`);
   }
 }

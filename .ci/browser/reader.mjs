@@ -151,7 +151,7 @@ export async function questions(open, base, pages, fault) {
           await wrong.focus();
           await page.keyboard.press("Enter");
         }
-        wants(`a wrong choice is told: ${await box.locator("[role=status]").textContent()}`, /^\s*No\. /.test(await box.locator("[role=status]").textContent()));
+        wants(`a wrong choice is called wrong: ${await box.locator("[role=status]").textContent()}`, /^\s*No\. /.test(await box.locator("[role=status]").textContent()));
         wants("the right one is marked", (await box.locator(".question-right").textContent()).trim() === right && (await box.locator(".question-wrong").count()) === 1);
       } else {
         const slider = box.locator("input");

@@ -7,7 +7,7 @@ import { frames } from "./hands.mjs";
 export async function judge(page, wants) {
   const [verdict, wrong] = ["#live-judge .live-verdict", "#live-judge .live-wrong"];
   /** Waits for either; returns its text. */
-  async function told(selector, pattern) {
+  async function waitForText(selector, pattern) {
     try {
       await page.waitForFunction(([s, p]) => {
         const e = document.querySelector(s);
@@ -18,19 +18,19 @@ export async function judge(page, wants) {
     }
   }
   await page.click("#judge-go");
-  await told(wrong, "the file is empty");
+  await waitForText(wrong, "the file is empty");
   await set(page, "#judge-text", "t,wx,wy,wz\n0,1,2,3\n1,1,2\n");
   await page.click("#judge-go");
-  await told(wrong, "line 3");
+  await waitForText(wrong, "line 3");
   await set(page, "#judge-text", "t,wx,wy,wz\n0,1,2,3\n1,1,2,3\n2,1,2,3\n");
   await page.click("#judge-go");
-  await told(wrong, "moments are not known");
+  await waitForText(wrong, "moments are not known");
   await set(page, "#judge-moments", "1, 2");
-  await told(wrong, "three numbers");
+  await waitForText(wrong, "three numbers");
   await set(page, "#judge-moments", "1 2 3");
-  await told(verdict, "no gyroscopic term");
+  await waitForText(verdict, "no gyroscopic term");
   await set(page, "#judge-threshold", "-1");
-  await told(wrong, "above zero");
+  await waitForText(wrong, "above zero");
   await set(page, "#judge-threshold", "0.01");
   await set(page, "#judge-moments", "");
 
@@ -39,7 +39,7 @@ export async function judge(page, wants) {
   const [, three] = readme.match(/```text\n(# inertia[^]*?)```/);
   await set(page, "#judge-text", three);
   await page.click("#judge-go");
-  await told(verdict, "^Too short to judge: the lines above[^]*eight rows at least");
+  await waitForText(verdict, "^Too short to judge: the lines above[^]*eight rows at least");
   const ink = () => page.locator(`${verdict} .live-outcome`).evaluate((line) => [getComputedStyle(line).color, getComputedStyle(line.parentElement).color]);
   const plain = await ink();
   wants(`what did not fail has the colour of the text: ${plain}`, plain[0] === plain[1]);
@@ -48,7 +48,7 @@ export async function judge(page, wants) {
   let rows = "# engine: <img src=x onerror=alert(1)>\n# inertia: 1 2 3\nt,wx,wy,wz\n";
   for (let i = 0; i < 60000; i += 1) rows += `${0.01 * i},0.1,2,0.1\n`;
   await page.setInputFiles("#judge-file", { name: "large.csv", mimeType: "text/csv", buffer: Buffer.from(rows) });
-  await told(verdict, "large.csv[^]*60000 rows");
+  await waitForText(verdict, "large.csv[^]*60000 rows");
   const red = await ink();
   wants(`what failed has a colour of its own: ${red}`, red[0] !== red[1] && red[1] === plain[1]);
   wants("what a record says is no markup", (await page.locator(`${verdict} img`).count()) === 0);
@@ -60,13 +60,13 @@ export async function judge(page, wants) {
     return data;
   });
   await page.dispatchEvent("#live-judge .live-drop", "drop", { dataTransfer: data });
-  await told(verdict, "Nothing to judge: dropped.csv");
+  await waitForText(verdict, "Nothing to judge: dropped.csv");
 
   // The picture. Every part has a place, and every curve its name.
   const picture = `${verdict} svg.live-picture`;
   async function drawn(name, lines, pattern, { curves, says, words }) {
     await page.setInputFiles("#judge-file", { name, mimeType: "text/csv", buffer: Buffer.from(lines) });
-    await told(verdict, pattern);
+    await waitForText(verdict, pattern);
     if ((await page.locator(picture).count()) !== 1) return wants(`${name} has one picture`, false);
     try {
       await page.waitForFunction((s) => document.querySelectorAll(`${s} path`).length > 0, picture, { timeout: 60000 });
@@ -93,7 +93,7 @@ export async function judge(page, wants) {
       wants(`${name}: ${curve} has its name beside it`, seen.says.some((text) => text.startsWith(label)));
     }
     for (const text of says) wants(`${name} says "${text}", not "${seen.says}"`, seen.says.some((said) => said.includes(text)));
-    for (const text of words) wants(`${name} is told as "${text}", not "${seen.words}"`, seen.words.includes(text));
+    for (const text of words) wants(`${name} is shown as "${text}", not "${seen.words}"`, seen.words.includes(text));
     return seen;
   }
   const head = "# inertia: 1 2 3\nt,wx,wy,wz\n";
@@ -108,7 +108,7 @@ export async function judge(page, wants) {
   });
   // 1.5 times as fast every tenth of a second is 1.5^10 = 57.7 times as fast a second: so is |L|, and energy 57.7^2 = 3325 times.
   const rates = await page.locator(`${verdict} td:last-child`).allTextContents();
-  wants(`blown.csv: growth is told plainly, not as ${rates.slice(0, 2)}`,
+  wants(`blown.csv: growth is said plainly, not as ${rates.slice(0, 2)}`,
     rates[0].includes("grows tenfold every 0.284 s") && rates[1].includes("grows by a factor of 57.7 a second"));
   wants("blown.csv: no rate is a logarithm", rates.every((text) => !/e-?\d/.test(text)));
   wants("blown.csv: its curves go on to the end", grown?.curves.recorded?.split("L").length > 100);
@@ -136,26 +136,26 @@ export async function judge(page, wants) {
   // Options: limits by law, and a fitted start.
   const good = new URL("../../../crates/judge/data/mujoco-4.0.0-rk4--middle.csv", import.meta.url);
   await page.setInputFiles("#judge-file", fileURLToPath(good));
-  await told(verdict, "Passed: mujoco");
+  await waitForText(verdict, "Passed: mujoco");
   await set(page, "#judge-threshold", "0.5, momentum=1e-6");
-  await told(verdict, "Failed: mujoco");
+  await waitForText(verdict, "Failed: mujoco");
   await page.waitForFunction((s) => [...document.querySelectorAll(`${s} text`)].filter((t) => / may$/.test(t.textContent)).length === 2, picture)
     .catch(() => wants("limits of their own are drawn by name", false));
   for (const [limits, says] of [["energy=0", "above zero"], ["mass=1", "there is no law `mass`"], ["energy=", "above zero"]]) {
     await set(page, "#judge-threshold", limits);
-    await told(wrong, says);
+    await waitForText(wrong, says);
   }
   for (const law of ["energy", "momentum", "direction", "unit", "separatrix", "phase", "consistency"]) {
     await set(page, "#judge-threshold", `${law}=0.125`);
-    await told(verdict, `${{ momentum: "\\|L\\|", unit: "length", separatrix: "2 E I₂", consistency: "turn against spin" }[law] ?? law}[^,;]* within 0.125`);
+    await waitForText(verdict, `${{ momentum: "\\|L\\|", unit: "length", separatrix: "2 E I₂", consistency: "turn against spin" }[law] ?? law}[^,;]* within 0.125`);
   }
   await set(page, "#judge-threshold", "0.01");
   await set(page, "#judge-fit", "1");
-  await told(wrong, "two at least");
+  await waitForText(wrong, "two at least");
   await set(page, "#judge-fit", "16");
-  await told(verdict, "fitted to the first 16 rows");
+  await waitForText(verdict, "fitted to the first 16 rows");
   await set(page, "#judge-fit", "");
-  await told(verdict, "Passed: mujoco");
+  await waitForText(verdict, "Passed: mujoco");
 
   // A long record: how far it is read is shown, and said no more than by quarters; another file ends it, and so does a button.
   const several = await Promise.all(["mujoco-4.0.0-rk4--middle", "rapier3d-f64-0.36.1--major"].map(async (name) =>
@@ -180,9 +180,9 @@ export async function judge(page, wants) {
     return log;
   });
   wants("a file over the heading is taken", await long("main h1"));
-  await told(reading, "Judging long.csv: [\\d.]+ of 13\\.\\d MB are read");
+  await waitForText(reading, "Judging long.csv: [\\d.]+ of 13\\.\\d MB are read");
   await page.setInputFiles("#judge-file", several[0]);
-  await told(verdict, "Passed: mujoco");
+  await waitForText(verdict, "Passed: mujoco");
   wants("the long record has ended", !(await page.isVisible(reading)));
   await frames(page, 60);
   wants("and does not come back", /Passed: mujoco/.test(await page.textContent(verdict)) && !(await page.isVisible(reading)));
@@ -198,11 +198,11 @@ export async function judge(page, wants) {
     watch.observe(document.querySelector("#live-judge"), { subtree: true, childList: true, attributes: true });
   });
   await long("body");
-  await told(wrong, "Stopped: long.csv is not judged");
+  await waitForText(wrong, "Stopped: long.csv is not judged");
   wants("stopped, it shows no verdict, and the keyboard has its place", !(await page.isVisible(verdict)) && !(await page.isVisible(reading)) &&
     await page.evaluate(() => document.activeElement.id === "judge-go"));
   await long("#live-judge");
-  await told(verdict, "long.csv[^]*800000 rows");
+  await waitForText(verdict, "long.csv[^]*800000 rows");
   const { says, shows } = await log.jsonValue();
   wants(`of long records it is said how far they are: ${says.join(" | ")}`, says.some((text) => text.startsWith("Judging long.csv: ")));
   wants(`and not more than five times each: ${says.join(" | ")}`, says.filter((text) => text.startsWith("Judging")).length <= 15);
@@ -221,42 +221,42 @@ export async function judge(page, wants) {
   // Several at once: a line for each, and the whole of the one that is chosen.
   const records = "#live-judge .live-records";
   await page.setInputFiles("#judge-file", [...several, { name: "<b>none</b>.csv", mimeType: "text/csv", buffer: Buffer.from("t,wx\n0,1\n") }]);
-  await told(records, "Cannot be judged");
+  await waitForText(records, "Cannot be judged");
   const each = await page.locator(`${records} li`).allTextContents();
   wants(`each has its line: ${each}`, each.length === 3 && /^mujoco.*Passed: Every law.*Every step/.test(each[0]) &&
     /^rapier.*Failed: Energy .*Every step is made by: rescaled/.test(each[1]) && /^<b>none<\/b>.*Cannot be judged: line /.test(each[2]));
-  await told(verdict, "Passed: mujoco");
+  await waitForText(verdict, "Passed: mujoco");
   await page.setInputFiles("#judge-file", [several[0], { name: "three.csv", mimeType: "text/csv", buffer: Buffer.from(three) }]);
-  await told("#live-judge .live-said", "2 records: 1 passed, 1 too short to judge");
+  await waitForText("#live-judge .live-said", "2 records: 1 passed, 1 too short to judge");
   wants("each has its line, the short one too", /Too short to judge: /.test(await page.locator(`${records} li`).last().textContent()));
   await page.setInputFiles("#judge-file", [...several, { name: "<b>none</b>.csv", mimeType: "text/csv", buffer: Buffer.from("t,wx\n0,1\n") }]);
-  await told(records, "Cannot be judged");
-  await told(verdict, "Passed: mujoco");
+  await waitForText(records, "Cannot be judged");
+  await waitForText(verdict, "Passed: mujoco");
   await page.locator(`${records} button`).first().focus();
   await page.keyboard.press("Tab");
   await page.keyboard.press("Enter");
-  await told(verdict, "Failed: rapier");
+  await waitForText(verdict, "Failed: rapier");
   wants("the keyboard stays with the list", await page.evaluate((s) => document.activeElement.closest(s) !== null, records));
   wants("one of them is shown as chosen", String(await page.locator(`${records} button`).evaluateAll((all) =>
     all.map((button) => button.getAttribute("aria-pressed")))) === "false,true,false");
   await page.click(`${records} li:last-child button`);
-  await told(wrong, "<b>none</b>.csv: line ");
+  await waitForText(wrong, "<b>none</b>.csv: line ");
   await page.click(`${records} li:nth-child(2) button`);
   await set(page, "#judge-threshold", "0.5");
-  await told(verdict, "Passed: rapier");
+  await waitForText(verdict, "Passed: rapier");
   await set(page, "#judge-threshold", "0.01");
-  await told(verdict, "Failed: rapier");
+  await waitForText(verdict, "Failed: rapier");
 
   // Dropped before the widget has come into view.
   await page.reload();
   await page.evaluate(() => scrollTo(0, 0));
   await long("main h1");
-  await told(verdict, "long.csv[^]*800000 rows");
+  await waitForText(verdict, "long.csv[^]*800000 rows");
 
   // The example is the record that the chapter reads.
   await page.locator("#judge-example").focus();
   await page.keyboard.press("Enter");
-  await told(verdict, "the example");
+  await waitForText(verdict, "the example");
   const example = (await page.textContent(verdict)).replace(/\s+/g, " ");
   const words = await page.textContent("main");
   const [, from, to] = example.match(/goes from ([\d.]+) to ([\d.]+)/) ?? [];

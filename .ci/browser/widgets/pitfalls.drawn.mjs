@@ -18,7 +18,7 @@ async function engines(page, wants, name) {
     return [...stage.querySelectorAll(".live-engine")].map((row, which) => {
       const tip = ["cx", "cy"].map((x) => Number(row.querySelector(".live-tip").getAttribute(x)));
       const axis = row.querySelector(".live-axis").getAttribute("d").match(/[\d.]+/g).map(Number);
-      // As many steps as the drawing has gone: from it alone the count cannot be told where steps are small beside a pixel.
+      // As many steps as the drawing has gone: from it alone the count cannot be read where steps are small beside a pixel.
       const count = Math.round(time / step);
       let found = engines.answer(0, ...start, which);
       const first = Array.from(found.slice(0, 24));
@@ -77,9 +77,9 @@ async function engines(page, wants, name) {
     // Its readouts: what is off by less than a thousandth is kept.
     const { energy, angle, flips } = row.shown;
     const met = [Math.min(row.low, 1), Math.max(row.high, 1)].filter((ratio) => Math.abs(ratio - 1) >= 1e-3).map((ratio) => 100 * (ratio - 1));
-    const told = energy === "kept" ? [] : energy.split("/").map(read);
+    const displayed = energy === "kept" ? [] : energy.split("/").map(read);
     wants(`${says}: its energy goes from ${row.low} to ${row.high}, shown as ${energy}`,
-      told.length === met.length && told.every((part, k) => near(part, met[k], Math.max(0.51, 0.006 * Math.abs(met[k])))));
+      displayed.length === met.length && displayed.every((part, k) => near(part, met[k], Math.max(0.51, 0.006 * Math.abs(met[k])))));
     const kept = row.angle * Math.PI / 180 < 1e-3 && Math.abs(row.length - 1) < 1e-3;
     const longer = 100 * (row.length - 1);
     const words = kept ? ["kept", 0, 0]

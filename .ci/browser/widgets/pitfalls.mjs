@@ -63,7 +63,7 @@ export async function pitfalls(page, wants) {
       wants(`body ${body}, spin ${spin}, push ${push}, step ${step}: everything has a number and a place`, !(await broken(page, "pitfalls")));
     }
   }
-  wants("a screen reader is told of the step", /s$/.test(await page.getAttribute("#pitfalls-step", "aria-valuetext")));
+  wants("a screen reader gets the step", /s$/.test(await page.getAttribute("#pitfalls-step", "aria-valuetext")));
   await pitfallsDrawn(page, wants, set);
 
   // Asleep it has the room that it takes awake: what a link leads to below it stays where it is.

@@ -45,7 +45,7 @@ export async function steps(page, wants) {
   await page.locator(step).focus();
   await page.keyboard.press("ArrowRight");
   wants(`an arrow key lengthens the step: ${await shown(page, "steps", "step")}`, (await shown(page, "steps", "step")).endsWith("141 steps"));
-  wants("a screen reader is told", /Attitude off by/.test(await page.getAttribute(step, "aria-valuetext")));
+  wants("a screen reader gets the answer", /Attitude off by/.test(await page.getAttribute(step, "aria-valuetext")));
   await page.keyboard.press("ArrowLeft");
   wants(...await said(page, "steps", /Runge-Kutta 4, step 0.050 s/));
 }

@@ -106,7 +106,7 @@ export async function top(page, wants) {
   const address = page.url().replace(/#.*/, "");
   await page.keyboard.press("ArrowRight");
   wants(`an arrow key spins it faster: ${await tell("spin")}`, (await tell("spin")) === "205 rad/s" && page.url().startsWith(address));
-  wants("a screen reader is told", (await page.getAttribute("#top-spin", "aria-valuetext")) === "205 rad/s");
+  wants("a screen reader gets the answer", (await page.getAttribute("#top-spin", "aria-valuetext")) === "205 rad/s");
   await topPlay(page, wants);
 }
 

@@ -44,7 +44,7 @@ export async function toss(page, wants) {
   wants("and the book is seen from elsewhere", (await canvas.evaluate((canvas) => canvas.toDataURL())) !== before);
 }
 
-/** Where motion is welcome the book tumbles as soon as it is seen, and stops when told to. */
+/** Where motion is welcome the book tumbles as soon as it is seen, and stops at a press. */
 export async function tossPlay(page, wants) {
   const t = () => page.locator("#live-toss canvas").evaluate((canvas) => canvas.shows.t);
   await page.waitForFunction(() => document.querySelector("#live-toss canvas").shows.t > 0.05)

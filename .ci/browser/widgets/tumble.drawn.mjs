@@ -180,8 +180,8 @@ export async function tumbleRolls(page, wants, set) {
     await set(page, "#tumble-body", which);
     for (const [k, id] of ["a", "b", "c"].entries()) await set(page, `#tumble-${id}`, values[k]);
     const wrong = page.locator("#live-tumble .live-wrong");
-    const told = (await wrong.isVisible()) ? await wrong.textContent() : "";
-    wants(`own body ${which}, ${values}: it says "${told}", not "${says}"`, says === "" ? told === "" : told.includes(says));
+    const complaint = (await wrong.isVisible()) ? await wrong.textContent() : "";
+    wants(`own body ${which}, ${values}: it says "${complaint}", not "${says}"`, says === "" ? complaint === "" : complaint.includes(says));
     await set(page, "#tumble-a", 1);
   }
   wants("a body with two equal moments never flips", /never/.test(await page.textContent("#live-tumble [data-shows=beat]")));
@@ -213,7 +213,7 @@ export async function tumbleRolls(page, wants, set) {
   await set(page, "#tumble-tilt", 22);
 }
 
-/** The tumble's time: one loop however often the button is pressed, as fast as told, at rest out of sight. */
+/** The tumble's time: one loop however often the button is pressed, as fast as is set, at rest out of sight. */
 export async function tumblePlayed(page, wants, set) {
   const before = await page.evaluate(() => (matchMedia("(prefers-reduced-motion: reduce)").matches ? "reduce" : "no-preference"));
   const [play, time] = ["#tumble-play", "#live-tumble [data-shows=time]"];

@@ -44,7 +44,7 @@ export async function tumble(page, wants) {
   const number = (text) => parseFloat(text.replace("−", "-"));
   const along = async () => number(await shown(page, "tumble", "spin"));
   const wrong = "#live-tumble .live-wrong";
-  const told = async () => ((await page.isVisible(wrong)) ? page.textContent(wrong) : "nothing");
+  const complaint = async () => ((await page.isVisible(wrong)) ? page.textContent(wrong) : "nothing");
   const picture = (what) => tumblePicture(page, what);
   /** How high above the middle the marked end stands: the mean height of the points in its colour. */
   const marked = () => page.locator("#live-tumble [data-draws=body]").evaluate((canvas) => {
@@ -227,7 +227,7 @@ export async function tumble(page, wants) {
   await page.locator("#tumble-scrub").focus();
   for (let i = 0; i < 3; i += 1) await page.keyboard.press("ArrowRight");
   wants("arrow keys move time", (await shown(page, "tumble", "time")) !== far[2] && (await picture("body")) !== before);
-  wants("a screen reader is told", /s, \d+ flips so far/.test(await page.getAttribute("#tumble-scrub", "aria-valuetext")));
+  wants("a screen reader gets the answer", /s, \d+ flips so far/.test(await page.getAttribute("#tumble-scrub", "aria-valuetext")));
   await page.click("#tumble-reset");
   wants("back to the start", (await shown(page, "tumble", "time")) === "0.00 s");
 
@@ -272,7 +272,7 @@ export async function tumble(page, wants) {
   await set(page, "#tumble-time", "-5");
   wants(`before the start no flip has been yet: ${await all()}`, (await shown(page, "tumble", "flips")) === "none: 2 from here to the start");
   await set(page, "#tumble-spin-number", "1e-150");
-  wants(`a spin of 1e-150 is told: ${await all()}`, (await shown(page, "tumble", "spin")).startsWith("1.00 · 10⁻¹⁵⁰, 1.00 · 10⁻¹⁵², 0"));
+  wants(`a spin of 1e-150 is shown: ${await all()}`, (await shown(page, "tumble", "spin")).startsWith("1.00 · 10⁻¹⁵⁰, 1.00 · 10⁻¹⁵², 0"));
   await set(page, "#tumble-spin-number", "10");
 
   // No push at all, no spin at all, and what is no number.
@@ -284,9 +284,9 @@ export async function tumble(page, wants) {
     const selector = field === "time" ? "#tumble-time" : `#tumble-${field}-number`;
     await set(page, "#tumble-push-number", "0.01");
     await set(page, selector, value);
-    wants(`${field} = "${value}" is told wrong, by "${says}", not by "${await told()}"`, (await told()).includes(says) && !(await told()).includes("#"));
+    wants(`${field} = "${value}" is called wrong, by "${says}", not by "${await complaint()}"`, (await complaint()).includes(says) && !(await complaint()).includes("#"));
     await set(page, selector, field === "spin" ? 10 : field === "push" ? 0.01 : 0);
-    wants(`${field} put right is right again: ${await told()}`, (await told()) === "nothing");
+    wants(`${field} put right is right again: ${await complaint()}`, (await complaint()) === "nothing");
   }
   for (const [spin, push] of [["-1e9", "1e9"], ["1e9", "1e9"], ["1e9", "-1e9"], ["-1e9", "-1e9"]]) {
     for (const body of [0, 3]) {
@@ -294,7 +294,7 @@ export async function tumble(page, wants) {
       await set(page, "#tumble-spin", spin);
       await set(page, "#tumble-push", push);
       const text = await page.locator("#live-tumble .live-stage").innerText();
-      wants(`body ${body}, spin ${spin}, push ${push}: ${await all()}, ${await told()}`, !/NaN|Infinity|undefined/.test(text) && (await told()) === "nothing");
+      wants(`body ${body}, spin ${spin}, push ${push}: ${await all()}, ${await complaint()}`, !/NaN|Infinity|undefined/.test(text) && (await complaint()) === "nothing");
     }
   }
   await set(page, "#tumble-spin-number", "1e300");

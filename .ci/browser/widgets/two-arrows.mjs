@@ -49,7 +49,7 @@ export async function twoArrows(page, wants) {
   wants("End turns it all the way", (await numbers())[0] === "90.0°");
   await page.keyboard.press("s");
   wants("keys stay with the widget", page.url() === address && !(await page.isVisible("#mdbook-searchbar")));
-  wants("a screen reader is told", /gap/.test(await page.getAttribute(spin, "aria-valuetext")));
+  wants("a screen reader gets the answer", /gap/.test(await page.getAttribute(spin, "aria-valuetext")));
   wants(...await said(page, "two-arrows", /Gap 0\.0°/));
 
   // Dragged fast, far out of the drawing and back.

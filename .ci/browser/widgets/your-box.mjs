@@ -19,7 +19,7 @@ export async function yourBox(page, wants) {
     const before = await page.locator(`#your-box-${field}`).inputValue();
     await set(page, `#your-box-${field}`, value);
     const text = (await page.isVisible(wrong)) ? await page.textContent(wrong) : "nothing";
-    wants(`${field} = "${value}" is told wrong, by "${says}", not by "${text}"`, text.includes(says));
+    wants(`${field} = "${value}" is called wrong, by "${says}", not by "${text}"`, text.includes(says));
     await set(page, `#your-box-${field}`, before);
     wants("put right, it is right again", !(await page.isVisible(wrong)));
   }
