@@ -1,15 +1,18 @@
 //! Lists the proofs with the time each takes, and what their altered laws leave over.
 //!
-//! `cargo run --example proofs [-- mutants]`
+//! `cargo run --example proofs [-- [mutants] [NAME ...]]`
 
 use std::time::Instant;
 use tumbling_proofs::proofs;
 
 fn main() {
-    let with_mutants = std::env::args().any(|argument| argument == "mutants");
+    let mut names: Vec<String> = std::env::args().skip(1).collect();
+    let with_mutants = names.iter().any(|name| name == "mutants");
+    names.retain(|name| name != "mutants");
     let start = Instant::now();
     let (mut count, mut held) = (0, 0);
-    for proof in proofs() {
+    let meant = |name: &str| names.is_empty() || names.iter().any(|word| word == name);
+    for proof in proofs().iter().filter(|proof| meant(proof.name)) {
         let begin = Instant::now();
         let outcome = (proof.check)();
         let time = begin.elapsed();
