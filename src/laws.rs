@@ -3,4 +3,4 @@
 
 pub use crate::body::Rate;
 pub use crate::solid::mesh::mesh_moments;
-pub use crate::step::position_stage::turn::{change_of_spin, conserving_pace, conserving_turn};
+pub use crate::step::position_stage::turn::{change_of_spin, conserving_rate, conserving_turn};

@@ -181,18 +181,18 @@ impl PositionStage {
             + s[1] * (u[3] * s[1] + u[4] * s[2])
             + s[2] * (u[5] * s[2]);
         let twist = twist + more * (1.0 + twist * (17.0 / 14.0));
-        let pace = (1.0 - mean) + series;
+        let rate = (1.0 - mean) + series;
         let k = self.relative.map(|x| 1.0 + x * twist);
-        let root = three(|i| (pace + a[(i + 1) % 3] * a[(i + 2) % 3] * s[i]).sqrt());
+        let root = three(|i| (rate + a[(i + 1) % 3] * a[(i + 2) % 3] * s[i]).sqrt());
         let bend = three(|i| a[i] * (omega[(i + 1) % 3] * h));
         let sum = three(|i| {
             let (j, l) = ((i + 1) % 3, (i + 2) % 3);
-            omega[i] * (pace + root[j] * root[l]) + bend[i] * omega[l] * root[i]
+            omega[i] * (rate + root[j] * root[l]) + bend[i] * omega[l] * root[i]
         });
         let product = root[0] * (root[1] * root[2]) + bend[0] * bend[1] * bend[2];
-        let below = pace * (pace * ((root[0] + root[1]) + root[2]) + product);
+        let below = rate * (rate * ((root[0] + root[1]) + root[2]) + product);
         let scaled = sum.map(|x| x * h);
-        let c = three(|i| k[i] * (scaled[i] * pace));
+        let c = three(|i| k[i] * (scaled[i] * rate));
         let b = three(|i| k[i] * (a[i] * (scaled[(i + 1) % 3] * sum[(i + 2) % 3])));
         let along = (c[0] * b[0] + c[1] * b[1]) + c[2] * b[2];
         let stretched = (below * below + c[0] * c[0]) + (c[1] * c[1] + c[2] * c[2]);

@@ -201,8 +201,8 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
         if !(short && (length - T::one()).abs() <= T::epsilon() * number(32.0)) {
             return Stepped { parts: 0, ..*start };
         }
-        let (pace, weights) = self.coefficients.pace(&omega, h);
-        let turn = conserving_turn(&self.coefficients.coupling, &weights, &omega, &h, &pace, |x| x.sqrt());
+        let (rate, weights) = self.coefficients.rate(&omega, h);
+        let turn = conserving_turn(&self.coefficients.coupling, &weights, &omega, &h, &rate, |x| x.sqrt());
         let (below, [tangents, _]) = turn;
         let [a, b, c] = tangents;
         let stretched = (below * below + a * a) + (b * b + c * c);

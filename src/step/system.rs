@@ -129,14 +129,7 @@ impl<T: Field> System<T> {
 }
 
 impl<T: Analytic> System<T> {
-    /// The sum of all torques in body axes, N m, at the start of a step.
-    #[must_use]
-    #[inline]
-    pub fn torque(&self, motion: &State<T>) -> Vector3<T> {
-        self.torque_after(motion, &T::zero())
-    }
-
-    /// The sum of all torques `time` seconds after the start of a step.
+    /// The sum of all torques in body axes, N m, `time` seconds after the start of a step.
     #[inline]
     pub(crate) fn torque_after(&self, motion: &State<T>, time: &T) -> Vector3<T> {
         if self.is_free() { Vector3::from_fn(|_, _| T::zero()) } else { self.driven(motion, time) }
@@ -176,28 +169,14 @@ impl<T: Analytic> System<T> {
     ///
     /// The torques act one kind after another; the second kick of a step must be
     /// [`adjoint_kick`](Self::adjoint_kick), or the step is not the same backwards, and of first order only.
-    #[must_use]
     #[inline]
-    pub fn kick(&self, motion: &State<T>, h: T) -> State<T> {
+    pub(crate) fn kick(&self, motion: &State<T>, h: T) -> State<T> {
         self.kicked(&self.time, motion, h, false)
     }
 
     /// The second kick of a step of `2 h`: that of the end of the step, with the last kind of torque first.
-    ///
-    /// ```
-    /// use nalgebra::{Quaternion, Vector3};
-    /// use tumbling::PrincipalMoments;
-    /// use tumbling::step::{State, System, Torque};
-    /// let torques = vec![Torque::InBody(Vector3::x()), Torque::Damping(Vector3::new(1.0, 1.0, 1.0))];
-    /// let system = System::with(PrincipalMoments::new(1.0, 1.0, 1.0)?, torques)?;
-    /// let start = State { attitude: Quaternion::identity(), momentum: Vector3::x() };
-    /// let end = system.adjoint_kick(&system.kick(&start, 0.1), -0.1);
-    /// assert!((end.momentum - start.momentum).norm() < 1e-15);
-    /// # Ok::<(), tumbling::Error>(())
-    /// ```
-    #[must_use]
     #[inline]
-    pub fn adjoint_kick(&self, motion: &State<T>, h: T) -> State<T> {
+    pub(crate) fn adjoint_kick(&self, motion: &State<T>, h: T) -> State<T> {
         let end = self.time.clone() + h.clone() + h.clone();
         self.kicked(&end, motion, h, true)
     }

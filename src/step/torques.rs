@@ -239,3 +239,6 @@ fn dissipated<T: Analytic>(momentum: &Vector3<T>, inverse: &Vector3<T>, time: &T
     let back = (square.clone() / shrunk.dot(&shrunk)).sqrt();
     shrunk.map(|x| x * back.clone() * largest.clone())
 }
+
+#[cfg(test)]
+mod tests;

@@ -98,18 +98,11 @@ proptest! {
     }
 
     #[test]
-    fn there_and_back_is_the_start(m in moments(), omega in generic_spin(), t in -100.0..100.0_f64) {
+    fn two_stretches_of_time_are_one(
+        m in moments(), omega in generic_spin(), s in -50.0..50.0_f64, other in -50.0..50.0_f64, back in any::<bool>(),
+    ) {
         prop_assume!(distinct(&m));
-        let there = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap().at(t).unwrap();
-        let back = FreeMotion::new(m.try_into().unwrap(), &there.omega).unwrap().at(-t).unwrap();
-        // A rounding at the far end grows as the motion's own sensitivity, some hundreds here.
-        prop_assert!((back.omega - omega).norm() < 1e-10);
-        prop_assert!(apart(&(there.attitude * back.attitude), &UnitQuaternion::identity()) < 1e-10);
-    }
-
-    #[test]
-    fn two_stretches_of_time_are_one(m in moments(), omega in generic_spin(), s in -50.0..50.0_f64, t in -50.0..50.0_f64) {
-        prop_assume!(distinct(&m));
+        let t = if back { -s } else { other };
         let first = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
         let half = first.at(s).unwrap();
         let then = FreeMotion::new(m.try_into().unwrap(), &half.omega).unwrap().at(t).unwrap();

@@ -24,9 +24,7 @@ fn judge(table: &str) -> BTreeMap<String, [f64; 2]> {
     let cases: Value = serde_json::from_str(table).unwrap();
     let mut worst = BTreeMap::new();
     for case in cases.as_array().unwrap() {
-        let (name, body, q, w) =
-            (case[0].as_str().unwrap(), numbers(&case[1]), numbers(&case[2]), numbers(&case[3]));
-        let top = top_of(&body, &q, &w);
+        let (name, top) = (case[0].as_str().unwrap(), top_of(case));
         let most: &mut [f64; 2] = worst.entry(name.to_owned()).or_default();
         for answer in case[4].as_array().unwrap() {
             let t = answer[0].as_str().unwrap().parse().unwrap();
@@ -44,7 +42,8 @@ fn judge(table: &str) -> BTreeMap<String, [f64; 2]> {
     worst
 }
 
-fn top_of(body: &[f64], q: &[f64], w: &[f64]) -> LagrangeTop {
+fn top_of(case: &Value) -> LagrangeTop {
+    let [body, q, w] = [1, 2, 3].map(|k| numbers(&case[k]));
     let moments = PrincipalMoments::new(body[0], body[0], body[1]).unwrap();
     let attitude = nalgebra::Quaternion::new(q[0], q[1], q[2], q[3]);
     // Directions with few digits are given with a length of their own.
@@ -179,9 +178,7 @@ fn judge_observables(table: &str) -> BTreeMap<String, [f64; 4]> {
     let cases: Value = serde_json::from_str(table).unwrap();
     let mut worst = BTreeMap::new();
     for case in cases.as_array().unwrap() {
-        let (name, body, q, w) =
-            (case[0].as_str().unwrap(), numbers(&case[1]), numbers(&case[2]), numbers(&case[3]));
-        let top = top_of(&body, &q, &w);
+        let (name, top) = (case[0].as_str().unwrap(), top_of(case));
         let [highest, lowest] = top.lean();
         let period = top.period().unwrap().unwrap_or(f64::NAN);
         let most: &mut [f64; 4] = worst.entry(name.to_owned()).or_default();

@@ -2,7 +2,7 @@
 
 use super::{adaptive, apart as off, spinning};
 use crate::common::refused;
-use nalgebra::{Matrix3, Matrix6, Quaternion, UnitQuaternion, Vector3, Vector6};
+use nalgebra::{Matrix3, Matrix6, Quaternion, UnitQuaternion, Vector3};
 use serde_json::Value;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, State, Stepper, System, Torque};
@@ -40,7 +40,7 @@ fn tops_and_a_damped_spin_end_where_sixty_digits_say() {
 
 /// All kinds at once, with four world vectors; and their sum as a function, which takes another
 /// integrator.
-fn all_torques(moments: Vector3<f64>) -> [Vec<Torque<f64>>; 2] {
+pub(super) fn all_torques(moments: Vector3<f64>) -> [Vec<Torque<f64>>; 2] {
     let (body, world) = (Vector3::new(0.1, -0.2, 0.15), Vector3::new(0.05, 0.1, -0.2));
     let arms = [Vector3::new(0.1, 0.3, -0.2), Vector3::new(-0.3, 0.1, 0.1), Vector3::new(0.2, 0.1, 0.4)];
     let fields = [Vector3::new(0.0, 0.5, 1.0), Vector3::new(1.0, 0.2, 0.0), Vector3::new(-0.4, 0.0, 0.8)];
@@ -356,33 +356,6 @@ fn the_state_transition_of_a_free_body_in_steps_is_that_of_the_closed_form() {
     }
     let truth = exact.state_transition(12.0).unwrap();
     assert!((whole - truth).norm() < 1e-10 * truth.norm(), "{:e}", (whole - truth).norm() / truth.norm());
-}
-
-#[test]
-fn the_state_transition_under_torques_is_the_limit_of_differences() {
-    let moments = Vector3::new(1.0, 1.7, 2.4);
-    let [named, _] = all_torques(moments);
-    let inertia = Inertia::from_moments(moments.x, moments.y, moments.z).unwrap();
-    let run = |v: Vector6<f64>| {
-        let attitude = UnitQuaternion::from_euler_angles(0.4, -0.7, 1.1)
-            * UnitQuaternion::from_scaled_axis(v.fixed_rows::<3>(0).into_owned());
-        let omega = Vector3::new(0.5, 1.9, -0.2) + v.fixed_rows::<3>(3);
-        let body = Body::spinning(inertia, attitude, &omega).unwrap();
-        let stepper = Stepper::<f64>::adaptive(&body, 1e-14, 10_000).unwrap();
-        let mut stepper = stepper.with_torques(named.clone()).unwrap();
-        (stepper.step_with_transition(2.0).unwrap(), stepper.body().unwrap())
-    };
-    let (transition, _) = run(Vector6::zeros());
-    for axis in 0..6 {
-        let mut by = Vector6::zeros();
-        by[axis] = 1e-4;
-        let ((_, ahead), (_, behind)) = (run(by), run(-by));
-        let turned = (behind.attitude().inverse() * ahead.attitude()).scaled_axis() / 2e-4;
-        let faster = (ahead.omega_body() - behind.omega_body()) / 2e-4;
-        let column = transition.column(axis);
-        let off = (turned - column.fixed_rows::<3>(0)).norm() + (faster - column.fixed_rows::<3>(3)).norm();
-        assert!(off < 1e-6 * column.norm(), "{axis}: {off:e}");
-    }
 }
 
 /// A body at rest under 2 N m about z has the momentum `2 t`; the torque of the second second is none.

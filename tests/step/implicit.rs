@@ -44,7 +44,7 @@ fn midpoint_misses(system: &System<f64>, from: &State<f64>, end: &State<f64>, h:
         attitude: (from.attitude + end.attitude).normalize(),
         momentum: (from.momentum + end.momentum) / 2.0,
     };
-    let push = mean.momentum.cross(&system.omega(&mean.momentum)) + system.torque(&mean);
+    let push = system.rate(&mean).momentum;
     (end.momentum - from.momentum - push * h).norm() / (end.momentum.norm() + push.norm() * h)
 }
 

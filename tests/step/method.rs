@@ -1,11 +1,12 @@
 //! Every stepping method against the exact motion, and against what it says of itself.
 
-use super::{adaptive, energy, in_world, start};
+use super::{adaptive, energy, finite, in_world, start};
 use crate::common::*;
 use nalgebra::{Quaternion, Vector3};
 use proptest::prelude::*;
+use tumbling::PrincipalMoments;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Method, State, System};
+use tumbling::step::{Method, State, System, Torque, fixed_rate};
 
 /// Errors of spin (relative) and attitude at `t`.
 fn error(method: Method, moments: &Vector3<f64>, omega: &Vector3<f64>, t: f64, count: usize) -> f64 {
@@ -100,15 +101,21 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(512))]
 
     #[test]
-    fn no_input_makes_a_method_panic(moments in any_vector(), momentum in any_vector(), q in [anything(), anything(), anything(), anything()], h in anything()) {
+    fn any_numbers_at_all_give_a_finite_state_or_an_error(
+        moments in any_vector(), momentum in any_vector(), torque in any_vector(), driven in any::<bool>(),
+        q in [anything(), anything(), anything(), anything()], h in anything(),
+    ) {
         let from = State { attitude: Quaternion::new(q[0], q[1], q[2], q[3]), momentum };
+        let torques = if driven { vec![Torque::InWorld(torque), Torque::Damping(torque.abs())] } else { Vec::new() };
+        let on = |moments: PrincipalMoments| System::with(moments, torques.clone()).ok();
+        let sound = on(PrincipalMoments::new(1.0, 2.0, 2.5)?);
         // Also numbers that the constructor refuses.
-        for system in [moments.try_into().and_then(System::free).ok(), Some(System::of_numbers(moments, Vec::new()))].into_iter().flatten() {
+        let systems = [moments.try_into().ok().and_then(on), sound, Some(System::of_numbers(moments, Vec::new()))];
+        for system in systems.into_iter().flatten() {
             for &method in Method::ALL {
-                if let Ok(end) = method.step(&system, &from, h) {
-                    prop_assert!(end.attitude.coords.iter().chain(&end.momentum).all(|x| x.is_finite()), "{method:?} {end:?}");
-                }
+                prop_assert!(method.step(&system, &from, h).map_or(true, |end| finite(&end)), "{method:?}");
             }
+            prop_assert!(fixed_rate(&system, &from, h).map_or(true, |end| finite(&end)));
         }
     }
 }

@@ -10,7 +10,7 @@ use tumbling::step::{Method, State, Stepper, System, Torque};
 fn order(
     method: Option<Method>,
     body: &Body,
-    torque: &Torque<f64>,
+    torques: &[Torque<f64>],
     truth: &State<f64>,
     t: f64,
     count: u32,
@@ -20,7 +20,7 @@ fn order(
             Some(method) => Stepper::new(body, method),
             None => Stepper::fixed_rate(body),
         };
-        let mut stepper = stepper.unwrap().with_torques([torque.clone()]).unwrap();
+        let mut stepper = stepper.unwrap().with_torques(torques.to_vec()).unwrap();
         let end = stepper.run(t / f64::from(count), count as usize).last().unwrap().unwrap();
         apart(&end, truth)
     };
@@ -58,7 +58,7 @@ fn under_a_cosine_torque_about_a_principal_axis_every_method_has_its_order() {
     for method in steppers() {
         let said = claimed(method);
         let count = if said > 3.0 { 16 } else { 256 };
-        let (seen, error) = order(method, &body, &torque, &truth, t, count);
+        let (seen, error) = order(method, &body, std::slice::from_ref(&torque), &truth, t, count);
         // About one axis some errors cancel, and the order is higher.
         assert!(seen > said - 0.2 || error < 1e-12, "{method:?}: {seen}, {error:e}");
         assert!(error < if said > 1.0 { 1e-4 } else { 2e-2 }, "{method:?}: {error:e}");
@@ -85,6 +85,15 @@ fn driven_by_time_attitude_and_spin_every_method_has_its_order() {
     let system = System::with(principal.moments().try_into().unwrap(), vec![turned]).unwrap();
     let end = adaptive(&system, &seen_along(&body.state(), &turn), t, 1e-14, &mut 1_000_000).unwrap();
     let truth = seen_along(&end, &turn.inverse());
+    // And torques with kicks of their own, whose truth is a run by series.
+    let named = [
+        Torque::gravity(&Vector3::new(0.1, 0.0, 0.5), 3.0),
+        Torque::InBody(Vector3::new(0.2, -0.1, 0.3)),
+        Torque::Damping(Vector3::repeat(0.2)),
+        Torque::Dissipation(0.1),
+    ];
+    let run = Stepper::adaptive(&body, 1e-14, 1000).unwrap().with_torques(named.clone());
+    let by_series = run.unwrap().step(t).unwrap();
     for method in steppers() {
         let said = claimed(method);
         let count = if said > 5.5 {
@@ -94,7 +103,9 @@ fn driven_by_time_attitude_and_spin_every_method_has_its_order() {
         } else {
             200
         };
-        let (seen, error) = order(method, &body, &Torque::function(law), &truth, t, count);
-        assert!((seen - said).abs() < 0.3, "{method:?}: {seen} for {said}, {error:e}");
+        for (torques, truth) in [(&[Torque::function(law)][..], &truth), (&named, &by_series)] {
+            let (seen, error) = order(method, &body, torques, truth, t, count);
+            assert!((seen - said).abs() < 0.3, "{method:?}: {seen} for {said}, {error:e}");
+        }
     }
 }

@@ -237,6 +237,27 @@ fn damping_by_axis_of_a_body_with_products_of_inertia_is_refused_and_bad_torques
     assert!(stepper.with_torques([Torque::InBody(Vector3::x() * f64::NAN)]).is_err());
 }
 
+/// A coin, whose two equal moments leave its axes open, has those that it was given along.
+#[test]
+fn damping_by_axis_of_a_body_with_two_equal_moments_acts_along_the_axes_of_its_tensor() {
+    let damping = Torque::Damping(Vector3::new(0.1, 0.2, 0.3));
+    for moments in [[2.0, 2.0, 3.0], [3.0, 2.0, 2.0], [2.0, 3.0, 2.0], [2.0, 2.0, 2.0]] {
+        for axis in 0..3 {
+            let body = spinning(moments, &Vector3::ith(axis, 1.5));
+            let stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000).unwrap();
+            let mut stepper = stepper.with_torques([damping.clone()]).unwrap();
+            let _ = stepper.step(4.0).unwrap();
+            let left = 1.5 * (-[0.1_f64, 0.2, 0.3][axis] * 4.0 / moments[axis]).exp();
+            assert!((stepper.omega() - Vector3::ith(axis, left)).norm() < 1e-11, "{moments:?} {axis}");
+        }
+    }
+    // With the equal ones turned against each other by hardly anything, its axes are no longer known.
+    let turned = Matrix3::new(2.0, 1e-12, 0.0, 1e-12, 2.0, 0.0, 0.0, 0.0, 3.0);
+    let body = Body::spinning(turned.try_into().unwrap(), UnitQuaternion::identity(), &Vector3::x()).unwrap();
+    let refused = Stepper::<f64>::fixed_rate(&body).unwrap().with_torques([damping]);
+    assert_eq!(refused.unwrap_err().kind(), tumbling::ErrorKind::Undefined);
+}
+
 #[test]
 fn a_torque_that_is_not_a_number_is_named_as_the_cause_by_every_method() {
     let body = spinning([1.0, 2.0, 2.5], &Vector3::new(0.1, 2.0, 0.3));

@@ -4,7 +4,7 @@ use super::apart;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use tumbling::PrincipalMoments;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Method, State, System, Torque};
+use tumbling::step::{Method, State, Stepper, System, Torque};
 
 /// A torque of this size, from two vectors.
 type Kind = fn(f64, Vector3<f64>, Vector3<f64>) -> Torque<f64>;
@@ -108,35 +108,22 @@ fn a_torque_that_stands_in_the_world_adds_evenly_to_the_momentum_there() {
     }
 }
 
+/// At 1 s, where a step ends and the next begins, one of two torques acts: the first has ended.
 #[test]
-fn damping_however_strong_slows_a_kick_and_never_turns_it_round() {
-    let moments = Vector3::new(1.0, 2.0, 2.6);
-    let from = State { attitude: Quaternion::identity(), momentum: Vector3::new(1.0, 2.0, -3.0) };
-    for strength in [1e-2, 1.0, 1e2, 1e4, 1e6] {
-        let drag = vec![Torque::Damping(Vector3::new(strength, 0.5 * strength, 2.0 * strength))];
-        let system = System::with(moments.try_into().unwrap(), drag).unwrap();
-        let kicked = system.kick(&from, 1.0);
-        for i in 0..3 {
-            let left = kicked.momentum[i] / from.momentum[i];
-            assert!((0.0..1.0).contains(&left), "{strength}: {left}");
-        }
+fn a_torque_that_takes_over_from_another_is_the_other_one_for_longer() {
+    let (moments, push) = (PrincipalMoments::new(1.0, 2.0, 2.6).unwrap(), Vector3::new(0.3, -0.2, 0.5));
+    let end = |method, times: &[[f64; 2]]| {
+        let torques = times.iter().map(|&[start, end]| Torque::during(start, end, Torque::InBody(push)));
+        let body = super::spinning(moments.vector().into(), &Vector3::new(0.4, 1.5, -0.3));
+        let mut stepper = Stepper::<f64>::new(&body, method).unwrap().with_torques(torques).unwrap();
+        stepper.run(0.25, 8).last().unwrap().unwrap()
+    };
+    for method in [Method::RungeKutta4, Method::RotationSplitting2, Method::MoserVeselov8] {
+        let [two, one] = [&[[0.0, 1.0], [1.0, 3.0]][..], &[[0.0, 3.0]]].map(|times| end(method, times));
+        assert!(super::apart(&two, &one) < 1e-14, "{method:?}: {two:?} {one:?}");
+        let short = end(method, &[[0.0, 1.0]]);
+        assert!(super::apart(&short, &one) > 0.05, "{method:?}: {short:?}");
     }
-}
-
-#[test]
-fn loss_inside_a_body_in_one_long_kick_is_the_limit_of_many_short_ones() {
-    let moments = Vector3::new(1.0, 2.0, 2.6);
-    let system = System::with(moments.try_into().unwrap(), vec![Torque::Dissipation(0.7)]).unwrap();
-    let from = State { attitude: Quaternion::identity(), momentum: Vector3::new(1.0, 0.2, -0.3) };
-    let once = system.kick(&from, 2.0);
-    let many = (0..64).fold(from, |motion, _| system.kick(&motion, 2.0 / 64.0));
-    assert!((once.momentum - many.momentum).norm() < 1e-13);
-    // Its rate at the start is the torque.
-    let h = 1e-6;
-    let rate = (system.kick(&from, h).momentum - system.kick(&from, -h).momentum) / (2.0 * h);
-    assert!((rate - system.torque(&from)).norm() < 1e-8);
-    let far = system.kick(&from, 1e300);
-    assert!((far.momentum - Vector3::new(0.0, 0.0, -from.momentum.norm())).norm() < 1e-15, "{far:?}");
 }
 
 #[test]
@@ -176,24 +163,6 @@ fn a_body_that_drag_brings_to_rest_stays_there_however_long() {
 }
 
 #[test]
-fn dissipation_is_the_same_in_every_unit_of_momentum() {
-    let system = System::of_numbers(Vector3::new(1.0, 2.0, 2.5), vec![Torque::Dissipation(1.0)]);
-    let momentum = Vector3::new(1.0, 0.2, -0.3);
-    let kick = |scale: f64, time: f64| {
-        let start = State { attitude: Quaternion::identity(), momentum: momentum * scale };
-        system.kick(&start, time).momentum / scale
-    };
-    let plain = kick(1.0, 0.7);
-    // Its rate goes with the square of the momentum.
-    assert!((kick(2_f64.powi(40), 0.7 * 2_f64.powi(-80)) - plain).norm() < 1e-15);
-    for scale in [1e-300, 1e-160, 1e160, 1e300] {
-        let still = kick(scale, 0.0);
-        assert!((still - momentum).norm() < 1e-15, "{scale:e}: {still}");
-    }
-    assert!((kick(1e200, 1.0) - Vector3::new(0.0, 0.0, -momentum.norm())).norm() < 1e-15);
-}
-
-#[test]
 fn implicit_euler_with_the_damping_inside_never_turns_the_momentum_round() {
     let moments = Vector3::new(1.0, 2.0, 2.6);
     let from = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.0, 0.0, 1.0) };
@@ -228,10 +197,13 @@ fn two_torques_of_a_kind_are_one_of_twice_the_size() {
             .map(|torques| System::with(moments, torques).unwrap());
         let attitude = UnitQuaternion::from_scaled_axis(Vector3::new(0.4, -1.1, 0.6)).into_inner();
         let state = State { attitude, momentum: Vector3::new(0.9, -0.4, 1.3) };
-        let torque = one.torque(&state);
-        assert!(torque.norm() > 0.01 && (both.torque(&state) - torque).norm() < 1e-15, "{number}");
-        let kick = |system: &System<f64>| system.kick(&state, 0.1).momentum;
-        assert!((kick(&both) - kick(&one)).norm() < 1e-15, "{number}");
+        let [free, rate, other] =
+            [&System::free(moments).unwrap(), &one, &both].map(|system| system.rate(&state).momentum);
+        assert!((rate - free).norm() > 0.01 && (other - rate).norm() < 1e-15, "{number}");
+        // By kicks.
+        let [end, other] =
+            [&one, &both].map(|system| Method::RotationSplitting2.step(system, &state, 0.1).unwrap());
+        assert!((other.momentum - end.momentum).norm() < 1e-14, "{number}");
     }
 }
 

@@ -1,4 +1,5 @@
-//! State transitions about equilibria, where the motion itself stands still and only its derivatives move.
+//! State transitions under torques, about equilibria too, where the motion itself stands still and only its
+//! derivatives move.
 
 use nalgebra::{Matrix6, UnitQuaternion, Vector3, Vector6};
 use tumbling::step::{Stepper, Torque};
@@ -35,7 +36,7 @@ fn differences(omega: Vector3<f64>, torques: &[Torque<f64>], h: f64) -> Matrix6<
 }
 
 #[test]
-fn the_state_transition_of_an_equilibrium_is_the_limit_of_differences() {
+fn the_state_transition_is_the_limit_of_differences_at_an_equilibrium_too() {
     let (none, x, z) = (Vector3::zeros(), Vector3::x(), Vector3::z());
     let cases = [
         (none, vec![], 3.0),
@@ -47,7 +48,9 @@ fn the_state_transition_of_an_equilibrium_is_the_limit_of_differences() {
         // Steps by the pair: two gravity gradients have no series.
         (z, vec![Torque::gravity_gradient(&x, &z), Torque::gravity_gradient(&Vector3::y(), &z)], 3.0),
     ];
-    for (omega, torques, h) in cases {
+    let [every_kind, _] = super::driven::all_torques(Vector3::from(MOMENTS));
+    let driven = (Vector3::new(0.5, 1.9, -0.2), every_kind, 2.0);
+    for (omega, torques, h) in cases.into_iter().chain([driven]) {
         let expected = differences(omega, &torques, h);
         let found = stepper(omega, &torques, Vector6::zeros()).step_with_transition(h).unwrap();
         for axis in 0..6 {

@@ -12,7 +12,7 @@ use toml::de::{DeTable, DeValue, Deserializer};
 pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
     // A field that the whole text lacks is missing at no line.
     let at = |error: toml::de::Error, why: String| match error.span() {
-        Some(span) if span.start > 0 || !why.starts_with("missing") => Error::at(text, &span, why),
+        Some(span) if span.start > 0 || !why.contains("is missing") => Error::at(text, &span, why),
         _ => Error::new(why),
     };
     let root = DeTable::parse(text).map_err(|error| at(error.clone(), error.message().to_owned()))?;
@@ -25,7 +25,9 @@ pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
     found.map_err(|error| {
         let (unknown, why) = reworded(error.message());
         let field = unknown.or_else(|| field_at(root.get_ref(), error.span()?.start));
-        let error = at(error, why);
+        let list = field.as_deref().filter(|name| LISTS.contains(name) && why.contains("expected here"));
+        let hint = list.map(|list| format!(": each table of a list begins with `[[{list}]]`"));
+        let error = at(error, why + &hint.unwrap_or_default());
         match field {
             Some(field) => error.of_field(&field),
             None => error,
@@ -55,6 +57,9 @@ fn bad_number(field: &str, value: &toml::Spanned<DeValue<'_>>) -> Option<(String
     Some((field.to_owned(), value.span(), format!("{number} {why}")))
 }
 
+/// The fields that are lists of tables.
+const LISTS: [&str; 3] = ["body", "part", "torque"];
+
 /// The innermost field whose value is here.
 fn field_at(table: &DeTable<'_>, at: usize) -> Option<String> {
     fn within(value: &DeValue<'_>, at: usize) -> Option<String> {
@@ -81,6 +86,9 @@ fn reworded(message: &str) -> (Option<String>, String) {
             true => (Some(name.to_owned()), format!("no such field.{hint}")),
             false => (None, format!("`{name}` is not known here.{hint}")),
         };
+    }
+    if let Some(name) = message.strip_prefix("missing field ") {
+        return (None, format!("{name} is missing; it stands above the first `[[...]]`"));
     }
     let Some((found, expected)) = message.split_once(", expected ") else {
         return (None, message.to_owned());

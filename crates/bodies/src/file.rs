@@ -15,7 +15,7 @@ use toml::Spanned;
 use tumbling::solid::{Compound, Cuboid, Mesh};
 use tumbling::{Inertia, MassProperties};
 
-/// How many parts a body may have.
+/// How many parts a body may have, and how many solids with those of the files that its parts name.
 const MOST_PARTS: usize = 10_000;
 
 pub(crate) fn read(text: &str, files: &Files<'_>) -> Result<BodyModel, Error> {
@@ -27,7 +27,11 @@ pub(crate) fn read(text: &str, files: &Files<'_>) -> Result<BodyModel, Error> {
             return Err(Error::at(text, &span, why).of_field(field));
         }
     }
-    model(text, &table, &(0..0), files)
+    model(text, &table, &(0..0), files)?.ready().map_err(|error| {
+        let present = table.present();
+        let by = GIVEN_BY.iter().find_map(|(by, _)| present.iter().find(|(field, _)| field == by));
+        by.map_or(error.clone(), |(field, span)| Error::at(text, span, error.why).of_field(field))
+    })
 }
 
 /// The body of a table of a text; the table begins at a place in it.
@@ -84,7 +88,7 @@ impl<'a> Reader<'a> {
             Some(shape) => reader.sizes_of(shape.get_ref())?,
             None => &["sides"][..usize::from(by == "sides")],
         };
-        let always = ["at", "turn", "spin", "momentum", "attitude"];
+        let always = ["name", "at", "turn", "spin", "momentum", "attitude"];
         let goes = |field: &str| field == by || [with, sizes, &always].iter().any(|all| all.contains(&field));
         match reader.present.iter().find(|(field, _)| !goes(field)) {
             Some((field, _)) => Err(reader.wrong(field, format!("it does not go with `{by}`"))),
@@ -192,7 +196,7 @@ impl<'a> Reader<'a> {
         Ok(BodyModel { sides, ..BodyModel::of(properties, vec![surface]) })
     }
 
-    /// The sides, so many of them; none where there are none.
+    /// The sides, which must be of this number; none where there are none.
     fn sides(&self, count: usize) -> Result<Vec<f64>, Error> {
         match self.table.sides.as_ref().map(Spanned::get_ref) {
             Some(sides) if sides.len() != count => {
@@ -243,6 +247,10 @@ impl<'a> Reader<'a> {
             let of_part = MassProperties::new(mass, &found.centre, found.inertia);
             whole = whole.at(of_part.map_err(|error| self.wrong(self.by, error))?, &Vector3::zeros());
             surfaces.extend(found.surfaces);
+            if surfaces.len() > MOST_PARTS {
+                let why = format!("more than {MOST_PARTS} solids: no more are read");
+                return Err(Error::at(self.text, &span, why).of_field("part"));
+            }
         }
         let properties = whole.properties().map_err(|error| self.wrong(self.by, error))?;
         Ok(BodyModel::of(properties, surfaces))
@@ -256,7 +264,12 @@ impl<'a> Reader<'a> {
             Some(tolerance) => Inertia::within(&matrix, *tolerance.get_ref()),
             None => Inertia::try_from(matrix).map(|inertia| (inertia, 0.0)),
         };
-        let (inertia, moved) = found.map_err(|error| self.refused(&error))?;
+        let alone = || products != [0.0; 3] && Inertia::from_moments(xx, yy, zz).is_ok();
+        let (inertia, moved) = found.map_err(|error| match fields_of(error.subject()) {
+            // The moments are right without the products.
+            [] if alone() => self.wrong("products", error),
+            _ => self.refused(&error),
+        })?;
         let mass = self.table.mass.as_ref().map(|mass| *mass.get_ref());
         // Any mass will do where none is given: it is not kept.
         let properties = MassProperties::new(mass.unwrap_or(1.0), &Vector3::zeros(), inertia)
@@ -273,14 +286,14 @@ impl<'a> Reader<'a> {
 
     fn urdf(&self) -> Result<BodyModel, Error> {
         let path = self.files.folder.join(self.table.urdf.as_ref().map_or("", |file| file.get_ref()));
-        let text = self.files.text(&path).map_err(|error| self.wrong(self.by, error))?;
         let link = self.table.link.as_ref().map(|link| link.get_ref().as_str());
         let tolerance = number(&self.table.tolerance);
         if !(tolerance >= 0.0 && tolerance.is_finite()) {
             let why = format!("{tolerance} is not a finite number, zero or above");
             return Err(self.wrong("tolerance", why));
         }
-        urdf::read(&text, link, tolerance).map_err(|error| match link {
+        let read = || urdf::read(&self.files.text(&path)?, link, tolerance);
+        self.files.body(&path, format!("{link:?} within {tolerance}"), read).map_err(|error| match link {
             // Without a line: not an element of the file, but the name that is not in it.
             Some(_) if error.line.is_none() && error.field.as_deref() == Some("link") => {
                 self.wrong("link", error.why)
@@ -380,7 +393,7 @@ mod tests {
             ("points = [[1, 0, 0, 0, 9]]", "line 1, `points`: 4 numbers are expected here, not 5"),
             (
                 "shape = 'tetrahedron'\nmass = 1\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]",
-                "line 3, `vertices`: 3 lists are too many or too few here",
+                "line 3, `vertices`: 4 lists of 3 numbers each are expected here, not 3",
             ),
             ("shape = 3", "line 1, `shape`: a string is expected here, not integer `3`"),
             ("[[part]]\nmass = [1]", "line 2, `mass`: a number is expected here, not sequence"),
@@ -391,7 +404,26 @@ mod tests {
             ("[[part]]\nmoments = [1, 2, 3]", "line 1: `mass` (kg) is missing"),
             ("[[part]]\nsides = [1, 2, 3]\nmass = 1\nturn = [0, 0, 0, 1]", "line 4, `turn`: x, y and z"),
             ("mesh = 'none.stl'\nmass = 1", "line 1, `mesh`: none.stl: it cannot be read"),
-            ("shape = 'rod'\nlength = 1\nmass = 1", "moment"),
+            (
+                "mass = 1\nshape = 'rod'\nlength = 1",
+                "line 2, `shape`: the smallest principal moment, 0.0, is zero",
+            ),
+            (
+                "moments = [0, 0, 0]\nproducts = [0.1, 0, 0]",
+                "line 1, `moments`: the largest moment of inertia is",
+            ),
+            (
+                "moments = [1, 2, 2.5]\nproducts = [5, 0, 0]",
+                "line 2, `products`: the smallest principal moment",
+            ),
+            (
+                "[part]\nsides = [1, 2, 3]",
+                "line 1, `part`: a list is expected here, not map: each table of a list begins with `[[part]]`",
+            ),
+            (
+                "[[body]]\nmoments = [1, 2, 3]",
+                "line 1, `body`: a string is expected here, not sequence: each table of",
+            ),
             ("spin = 0\nmoments = [1, 2, 2]", "line 1, `spin`: 0 rad/s is not above zero"),
             ("[[part]]\nsides = [1, 2, 3]\nmass = 1\nspin = 1", "line 4, `spin`: it is the whole body's"),
             ("points = [[1, 0, 0, 0]]", "line 1, `points`"),

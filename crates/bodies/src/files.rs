@@ -1,16 +1,15 @@
 //! One rule for every file that a command line or another file names: a regular file, of a size that is said.
 
 use crate::error::Error;
-use std::cell::Cell;
+use crate::model::BodyModel;
+use std::cell::{Cell, RefCell};
+use std::collections::HashMap;
 use std::fs::File;
 use std::io::Read as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The most bytes that are read of texts: of one, and of all that one text names together.
 const TEXT: u64 = 16 << 20;
-
-/// The most files that one text names, each as often as it is named: what they say takes time to read.
-const FILES: u64 = 10_000;
 
 /// The most bytes that are read of meshes.
 const MESH: u64 = 256 << 20;
@@ -18,7 +17,10 @@ const MESH: u64 = 256 << 20;
 /// How deep bodies may be nested: parts, and files that name files.
 pub(crate) const DEEPEST: usize = 30;
 
-/// A folder, and how many bytes may still be read of the files that one text names.
+/// The most faces of a surface that is kept to be copied: a solid has fewer, a mesh more.
+const PLAIN: usize = 2_000;
+
+/// A folder, and what has been read of the files that one text names.
 #[derive(Debug)]
 pub(crate) struct Files<'a> {
     pub(crate) folder: &'a Path,
@@ -29,14 +31,16 @@ pub(crate) struct Files<'a> {
 
 #[derive(Debug)]
 pub(crate) struct Left {
-    files: Cell<u64>,
+    /// How many bytes may still be read.
     text: Cell<u64>,
     mesh: Cell<u64>,
+    /// The bodies of files, by the file and what of it is meant.
+    known: RefCell<HashMap<(PathBuf, String), BodyModel>>,
 }
 
 impl Default for Left {
     fn default() -> Self {
-        Self { files: Cell::new(FILES), text: Cell::new(TEXT), mesh: Cell::new(MESH) }
+        Self { text: Cell::new(TEXT), mesh: Cell::new(MESH), known: RefCell::default() }
     }
 }
 
@@ -56,11 +60,26 @@ impl<'a> Files<'a> {
         Ok(Files { folder: path.parent().unwrap_or(Path::new("")), depth: self.depth + 1, left: self.left })
     }
 
+    /// The body that a file holds, or what of it is meant: read once, however often it is named. What has
+    /// more faces than a solid is read each time, so that its bytes are counted each time.
+    pub(crate) fn body(
+        &self,
+        path: &Path,
+        meant: String,
+        read: impl FnOnce() -> Result<BodyModel, Error>,
+    ) -> Result<BodyModel, Error> {
+        let key = (path.canonicalize().unwrap_or_else(|_| path.to_owned()), meant);
+        if let Some(known) = self.left.known.borrow().get(&key) {
+            return Ok(known.clone());
+        }
+        let found = read()?;
+        if found.surfaces.iter().all(|surface| surface.faces.len() <= PLAIN) {
+            self.left.known.borrow_mut().insert(key, found.clone());
+        }
+        Ok(found)
+    }
+
     pub(crate) fn text(&self, path: &Path) -> Result<String, Error> {
-        let files = &self.left.files;
-        files.set(files.get().checked_sub(1).ok_or_else(|| {
-            Error::new(format!("files that name files: at most {FILES} are read")).in_file(path)
-        })?);
         String::from_utf8(read(path, TEXT, &self.left.text)?).map_err(|error| {
             let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
             let line = Some(before.iter().filter(|&&byte| byte == b'\n').count() + 1);
@@ -121,13 +140,18 @@ fn read(path: &Path, most: u64, left: &Cell<u64>) -> Result<Vec<u8>, Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::BodyModel;
+
+    /// An empty folder.
+    fn folder(name: &str) -> PathBuf {
+        let folder = std::env::temp_dir().join(format!("tumbling-{name}-{}", std::process::id()));
+        std::fs::create_dir_all(&folder).unwrap();
+        folder
+    }
 
     #[test]
     #[cfg(unix)]
     fn what_is_no_regular_file_is_refused_at_once_wherever_it_is_named() {
-        let folder = std::env::temp_dir().join(format!("tumbling-files-{}", std::process::id()));
-        std::fs::create_dir_all(&folder).unwrap();
+        let folder = folder("files");
         let pipe = folder.join("pipe.stl");
         let made = std::process::Command::new("mkfifo").arg(&pipe).status().unwrap();
         assert!(made.success());
@@ -166,23 +190,50 @@ mod tests {
         std::fs::remove_dir_all(&folder).unwrap();
     }
 
-    /// Seventeen parts of a megabyte each, and a file that names itself: what is read is counted in all.
+    /// Seventeen parts of a megabyte each: what is read is counted in all.
     #[test]
-    fn the_files_that_parts_name_are_counted_together_and_a_file_in_itself_ends() {
-        let folder = std::env::temp_dir().join(format!("tumbling-parts-{}", std::process::id()));
-        std::fs::create_dir_all(&folder).unwrap();
+    fn the_files_that_parts_name_are_counted_together() {
+        let folder = folder("parts");
         let link = "<link name='a'><inertial><mass value='1'/>\
             <inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial></link>";
         let long = format!("<robot>{link}{}</robot>", " ".repeat(1 << 20));
-        std::fs::write(folder.join("long.urdf"), long).unwrap();
-        let parts =
-            |count: usize| BodyModel::from_toml(&"[[part]]\nurdf = 'long.urdf'\n".repeat(count), &folder);
+        for k in 0..16 {
+            std::fs::write(folder.join(format!("{k}.urdf")), &long).unwrap();
+        }
+        let parts = |count: usize| {
+            let text: String = (0..count).map(|k| format!("[[part]]\nurdf = '{k}.urdf'\n")).collect();
+            BodyModel::from_toml(&text, &folder)
+        };
         assert!(parts(15).is_ok());
         let error = parts(16).unwrap_err().to_string();
         assert!(error.contains("line 32, `urdf`") && error.contains("of all files together"), "{error}");
-        std::fs::write(folder.join("self.toml"), "body = 'self.toml'").unwrap();
-        let error = BodyModel::load(folder.join("self.toml").to_str().unwrap()).unwrap_err().to_string();
-        assert!(error.contains("a file in a file: at most 30"), "{error}");
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+
+    /// Each of some files names the next twice, by two paths.
+    #[test]
+    fn a_file_that_is_named_again_is_read_once_and_one_in_itself_ends() {
+        let folder = folder("twice");
+        let chain = |last: &str, count: usize, times: usize| {
+            for k in 1..count {
+                let next = [format!("{}.toml", k + 1), format!("./{}.toml", k + 1)];
+                let parts: String =
+                    next[..times].iter().map(|next| format!("[[part]]\nbody = '{next}'\n")).collect();
+                std::fs::write(folder.join(format!("{k}.toml")), parts).unwrap();
+            }
+            std::fs::write(folder.join(format!("{count}.toml")), last).unwrap();
+            BodyModel::load(folder.join("1.toml").to_str().unwrap())
+        };
+        let numbers = "moments = [1, 2, 2.5]\nmass = 3";
+        assert_eq!(chain(numbers, 28, 2).unwrap().mass, Some(3.0 * 2_f64.powi(27)));
+        let error = chain("sides = [1, 2, 3]\nmass = 3", 28, 2).unwrap_err().to_string();
+        assert!(error.ends_with("more than 10000 solids: no more are read"), "{error}");
+        // As deep as is read, and one deeper.
+        assert!(chain(numbers, DEEPEST, 1).is_ok());
+        let error = chain(numbers, DEEPEST + 1, 1).unwrap_err().to_string();
+        assert!(error.ends_with("a file in a file: at most 30 are read"), "{error}");
+        let error = chain("body = '1.toml'", 2, 1).unwrap_err().to_string();
+        assert!(error.ends_with("a file in a file: at most 30 are read"), "{error}");
         std::fs::remove_dir_all(&folder).unwrap();
     }
 }

@@ -40,22 +40,25 @@ impl BodyModel {
         let path = files.folder.join(path);
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
 
-        let mut model = match ending.as_deref() {
-            Some("toml") => file::read(&files.text(&path)?, &files.next_to(&path)?).and_then(Self::ready),
-            Some("urdf" | "xml") => Self::from_urdf(&files.text(&path)?, link),
-            Some("stl" | "obj") => Err(Error::new(
+        let here = |error: Error| error.in_file(&path);
+        let mut model = files.body(&path, format!("{link:?}"), || match ending.as_deref() {
+            Some("toml") => {
+                let (text, files) = (files.text(&path)?, files.next_to(&path)?);
+                file::read(&text, &files).map_err(here)
+            }
+            Some("urdf" | "xml") => Self::from_urdf(&files.text(&path)?, link).map_err(here),
+            Some("stl" | "obj") => Err(here(Error::new(
                 "a mesh alone does not say what it weighs: name it in a TOML file, `mesh = \"...\"` with `mass = ...` (kg)",
-            )),
+            ))),
             _ => {
                 let names: Vec<String> = NamedBody::ALL.into_iter().map(|body| format!("`{}`", word(body))).collect();
                 let why = format!(
                     "`{argument}` is neither a body of the book ({}) nor a file that ends in .toml or .urdf",
                     names.join(", ")
                 );
-                return Err(Error::new(why));
+                Err(Error::new(why))
             }
-        }
-        .map_err(|error: Error| error.in_file(&path))?;
+        })?;
         if model.name.is_empty() {
             model.name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
         }
@@ -87,7 +90,7 @@ impl BodyModel {
     /// # Errors
     /// The line, the field and the rule that it breaks.
     pub fn from_toml(text: &str, folder: &Path) -> Result<Self, Error> {
-        file::read(text, &Files::new(folder, &Left::default()))?.ready()
+        file::read(text, &Files::new(folder, &Left::default()))
     }
 
     /// From the text of a URDF file: the link of this name, or the only one with an `<inertial>` element.

@@ -28,7 +28,7 @@ impl<'a> SceneBodies<'a> {
     /// # Errors
     /// The line, the field and the rule that it breaks.
     pub fn tensor(&self, table: &Spanned<Table>) -> Result<([f64; 3], [f64; 3]), Error> {
-        let of_start = ["moments", "products", "spin", "momentum", "attitude"];
+        let of_start = ["name", "moments", "products", "spin", "momentum", "attitude"];
         let alone = table.get_ref().present().iter().all(|(field, _)| of_start.contains(field));
         if let Some(tensor) = table.get_ref().tensor().filter(|_| alone) {
             return Ok(tensor);

@@ -2,52 +2,74 @@
 
 use serde::Deserialize;
 use serde::de::{Deserializer, Error};
-use std::ops::Range;
 use toml::Spanned;
 use tumbling::Subject;
 
-/// A body or one of its parts, as a TOML file has it.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Table {
-    pub(crate) name: Option<Spanned<String>>,
-    pub(crate) shape: Option<Spanned<String>>,
-    pub(crate) sides: Option<Spanned<Vec<f64>>>,
-    pub(crate) radius: Option<Spanned<f64>>,
-    pub(crate) inner: Option<Spanned<f64>>,
-    pub(crate) height: Option<Spanned<f64>>,
-    pub(crate) length: Option<Spanned<f64>>,
-    #[serde(default, deserialize_with = "list")]
-    pub(crate) semiaxes: Option<Spanned<[f64; 3]>>,
-    #[serde(default, deserialize_with = "lists")]
-    pub(crate) vertices: Option<Spanned<[[f64; 3]; 4]>>,
-    #[serde(default, deserialize_with = "lists")]
-    pub(crate) points: Option<Spanned<Vec<[f64; 4]>>>,
-    pub(crate) mesh: Option<Spanned<String>>,
-    pub(crate) unit: Option<Spanned<f64>>,
-    pub(crate) part: Option<Spanned<Vec<Spanned<Table>>>>,
-    #[serde(default, deserialize_with = "list")]
-    pub(crate) moments: Option<Spanned<[f64; 3]>>,
-    #[serde(default, deserialize_with = "list")]
-    pub(crate) products: Option<Spanned<[f64; 3]>>,
-    pub(crate) tolerance: Option<Spanned<f64>>,
-    pub(crate) urdf: Option<Spanned<String>>,
-    pub(crate) link: Option<Spanned<String>>,
-    pub(crate) body: Option<Spanned<String>>,
-    /// How fast it spins.
-    pub spin: Option<Spanned<Spin>>,
-    /// Of a body in a scene: its angular momentum in world axes, kg m²/s.
-    #[serde(default, deserialize_with = "list")]
-    pub momentum: Option<Spanned<[f64; 3]>>,
-    /// Of a body in a scene: body to world, a unit quaternion, scalar part first.
-    #[serde(default, deserialize_with = "list")]
-    pub attitude: Option<Spanned<[f64; 4]>>,
-    pub(crate) mass: Option<Spanned<f64>>,
-    pub(crate) density: Option<Spanned<f64>>,
-    #[serde(default, deserialize_with = "list")]
-    pub(crate) at: Option<Spanned<[f64; 3]>>,
-    #[serde(default, deserialize_with = "list")]
-    pub(crate) turn: Option<Spanned<[f64; 4]>>,
+/// Defines a table of a file, of fields that may be missing, with what lists those that are there.
+#[macro_export]
+macro_rules! table {
+    (
+        $(#[$about:meta])*
+        $see:vis struct $Name:ident { $($(#[$of:meta])* $sees:vis $field:ident $(as $name:literal)?: $type:ty,)* }
+    ) => {
+        $(#[$about])*
+        $see struct $Name { $($(#[$of])* $sees $field: Option<toml::Spanned<$type>>,)* }
+
+        impl $Name {
+            /// The fields that there are, and where.
+            #[must_use]
+            pub fn present(&self) -> Vec<(&'static str, std::ops::Range<usize>)> {
+                let all = [$(([$($name,)? stringify!($field)][0], self.$field.as_ref().map(toml::Spanned::span))),*];
+                all.into_iter().filter_map(|(name, span)| Some((name, span?))).collect()
+            }
+        }
+    };
+}
+
+table! {
+    /// A body or one of its parts, as a TOML file has it.
+    #[derive(Debug, Deserialize)]
+    #[serde(deny_unknown_fields)]
+    pub struct Table {
+        pub(crate) name: String,
+        pub(crate) shape: String,
+        pub(crate) sides: Vec<f64>,
+        pub(crate) radius: f64,
+        pub(crate) inner: f64,
+        pub(crate) height: f64,
+        pub(crate) length: f64,
+        #[serde(default, deserialize_with = "list")]
+        pub(crate) semiaxes: [f64; 3],
+        #[serde(default, deserialize_with = "vertices")]
+        pub(crate) vertices: [[f64; 3]; 4],
+        #[serde(default, deserialize_with = "lists")]
+        pub(crate) points: Vec<[f64; 4]>,
+        pub(crate) mesh: String,
+        pub(crate) unit: f64,
+        pub(crate) part: Vec<Spanned<Table>>,
+        #[serde(default, deserialize_with = "list")]
+        pub(crate) moments: [f64; 3],
+        #[serde(default, deserialize_with = "list")]
+        pub(crate) products: [f64; 3],
+        pub(crate) tolerance: f64,
+        pub(crate) urdf: String,
+        pub(crate) link: String,
+        pub(crate) body: String,
+        /// How fast it spins.
+        pub spin: Spin,
+        /// Of a body in a scene: its angular momentum in world axes, kg m²/s.
+        #[serde(default, deserialize_with = "list")]
+        pub momentum: [f64; 3],
+        /// Of a body in a scene: body to world, a unit quaternion, scalar part first.
+        #[serde(default, deserialize_with = "list")]
+        pub attitude: [f64; 4],
+        pub(crate) mass: f64,
+        pub(crate) density: f64,
+        #[serde(default, deserialize_with = "list")]
+        pub(crate) at: [f64; 3],
+        #[serde(default, deserialize_with = "list")]
+        pub(crate) turn: [f64; 4],
+    }
 }
 
 /// A list of just this number of numbers: an array by itself would leave the rest of a longer list unread.
@@ -58,26 +80,29 @@ pub fn list<'de, D: Deserializer<'de>, const N: usize>(
     from: D,
 ) -> Result<Option<Spanned<[f64; N]>>, D::Error> {
     let found = Spanned::<Vec<f64>>::deserialize(from)?;
-    Ok(Some(Spanned::new(found.span(), whole(found.into_inner()).map_err(D::Error::custom)?)))
+    Ok(Some(Spanned::new(found.span(), whole(found.into_inner(), "numbers").map_err(D::Error::custom)?)))
 }
 
-/// Lists of just this number of numbers each: as many as `L` takes.
-fn lists<'de, D, L, const N: usize>(from: D) -> Result<Option<Spanned<L>>, D::Error>
-where
-    D: Deserializer<'de>,
-    L: TryFrom<Vec<[f64; N]>>,
-{
+/// Lists of just this number of numbers each.
+fn lists<'de, D: Deserializer<'de>, const N: usize>(
+    from: D,
+) -> Result<Option<Spanned<Vec<[f64; N]>>>, D::Error> {
     let found = Spanned::<Vec<Vec<f64>>>::deserialize(from)?;
-    let (span, count) = (found.span(), found.get_ref().len());
-    let all: Result<Vec<_>, _> = found.into_inner().into_iter().map(whole).collect();
-    let all = L::try_from(all.map_err(D::Error::custom)?);
-    let all = all.map_err(|_| D::Error::custom(format!("{count} lists are too many or too few here")))?;
-    Ok(Some(Spanned::new(span, all)))
+    let span = found.span();
+    let all: Result<_, _> = found.into_inner().into_iter().map(|row| whole(row, "numbers")).collect();
+    Ok(Some(Spanned::new(span, all.map_err(D::Error::custom)?)))
 }
 
-fn whole<const N: usize>(numbers: Vec<f64>) -> Result<[f64; N], String> {
-    let found = numbers.len();
-    numbers.try_into().map_err(|_| format!("{N} numbers are expected here, not {found}"))
+fn vertices<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Spanned<[[f64; 3]; 4]>>, D::Error> {
+    let Some(found) = lists(from)? else { return Ok(None) };
+    let span = found.span();
+    let four = whole(found.into_inner(), "lists of 3 numbers each").map_err(D::Error::custom)?;
+    Ok(Some(Spanned::new(span, four)))
+}
+
+fn whole<T, const N: usize>(items: Vec<T>, of: &str) -> Result<[T; N], String> {
+    let found = items.len();
+    items.try_into().map_err(|_| format!("{N} {of} are expected here, not {found}"))
 }
 
 /// How fast a body spins, rad/s.
@@ -113,17 +138,6 @@ impl Table {
     pub(crate) fn tensor(&self) -> Option<([f64; 3], [f64; 3])> {
         let products = self.products.as_ref().map(|products| *products.get_ref());
         self.moments.as_ref().map(|moments| (*moments.get_ref(), products.unwrap_or_default()))
-    }
-
-    /// The fields that there are, and where.
-    #[must_use]
-    pub fn present(&self) -> Vec<(&'static str, Range<usize>)> {
-        macro_rules! spans {
-            ($($name:ident)*) => { [$((stringify!($name), self.$name.as_ref().map(Spanned::span))),*] };
-        }
-        let all = spans!(shape sides radius inner height length semiaxes vertices points mesh unit part
-            moments products tolerance urdf link body spin momentum attitude mass density at turn);
-        all.into_iter().filter_map(|(name, span)| Some((name, span?))).collect()
     }
 }
 

@@ -254,7 +254,7 @@ fn exact_arithmetic_passes_what_no_machine_word_holds() {
     assert_eq!(back, Fraction::variable("x"));
 }
 
-/// The sum of what is added to the pace under the three roots, without signs, and the largest of the bends,
+/// The sum of what is added to the rate under the three roots, without signs, and the largest of the bends,
 /// at the longest time for which the position stage takes a single part.
 fn at_the_longest_part(moments: Vector3<f64>, spin: Vector3<f64>) -> (f64, f64) {
     let stage = PositionStage::new(&moments).unwrap();

@@ -5,7 +5,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use tumbling::attitude;
 use tumbling::dynamics::observe;
 use tumbling::exact::FreeMotion;
-use tumbling::{Body, Inertia, PrincipalMoments, Subject};
+use tumbling::{Body, Inertia, PrincipalMoments};
 
 /// How a body moves at the start.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -96,14 +96,10 @@ impl InitialState {
         }
     }
 
-    /// The error of the field that is meant; of the tensor as a whole, the products where it has any.
+    /// The error of the field that is meant: the products where a body can have the moments without them.
     fn of_tensor(&self, error: tumbling::Error) -> Error {
-        let field = match error.subject() {
-            Subject::Ixx | Subject::Iyy | Subject::Izz => Field::Moments,
-            _ if self.products == Vector3::zeros() => Field::Moments,
-            _ => Field::Products,
-        };
-        Error::of_field(field)(error.into())
+        let alone = self.products != Vector3::zeros() && PrincipalMoments::try_from(self.moments).is_ok();
+        Error::of_field(if alone { Field::Products } else { Field::Moments })(error.into())
     }
 
     fn start_field(&self) -> Field {

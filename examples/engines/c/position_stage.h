@@ -293,7 +293,7 @@ static inline tumbling_real tumbling_spin(const tumbling_body *body, const tumbl
 static inline int tumbling_part(const tumbling_body *body, const tumbling_state *from, tumbling_real h, tumbling_state *to) {
     const tumbling_real *a = body->coupling, *t = body->twist, *u = body->twist_2, *q = from->attitude;
     tumbling_real r[3][3], omega[3], s[3], e[3], k[3], root[3], bend[3], sum[3], scaled[3], c[3], b[3], change[3], n[3];
-    tumbling_real mean, square, series, twist, more, pace, product, below, over, along, length, scale, check;
+    tumbling_real mean, square, series, twist, more, rate, product, below, over, along, length, scale, check;
     const tumbling_real epsilon = TUMBLING_OF(FLT_EPSILON, DBL_EPSILON);
     int i;
     square = tumbling_spin(body, from, h, r, omega, s);
@@ -308,20 +308,20 @@ static inline int tumbling_part(const tumbling_body *body, const tumbling_state 
     twist = t[0] * s[0] + t[1] * s[1] + t[2] * s[2];
     more = s[0] * (u[0] * s[0] + u[1] * s[1] + u[2] * s[2]) + s[1] * (u[3] * s[1] + u[4] * s[2]) + s[2] * (u[5] * s[2]);
     twist = twist + more * (1 + twist * ((tumbling_real)17 / 14));
-    pace = (1 - mean) + series;
+    rate = (1 - mean) + series;
     for (i = 0; i < 3; i++) {
         k[i] = 1 + body->relative[i] * twist;
-        root[i] = tumbling_sqrt(pace + a[(i + 1) % 3] * a[(i + 2) % 3] * s[i]);
+        root[i] = tumbling_sqrt(rate + a[(i + 1) % 3] * a[(i + 2) % 3] * s[i]);
         bend[i] = a[i] * (omega[(i + 1) % 3] * h);
     }
     product = root[1] * root[2];
     for (i = 0; i < 3; i++) {
-        sum[i] = omega[i] * (pace + root[(i + 1) % 3] * root[(i + 2) % 3]) + bend[i] * omega[(i + 2) % 3] * root[i];
+        sum[i] = omega[i] * (rate + root[(i + 1) % 3] * root[(i + 2) % 3]) + bend[i] * omega[(i + 2) % 3] * root[i];
     }
-    below = pace * (pace * ((root[0] + root[1]) + root[2]) + (root[0] * product + bend[0] * bend[1] * bend[2]));
+    below = rate * (rate * ((root[0] + root[1]) + root[2]) + (root[0] * product + bend[0] * bend[1] * bend[2]));
     for (i = 0; i < 3; i++) scaled[i] = sum[i] * h;
     for (i = 0; i < 3; i++) {
-        c[i] = k[i] * (scaled[i] * pace);
+        c[i] = k[i] * (scaled[i] * rate);
         b[i] = k[i] * (a[i] * (scaled[(i + 1) % 3] * sum[(i + 2) % 3]));
     }
     along = (c[0] * b[0] + c[1] * b[1]) + c[2] * b[2];

@@ -106,7 +106,7 @@ pub(crate) static ALL: &[Figure] = figures! {
     work_torque::draw, "work-torque", "error-against-run-time", "Error of a heavy top's attitude against run time, for every method and published programs";
     work::draw_attitude, "work-attitude", "records", "Error of the attitude against run time, for twelve bodies";
     work::draw_drift, "drift", "records", "Error of the energy through a million turns";
-    scene_costs::draw, "scene-costs", "only-what-you-need", "What a state costs by what is asked of it";
+    scene_costs::draw, "scene-costs", "only-what-you-need", "What a state costs by what is requested of it";
     engines_fate::draw, "engines-fate", "where-things-break", "What the rules of physics engines make of a stable spin";
     judged::grades, "judged-grades", "test-your-engine", "How recorded engines keep each law, story by story";
     frame::draw, "frame", "put-it-into-your-engine", "A frame of an engine: forces, solver, positions, and what each changes";

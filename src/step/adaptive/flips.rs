@@ -210,4 +210,38 @@ mod tests {
         assert_eq!(found(&[1.0, -2.0]), [0.5]);
         assert_eq!(found(&product(&[0.25, 0.5, 2.0])), [0.25, 0.5]);
     }
+    /// Steps of 2 s from 10 s, of a spin that was above zero and flipped before: what is found in each.
+    #[test]
+    fn a_flip_where_two_steps_meet_is_found_once_and_two_a_little_apart_are_two() {
+        let found = |last: f64, coefficients: &[f64]| {
+            let mut flips = Flips { axis: 1, sign: 1.0, from: 0.0, last: Some(last), found: Vec::new() };
+            flips.find(coefficients, 1.0, 10.0, 2.0);
+            flips.found
+        };
+        // Below zero from the start: seen at the end of the step before, or in neither.
+        assert!(found(10.0 - 1e-6, &[-0.5, -0.1]).is_empty());
+        assert_eq!(found(10.0 - 4e-6, &[-0.5, -0.1]), [10.0]);
+        // Back above zero after a share of the step: one flip seen by both, or another.
+        assert!(found(10.0 - 1e-6, &[-1e-7, 1.0]).is_empty());
+        let two = found(10.0 - 1e-6, &[-1e-5, 1.0]);
+        assert!(two.len() == 1 && (two[0] - 10.00002).abs() < 1e-12, "{two:?}");
+    }
+
+    #[test]
+    fn a_spin_that_leaves_zero_takes_the_sign_of_the_first_coefficient_above_rounding() {
+        assert_eq!(sign_at_start(&mut [0.0, 0.9e-14, -1.0]), -1.0);
+        assert_eq!(sign_at_start(&mut [0.0, 1.1e-14, -1.0]), 1.0);
+        // One that is not zero is what it is, however small.
+        assert_eq!(sign_at_start(&mut [1e-20, -1.0]), 1.0);
+    }
+
+    /// From the line through 0.3, and from a parabola that only just meets zero at a half.
+    #[test]
+    fn a_root_is_sharpened_by_less_than_its_interval() {
+        assert_eq!(sharpened(&[-0.3, 1.0], 0.3 + 0.9e-10), 0.3);
+        let far = 0.3 + 1.1e-10;
+        assert_eq!(sharpened(&[-0.3, 1.0], far), far);
+        let near_double = 0.5 + 1e-9;
+        assert_eq!(sharpened(&[0.25, -1.0, 1.0], near_double), near_double);
+    }
 }

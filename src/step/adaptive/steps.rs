@@ -53,9 +53,11 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
     /// What takes the next step: it may be another than took the last.
     pub(super) fn choose(&mut self, run: &mut Run<T>, budget: usize) -> Result<(), Error> {
         let solves = matches!(self, Self::Collocation(_));
+        // A piece without a step tells nothing of its damping.
+        let due = run.time != 0.0 && run.steps % CHECKED_STEPS == CHECKED_STEPS - 1;
         if run.stiff == 0 && solves {
             *self = Self::new(run)?;
-        } else if !solves && (run.stiff >= DAMPED_STEPS || run.steps % CHECKED_STEPS == CHECKED_STEPS - 1) {
+        } else if !solves && (run.stiff >= DAMPED_STEPS || due) {
             self.solve_damping(run, budget)?;
         }
         Ok(())

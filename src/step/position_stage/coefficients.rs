@@ -1,7 +1,7 @@
 //! What the position stage needs of a body, prepared once.
 
 use super::number;
-use super::turn::{conserving_pace, three};
+use super::turn::{conserving_rate, three};
 use crate::error::{Error, Refusal, Subject};
 use crate::number::Field;
 use num_traits::Float;
@@ -124,18 +124,18 @@ impl<T: Field + Float + From<f32>> Coefficients<T> {
         self.bound[0] * x + self.bound[1] * y + self.bound[2] * z
     }
 
-    /// What [`conserving_turn`](crate::laws::conserving_turn) takes as pace and weights.
+    /// What [`conserving_turn`](crate::laws::conserving_turn) takes as rate and weights.
     #[inline(always)]
-    pub(super) fn pace(&self, omega: &[T; 3], h: T) -> (T, [T; 3]) {
+    pub(super) fn rate(&self, omega: &[T; 3], h: T) -> (T, [T; 3]) {
         let one = T::one();
         let [x, y, z] = three(|i| (omega[i] * h) * (omega[i] * h));
         let m = &self.modulus;
-        let pace = conserving_pace([m[0] * x, m[1] * y, m[2] * z], |n| one / number::<T>(n.into()));
+        let rate = conserving_rate([m[0] * x, m[1] * y, m[2] * z], |n| one / number::<T>(n.into()));
         let s = &self.twist_2;
         let twist = self.twist[0] * x + self.twist[1] * y + self.twist[2] * z;
         let more = x * (s[0] * x + s[1] * y + s[2] * z) + y * (s[3] * y + s[4] * z) + z * (s[5] * z);
         let twist = twist + more * (one + twist * (number::<T>(17.0) / number::<T>(14.0)));
-        (pace, three(|i| one + self.relative[i] * twist))
+        (rate, three(|i| one + self.relative[i] * twist))
     }
 }
 

@@ -1,4 +1,4 @@
-//! The turn that keeps energy and momentum, whatever its pace.
+//! The turn that keeps energy and momentum, whatever its rate.
 
 use crate::number::Field;
 
@@ -16,7 +16,7 @@ pub fn change_of_spin<T: Field>((below, [tangents, slip]): &(T, [[T; 3]; 2])) ->
 }
 
 /// The turn of a free body and the change of its spin, which keep energy and momentum exactly, whatever
-/// `pace` and whatever one number in `weights` is, where the three roots are real and `below` is not zero:
+/// `rate` and whatever one number in `weights` is, where the three roots are real and `below` is not zero:
 /// proven of this function (`crates/proofs/src/proofs/position_stage.rs`). Both hold within bounds that a
 /// turn of half a radian, the longest of a part of a step, keeps to.
 ///
@@ -24,7 +24,7 @@ pub fn change_of_spin<T: Field>((below, [tangents, slip]): &(T, [[T; 3]; 2])) ->
 ///   omega_k`.
 /// - `weights`: `1 + I_i b` for any `b`, which sets how fast the body turns about its momentum.
 /// - `omega`: the spin along the principal axes, rad/s; `h`: the time, s.
-/// - `pace`: sets how fast the spin moves along its curve in the body; 1 and terms of the order of the square
+/// - `rate`: sets how fast the spin moves along its curve in the body; 1 and terms of the order of the square
 ///   of the turn.
 /// - `root`: the square root.
 ///
@@ -33,46 +33,46 @@ pub fn change_of_spin<T: Field>((below, [tangents, slip]): &(T, [[T; 3]; 2])) ->
 /// `(1 + c x) omega_after - (1 - c x) omega`, with `omega_after` the spin after the turn along the axes after
 /// it.
 ///
-/// With `Q_i^2 = pace + coupling_j coupling_k (h omega_i)^2`, the addition theorem of Jacobi's functions
-/// gives the spin after the time as `(omega_i Q_j Q_k + coupling_i h omega_j omega_k Q_i) / pace`.
+/// With `Q_i^2 = rate + coupling_j coupling_k (h omega_i)^2`, the addition theorem of Jacobi's functions
+/// gives the spin after the time as `(omega_i Q_j Q_k + coupling_i h omega_j omega_k Q_i) / rate`.
 #[inline(always)]
 pub fn conserving_turn<T: Field>(
     coupling: &[T; 3],
     weights: &[T; 3],
     omega: &[T; 3],
     h: &T,
-    pace: &T,
+    rate: &T,
     mut root: impl FnMut(T) -> T,
 ) -> (T, [[T; 3]; 2]) {
     let of = |x: &[T; 3], i: usize| x[i % 3].clone();
     let theta = three(|i| of(omega, i) * h.clone());
     let roots = three(|i| {
         let square = of(&theta, i) * of(&theta, i);
-        root(pace.clone() + of(coupling, i + 1) * of(coupling, i + 2) * square)
+        root(rate.clone() + of(coupling, i + 1) * of(coupling, i + 2) * square)
     });
     let product = of(&roots, 1) * of(&roots, 2);
     let bend = three(|i| of(coupling, i) * of(&theta, i + 1));
-    // The sum of the spins before and after, times the pace.
+    // The sum of the spins before and after, times the rate.
     let sum = three(|i| {
         let pair = if i == 0 { product.clone() } else { of(&roots, i + 1) * of(&roots, i + 2) };
-        of(omega, i) * (pace.clone() + pair) + of(&bend, i) * of(omega, i + 2) * of(&roots, i)
+        of(omega, i) * (rate.clone() + pair) + of(&bend, i) * of(omega, i + 2) * of(&roots, i)
     });
     let total = (of(&roots, 0) + of(&roots, 1)) + of(&roots, 2);
     let corner = of(&bend, 0) * of(&bend, 1) * of(&bend, 2);
-    let below = pace.clone() * (pace.clone() * total + (of(&roots, 0) * product + corner));
+    let below = rate.clone() * (rate.clone() * total + (of(&roots, 0) * product + corner));
     let scaled = three(|i| of(&sum, i) * h.clone());
-    let tangents = three(|i| of(weights, i) * (of(&scaled, i) * pace.clone()));
+    let tangents = three(|i| of(weights, i) * (of(&scaled, i) * rate.clone()));
     let slip = three(|i| of(weights, i) * (of(coupling, i) * (of(&scaled, i + 1) * of(&sum, i + 2))));
     (below, [tangents, slip])
 }
 
-/// The pace of a [`conserving_turn`] that follows the free motion, from the numbers that are added to it
+/// The rate of a [`conserving_turn`] that follows the free motion, from the numbers that are added to it
 /// under the roots, `coupling_j coupling_k (h omega_i)^2`; `over` gives one over a whole number.
 ///
 /// With the first terms of Weierstrass' function, `h^2 P(h) = 1 + g2/20 + g3/28 + g2^2/1200 ...`, in units of
 /// the time.
 #[inline(always)]
-pub fn conserving_pace<T: Field>([a, b, c]: [T; 3], over: impl Fn(u16) -> T) -> T {
+pub fn conserving_rate<T: Field>([a, b, c]: [T; 3], over: impl Fn(u16) -> T) -> T {
     let mean = (a.clone() + b.clone() + c.clone()) * over(3);
     let [a, b, c] = [mean.clone() - a, mean.clone() - b, mean.clone() - c];
     let squares = a.clone() * a.clone() + b.clone() * b.clone() + c.clone() * c.clone();

@@ -1,4 +1,4 @@
-//! The position stage of an engine: its step keeps energy and momentum whatever its pace, its roots are real
+//! The position stage of an engine: its step keeps energy and momentum whatever its rate, its roots are real
 //! and its divisor is not zero; and the work of an impulse.
 
 use crate::number::{Fraction, Relations};
@@ -7,24 +7,24 @@ use crate::symbols::{Vector, diagonal, quaternion, scalar, symmetric, variables,
 use num_traits::One;
 use tumbling::attitude::rotation_matrix;
 use tumbling::dynamics::observe;
-use tumbling::laws::{change_of_spin, conserving_pace, conserving_turn};
+use tumbling::laws::{change_of_spin, conserving_rate, conserving_turn};
 
 proofs! {
     "step" {
         "position-stage-keeps-energy": energy(0, 0),
-            "The turn of the position stage leaves the energy as it was, for every body, spin, time step, pace and weight b for which its three roots are real and its divisor is not zero.";
+            "The turn of the position stage leaves the energy as it was, for every body, spin, time step, rate and weight b for which its three roots are real and its divisor is not zero.";
             but "one moment larger in the energy": energy(1, 0),
-            but "a root of another pace": energy(0, 1),
+            but "a root of another rate": energy(0, 1),
         "position-stage-keeps-momentum": momentum(0, 0),
-            "The turn of the position stage takes the momentum along the axes before it to that along the axes after it: in the world the momentum stays, for every body, spin, time step, pace and weight \
+            "The turn of the position stage takes the momentum along the axes before it to that along the axes after it: in the world the momentum stays, for every body, spin, time step, rate and weight \
             b for which the three roots are real and the divisor is not zero.";
             but "another weight about one axis": momentum(1, 0),
-            but "a root of another pace": momentum(0, 1),
+            but "a root of another rate": momentum(0, 1),
         "position-stage-spin-belongs-to-its-momentum": spin(change_of_spin),
             "The change of the spin that the position stage adds in the world is that of the body's own spin, turned with it.";
             but "the change left as the slip": spin(|(_, [_, slip])| slip.clone()),
         "position-stage-roots-are-real": real([51, 51]),
-            "Where the numbers that are added to the pace under the three roots come to at most 0.51² without their signs, the pace is at least 9/10 and each number under a root at least 4/5; with such \
+            "Where the numbers that are added to the rate under the three roots come to at most 0.51² without their signs, the rate is at least 9/10 and each number under a root at least 4/5; with such \
             roots, and bends of at most 0.51, what the turn is divided by is at least 2. A part of a step is a turn of at most half a radian, which bounds them so.";
             but "turns of up to two radians": real([200, 51]),
             but "bends of up to two": real([51, 200]),
@@ -48,7 +48,7 @@ struct Turned {
     roots: Relations,
 }
 
-/// With one weight and the pace under one root off by these.
+/// With one weight and the rate under one root off by these.
 fn turned(uneven: i64, faster: i64) -> Result<Turned, Residue> {
     let moments = vector("I");
     // A spin in units that leave no quotient under the roots: every spin is one of these.
@@ -56,13 +56,13 @@ fn turned(uneven: i64, faster: i64) -> Result<Turned, Residue> {
         &moments[(i + 1) % 3] * &moments[(i + 2) % 3] * Fraction::variable(&format!("s{}", i + 1))
     });
     let coupling = [0, 1, 2].map(|i| (&moments[(i + 1) % 3] - &moments[(i + 2) % 3]) / moments[i].clone());
-    let [h, pace, b] = variables(["h", "X", "b"]);
+    let [h, rate, b] = variables(["h", "X", "b"]);
     let mut weights = [0, 1, 2].map(|i| Fraction::one() + &moments[i] * &b);
     weights[0] = &weights[0] + Fraction::from(uneven);
     let names = ["Q1", "Q2", "Q3"];
     let mut squares = Vec::new();
     let (below, [tangents, slip]) =
-        conserving_turn(&coupling, &weights, omega.as_ref(), &h, &pace, |square| {
+        conserving_turn(&coupling, &weights, omega.as_ref(), &h, &rate, |square| {
             let name = names[squares.len() % 3];
             let square = if squares.is_empty() { square + Fraction::from(faster) } else { square };
             squares.push((name, square.numerator().clone()));
@@ -114,17 +114,17 @@ fn real([turn, bend]: [i64; 2]) -> Outcome {
     let hundredths = |n: i64| Fraction::ratio(n, 100);
     let [x, y, z, rest] = variables(["x1", "x2", "x3", "x4"]);
     let (all, limit) = (&x + &y + &z + rest, hundredths(turn).pow(2));
-    let pace_of = |added: [Fraction; 3]| conserving_pace(added, |n| Fraction::ratio(1, n.into()));
+    let rate_of = |added: [Fraction; 3]| conserving_rate(added, |n| Fraction::ratio(1, n.into()));
     let [a, b, c] = variables(["u1", "u2", "u3"]);
-    let pace = pace_of([a.clone(), b.clone(), c.clone()]);
-    same("the pace with two exchanged", &pace, &pace_of([b.clone(), a.clone(), c.clone()]))?;
-    same("the pace with two others exchanged", &pace, &pace_of([a, c, b]))?;
+    let rate = rate_of([a.clone(), b.clone(), c.clone()]);
+    same("the rate with two exchanged", &rate, &rate_of([b.clone(), a.clone(), c.clone()]))?;
+    same("the rate with two others exchanged", &rate, &rate_of([a, c, b]))?;
     // So the first root stands for all three, and the other two may change places.
     for signs in [[1, 1, 1], [1, 1, -1], [1, -1, -1], [-1, 1, 1], [-1, 1, -1], [-1, -1, -1]] {
         let added = [0, 1, 2].map(|i| [&x, &y, &z][i] * &limit * Fraction::from(signs[i]) / &all);
-        let pace = pace_of(added.clone());
-        positive("the pace less 9/10", &(&pace - hundredths(90)))?;
-        positive("what is under a root less 4/5", &(pace + &added[0] - hundredths(80)))?;
+        let rate = rate_of(added.clone());
+        positive("the rate less 9/10", &(&rate - hundredths(90)))?;
+        positive("what is under a root less 4/5", &(rate + &added[0] - hundredths(80)))?;
     }
     // Only the product of the three bends counts, of either sign.
     for sign in [1, -1] {
@@ -135,14 +135,14 @@ fn real([turn, bend]: [i64; 2]) -> Outcome {
         });
         let omega = [2, 0, 1].map(|i| &bends[i] / &coupling[i]);
         let omega = [&omega[0] * Fraction::from(sign), omega[1].clone(), omega[2].clone()];
-        let pace = Fraction::variable("p") + hundredths(90);
+        let rate = Fraction::variable("p") + hundredths(90);
         let mut count = 0;
         let root = |_| {
             count += 1;
             hundredths(80) + Fraction::variable(&format!("r{count}"))
         };
         let (b, h) = (vector("b"), Fraction::one());
-        let (below, _) = conserving_turn(coupling.as_ref(), b.as_ref(), &omega, &h, &pace, root);
+        let (below, _) = conserving_turn(coupling.as_ref(), b.as_ref(), &omega, &h, &rate, root);
         positive("the divisor less 2", &(below - Fraction::from(2)))?;
     }
     Ok(())

@@ -108,8 +108,10 @@ fn times(text: &str, table: &SceneTable) -> Result<Times, Error> {
         (Some(times), None, None) => ("times", times.span(), Times::Given(times.get_ref().clone())),
         (None, Some(every), Some(span)) => {
             let times = Times::every(*every.get_ref(), *span.get_ref());
-            let negative = *span.get_ref() < 0.0;
-            if negative { ("span", span.span(), times) } else { ("every", every.span(), times) }
+            let [of_span, of_every] = [span, every].map(|x| *x.get_ref());
+            // Too many states come of either; the one that is farther from a second is named.
+            let at_span = of_span < 0.0 || (of_every > 0.0 && of_span * of_every > 1.0);
+            if at_span { ("span", span.span(), times) } else { ("every", every.span(), times) }
         }
         (Some(times), _, _) => {
             return wrong(

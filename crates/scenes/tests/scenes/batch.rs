@@ -4,7 +4,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use std::ops::ControlFlow;
 
 use tumbling::step::Torque;
-use tumbling_scenes::{Answer, Error, InitialState, Outputs, Scene, Start, Strategy, Times, batch};
+use tumbling_scenes::{Answer, Error, Field, InitialState, Outputs, Scene, Start, Strategy, Times, batch};
 
 type Answers = (Vec<(usize, Answer)>, Vec<(usize, Error)>);
 
@@ -113,22 +113,6 @@ fn of_a_few_bodies_and_of_none_that_moves_the_same_is_true() {
     }
 }
 
-#[test]
-fn driven_bodies_are_stepped_on_from_block_to_block() {
-    let bodies: Vec<InitialState> = (0..3)
-        .map(|k| {
-            InitialState::spinning(Vector3::new(1.0, 1.5, 0.75), Vector3::new(0.25, 0.5, 6.0 + f64::from(k)))
-        })
-        .collect();
-    let torque = Torque::gravity(&Vector3::new(0.125, 0.0, 0.5), 4.0);
-    let outputs = Outputs { spin: true, attitude: true, energy: true, ..Outputs::NOTHING };
-    let scene = Scene::new(bodies, vec![torque], Times::every(0.01, 1.0), outputs, 1e-3).unwrap();
-    assert_eq!(scene.plan(0).unwrap().strategy(), Strategy::Adaptive);
-    let (batched, alone) = (in_blocks(&scene), one_by_one(&scene));
-    assert_eq!(batched, alone);
-    assert_eq!(batched.0.len(), 303);
-}
-
 /// More than a block of them, some that no body is, under a gradient, a weight, damping and a thruster.
 #[test]
 fn a_crowd_of_driven_bodies_is_answered_as_each_alone() {
@@ -142,6 +126,7 @@ fn a_crowd_of_driven_bodies_is_answered_as_each_alone() {
     ];
     let outputs = Outputs { spin: true, attitude: true, ..Outputs::NOTHING };
     let scene = Scene::new(bodies, torques, Times::every(0.1, 2.0), outputs, 1e-6).unwrap();
+    assert_eq!(scene.plan(0).unwrap().strategy(), Strategy::Adaptive);
     let (batched, alone) = (in_blocks(&scene), one_by_one(&scene));
     assert_eq!(batched, alone);
     assert_eq!((batched.0.len(), batched.1.len()), (299 * 21, 1));
@@ -155,8 +140,10 @@ fn one_bad_body_among_many_is_named_and_the_others_are_answered() {
     let outputs = Outputs { spin: true, ..Outputs::NOTHING };
     let scene = Scene::new(bodies, vec![], Times::every(1.0, 20.0), outputs, 1e-9).unwrap();
     let (states, wrong) = in_blocks(&scene);
+    assert_eq!(one_by_one(&scene), (states.clone(), wrong.clone()));
     assert_eq!(wrong.iter().map(|(body, _)| *body).collect::<Vec<_>>(), [17, 4321]);
     assert!(wrong[1].1.to_string().starts_with("body 4321: "), "{}", wrong[1].1);
+    assert_eq!(wrong[1].1.field(), Some(Field::Moments));
     assert_eq!(states.len(), 4998 * 21);
 }
 

@@ -177,7 +177,9 @@ fn a_driven_scene_of_which_nothing_is_requested_computes_nothing() {
     let body = InitialState::spinning(Vector3::new(1.0, 2.0, 2.5), Vector3::new(3.0, 5.0, 2.0));
     let scene = one(body, damped.clone(), Times::every(0.1, 100.0), Outputs::NOTHING, 1e-9);
     let plan = scene.plan(0).unwrap();
-    assert!(plan.strategy() == Strategy::Nothing && plan.cost().once < 3000.0, "{}", plan.explain());
+    let spin = one(body, damped.clone(), Times::every(0.1, 100.0), SPIN, 1e-9).plan(0).unwrap();
+    assert!(plan.strategy() == Strategy::Nothing && plan.driven().is_none(), "{}", plan.explain());
+    assert!(plan.cost().once < 0.1 * spin.cost().once, "{} {}", plan.explain(), spin.explain());
     // And the attitude, not requested, refines no step.
     let cost = |outputs| {
         one(body, damped.clone(), Times::every(0.1, 5.0), outputs, 1e-7).plan(0).unwrap().cost().state
@@ -265,16 +267,14 @@ fn the_energy_under_a_torque_is_as_right_as_requested() {
     }
 }
 
-/// A year of a top, or a torque that no step could follow: refused at once, not tried for hours.
+/// A year of a top, or a torque that no step could follow: refused by its value, before a step is tried.
 #[test]
 fn a_driven_scene_that_would_take_for_ever_is_refused_at_once() {
     let body = InitialState::spinning(Vector3::new(1.0, 1.5, 0.75), Vector3::new(0.25, 0.5, 8.0));
     for (weight, end) in [(4.0, 3e7), (2e11, 10.0), (1e300, 10.0), (4.0, 1e300)] {
         let torque = Torque::gravity(&Vector3::new(0.125, 0.0, 0.5), weight);
         let scene = one(body, vec![torque], Times::every(end, end), BOTH, 1e-9);
-        let started = std::time::Instant::now();
         let Err(Error::Body { source, .. }) = scene.plan(0) else { panic!("{weight} {end}") };
-        assert!(started.elapsed().as_secs_f64() < 0.5, "{weight} {end}");
         assert!(matches!(*source, Error::Value { .. }), "{source}");
     }
 }

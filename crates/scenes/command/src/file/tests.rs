@@ -39,7 +39,18 @@ fn a_wrong_file_is_refused_by_line_field_and_what_was_expected() {
         (refusal("moments", "momets"), "line 7, `momets`: no such field. Did you mean `moments`?"),
         (refusal("spin = [", "omega = ["), "line 8, `omega`: no such field. Did you mean `spin`?"),
         (refusal("every", "dt"), "line 3, `dt`: no such field. Did you mean `every`?"),
-        (refusal("accuracy = 1e-9\n", ""), "missing field `accuracy`"),
+        (refusal("accuracy = 1e-9\n", ""), "`accuracy` is missing; it stands above the first `[[...]]`"),
+        (
+            refusal("[[body]]", "[body]"),
+            "line 6, `body`: a list is expected here, not map: each table of a list begins with `[[body]]`",
+        ),
+        (refusal("[[body]]", "[torque]\n[[body]]"), "line 6, `torque`: a list is expected here"),
+        (refusal("every = 0.5", "every = 1e-300"), "line 3, `every`: the number of states is"),
+        (refusal("span = 1.0", "span = 1e308"), "line 2, `span`: the number of states is inf"),
+        (
+            torque("arm = [1, 0, 0]\nrest = [0, 0, 1e300]\nstiffness = 1e10"),
+            "line 8, `rest`: the field of a torque",
+        ),
         (refusal("1e-9", "\"fine\""), "line 1, `accuracy`: a number is expected here, not string \"fine\""),
         (refusal("1e-9", "2.0"), "line 1, `accuracy`: the accuracy is 2.0"),
         (refusal("1e-9", "1e-17"), "line 1, `accuracy`: an accuracy of 1e-17 is requested"),
@@ -103,7 +114,10 @@ fn a_wrong_file_is_refused_by_line_field_and_what_was_expected() {
         assert!(message.starts_with(expected), "{message}\nwhere expected: {expected}");
     }
     let error = read("accuracy = 1\nspan = 0\nevery = 1\nwants = []\n").unwrap_err();
-    assert_eq!((error.line, error.why.as_str()), (None, "missing field `body`"));
+    assert_eq!(
+        (error.line, error.why.as_str()),
+        (None, "`body` is missing; it stands above the first `[[...]]`")
+    );
 }
 
 /// Each field of each kind of torque, made bad so that the library refuses it, and made infinite.
@@ -174,6 +188,10 @@ fn what_the_library_refuses_is_named_at_its_own_line() {
             "line 7, `moments`: body 0: the moment Iyy is -2.0",
         ),
         (body("spin = [", "products = [5, 0, 0]\nspin = ["), "line 8, `products`: body 0"),
+        (
+            body("moments = [1, 2.0, 2.5]", "moments = [0, 0, 0]\nproducts = [1, 0, 0]"),
+            "line 7, `moments`: body 0",
+        ),
         (body("spin = [", "attitude = [1, 1, 0, 0]\nspin = ["), "line 8, `attitude`: body 0"),
         (
             body(

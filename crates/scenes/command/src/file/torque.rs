@@ -2,45 +2,46 @@
 
 use nalgebra::Vector3;
 use serde::Deserialize;
-use std::ops::Range;
 use toml::Spanned;
 use tumbling::Subject;
 use tumbling::step::Torque;
-use tumbling_bodies::{Error, list};
+use tumbling_bodies::{Error, list, table};
 
 type Vector = Option<Spanned<[f64; 3]>>;
 type Number = Option<Spanned<f64>>;
 
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields, rename_all = "kebab-case")]
-pub(super) struct TorqueTable {
-    #[serde(default, deserialize_with = "list")]
-    in_body: Vector,
-    #[serde(default, deserialize_with = "list")]
-    in_world: Vector,
-    #[serde(default, deserialize_with = "list")]
-    arm: Vector,
-    #[serde(default, deserialize_with = "list")]
-    field: Vector,
-    #[serde(default, deserialize_with = "list")]
-    moment: Vector,
-    #[serde(default, deserialize_with = "list")]
-    rest: Vector,
-    stiffness: Number,
-    #[serde(default, deserialize_with = "list")]
-    damping: Vector,
-    dissipation: Number,
-    #[serde(default, deserialize_with = "list")]
-    toward: Vector,
-    #[serde(default, deserialize_with = "list")]
-    orbit: Vector,
-    strength: Number,
-    #[serde(default, deserialize_with = "list")]
-    amplitude: Vector,
-    rate: Number,
-    phase: Number,
-    from: Number,
-    to: Number,
+table! {
+    #[derive(Debug, Deserialize)]
+    #[serde(deny_unknown_fields, rename_all = "kebab-case")]
+    pub(super) struct TorqueTable {
+        #[serde(default, deserialize_with = "list")]
+        in_body as "in-body": [f64; 3],
+        #[serde(default, deserialize_with = "list")]
+        in_world as "in-world": [f64; 3],
+        #[serde(default, deserialize_with = "list")]
+        arm: [f64; 3],
+        #[serde(default, deserialize_with = "list")]
+        field: [f64; 3],
+        #[serde(default, deserialize_with = "list")]
+        moment: [f64; 3],
+        #[serde(default, deserialize_with = "list")]
+        rest: [f64; 3],
+        stiffness: f64,
+        #[serde(default, deserialize_with = "list")]
+        damping: [f64; 3],
+        dissipation: f64,
+        #[serde(default, deserialize_with = "list")]
+        toward: [f64; 3],
+        #[serde(default, deserialize_with = "list")]
+        orbit: [f64; 3],
+        strength: f64,
+        #[serde(default, deserialize_with = "list")]
+        amplitude: [f64; 3],
+        rate: f64,
+        phase: f64,
+        from: f64,
+        to: f64,
+    }
 }
 
 /// The fields of each kind of torque, those that may be left out in a list of their own.
@@ -56,20 +57,6 @@ const KINDS: [(&[&str], &[&str]); 10] = [
     (&["toward", "strength"], &["orbit"]),
     (&["amplitude", "rate"], &["phase"]),
 ];
-
-impl TorqueTable {
-    /// The fields that there are, and where.
-    fn present(&self) -> Vec<(&'static str, Range<usize>)> {
-        macro_rules! spans {
-            ($($name:literal $field:ident)*) => { [$(($name, self.$field.as_ref().map(Spanned::span))),*] };
-        }
-        let all = spans!("in-body" in_body "in-world" in_world "arm" arm "field" field "moment" moment
-            "rest" rest "stiffness" stiffness "damping" damping "dissipation" dissipation "toward" toward
-            "orbit" orbit "strength" strength "amplitude" amplitude "rate" rate "phase" phase
-            "from" from "to" to);
-        all.into_iter().filter_map(|(name, span)| Some((name, span?))).collect()
-    }
-}
 
 /// That the fields are those of one kind.
 fn check(text: &str, table: &Spanned<TorqueTable>) -> Result<(), Error> {
@@ -135,9 +122,15 @@ pub(super) fn read(text: &str, table: &Spanned<TorqueTable>) -> Result<Torque<f6
 /// A refusal of the library, at the field that it is about.
 pub(super) fn refused(text: &str, table: &Spanned<TorqueTable>, error: &tumbling::Error) -> Error {
     // Of each subject the fields that it may come from, the first that the table has.
+    let long = |t: &TorqueTable| {
+        t.rest.as_ref().zip(t.stiffness.as_ref()).is_some_and(|(rest, stiffness)| {
+            rest.get_ref().iter().any(|x| x.abs() > stiffness.get_ref().abs())
+        })
+    };
     let from: &[&str] = match error.subject() {
         Subject::Torque => &["in-body", "in-world", "amplitude"],
         Subject::Arm => &["arm", "moment"],
+        Subject::Field if long(table.get_ref()) => &["rest"],
         Subject::Field => &["stiffness", "field"],
         Subject::DampingCoefficient => &["damping"],
         Subject::DissipationStrength => &["dissipation"],
