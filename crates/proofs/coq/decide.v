@@ -296,6 +296,23 @@ Definition decided (s : statement) (l r : term) : bool :=
       end
   end.
 
+(* Whether a polynomial is above zero since all its coefficients are, and all its variables; and a number, for that. *)
+Definition rising (p : polynomial) : bool :=
+  match p with
+  | [] => false
+  | _ => forallb (fun '(m, c) =>
+      Z.ltb 0 (Qnum c) && forallb (fun '(i, _) => match i with xO _ => true | _ => false end) m) p
+  end.
+Definition rises (s : statement) (l : term) : bool :=
+  match learned [] (below s) [] (parts s) with
+  | None => false
+  | Some k =>
+      match normal [] (below s) k l with
+      | None => false
+      | Some p => match eliminated [] (below s) k (below s) p with None => false | Some r => rising r end
+      end
+  end.
+
 (* ---- That this is right. *)
 Inductive tree := Leaf | Node (x : R) (even odd : tree).
 Fixpoint at_place (i : positive) (t : tree) {struct t} : R :=
@@ -636,43 +653,52 @@ Proof.
 Qed.
 
 Lemma horner_right t q acc z e ps r :
-  tied_right t -> poly q = value (xO z) -> horner t q acc e ps = Some r -> poly r = 0 ->
-  power (xO z) e * poly acc + value_of_parts (xO z) ps = 0.
+  tied_right t -> poly q = value (xO z) -> horner t q acc e ps = Some r ->
+  exists n, power (xO z) e * poly acc + value_of_parts (xO z) ps = power (xO z) n * poly r.
 Proof.
   intros T Q. revert acc e. induction ps as [ | [f p] ps IH]; intros acc e; simpl.
-  - intros E Z. injection E as <-. rewrite Z. ring.
-  - destruct (Z.leb_spec f e) as [F | F]; try easy. intros E Z. specialize (IH _ _ E Z).
-    rewrite sum_right, mul_right, (powers_right (mul t)), Q in IH by (auto; intros; apply mul_right; auto).
-    rewrite <- IH. clear IH. simpl.
+  - intros E. injection E as <-. exists e. ring.
+  - destruct (Z.leb_spec f e) as [F | F]; try easy. intros E. destruct (IH _ _ E) as [n H]. exists n.
+    rewrite sum_right, mul_right, (powers_right (mul t)), Q in H by (auto; intros; apply mul_right; auto).
+    simpl in H. rewrite <- H. simpl.
     replace (powerRZ (at_place z some) e)
       with (powerRZ (at_place z some) f * at_place z some ^ Z.to_nat (e - f)); [ring | ].
     rewrite pow_powerRZ, <- powerRZ_add by apply nonzero. f_equal. lia.
 Qed.
 
 Lemma cleared_right t z q p r :
-  tied_right t -> poly q = value (xO z) -> cleared t z q p = Some r -> poly r = 0 -> poly p = 0.
+  tied_right t -> poly q = value (xO z) -> cleared t z q p = Some r -> exists n, poly p = power (xO z) n * poly r.
 Proof.
-  intros T Q C Z. rewrite <- (parted_right (xO z)). revert C. unfold cleared.
-  destruct (parted (xO z) p) as [ | [e acc] ps] eqn:P; [reflexivity | ].
-  destruct (Z.leb 0 e).
-  - assert (G : horner t q acc e ps = Some r -> value_of_parts (xO z) ((e, acc) :: ps) = 0).
-    { intros H. change (power (xO z) e * poly acc + value_of_parts (xO z) ps = 0). eapply horner_right; eassumption. }
-    destruct e; try exact G. destruct ps; try exact G. intros E. injection E as <-.
-    rewrite <- P, parted_right. exact Z.
-  - intros H. apply (horner_right t q [] z 0 _ r T Q) in H; [ | exact Z]. rewrite <- H. simpl. ring.
+  intros T Q C. rewrite <- (parted_right (xO z)). revert C. unfold cleared.
+  destruct (parted (xO z) p) as [ | [e acc] ps] eqn:P.
+  - intros E. injection E as <-. exists 0%Z. simpl. ring.
+  - destruct (Z.leb 0 e).
+    + assert (G : horner t q acc e ps = Some r ->
+        exists n, value_of_parts (xO z) ((e, acc) :: ps) = power (xO z) n * poly r)
+        by (intros H; exact (horner_right _ _ _ _ _ _ _ T Q H)).
+      destruct e; try exact G. destruct ps; try exact G. intros E. injection E as <-. exists 0%Z.
+      rewrite <- P, parted_right. simpl. ring.
+    + intros H. destruct (horner_right t q [] z 0 _ r T Q H) as [n N]. exists n. rewrite <- N. simpl. ring.
 Qed.
+
+(* What is multiplied by on the way: never zero, and above zero where all divisors are. *)
+Definition harmless (c : R) : Prop := c <> 0 /\ ((forall i, 0 < at_place i some) -> 0 < c).
 
 Lemma eliminated_right t d k all p r :
   tied_right t -> divisors_right d -> known_right k -> divisors_right all ->
-  eliminated t d k all p = Some r -> poly r = 0 -> poly p = 0.
+  eliminated t d k all p = Some r -> exists c, harmless c /\ poly p = c * poly r.
 Proof.
   intros T D K A. revert r. induction A as [ | [z e] all A As IH]; intros r; simpl.
-  - intros E Z. injection E as <-. exact Z.
-  - destruct (eliminated t d k all p) as [[ | x p'] | ]; try easy.
-    + intros _ _. apply (IH []); reflexivity.
-    + destruct (normal t d k e) as [q | ] eqn:N; try easy. intros C Z. apply (IH (x :: p') eq_refl).
-      eapply cleared_right; [exact T | | exact C | exact Z].
-      rewrite A. exact (proj1 (normal_right t d k e T D K) q N).
+  - intros E. injection E as <-. exists 1. repeat split; intros; lra.
+  - destruct (eliminated t d k all p) as [p' | ]; try easy. destruct (IH p' eq_refl) as (c & (N & P) & ->).
+    destruct p' as [ | x p'].
+    + intros E. injection E as <-. exists c. repeat split; assumption.
+    + destruct (normal t d k e) as [q | ] eqn:M; try easy. intros C.
+      apply cleared_right in C; [ | exact T | rewrite A; exact (proj1 (normal_right t d k e T D K) q M)].
+      destruct C as [n ->]. exists (c * powerRZ (at_place z some) n). repeat split.
+      * apply Rmult_integral_contrapositive. split; [exact N | apply powerRZ_NOR, nonzero].
+      * intros S. apply Rmult_lt_0_compat; [apply P, S | apply powerRZ_lt, S].
+      * simpl. ring.
 Qed.
 
 Lemma lifted_right t all p : tied_right t -> poly (lifted t all p) = 0 -> poly p = 0.
@@ -700,8 +726,40 @@ Proof.
   destruct (lifted t t z) eqn:F; try easy. intros _.
   apply Rminus_diag_uniq. rewrite <- (L x eq_refl), <- (Q y eq_refl).
   assert (Z : poly z = 0) by (apply (lifted_right t t z T); rewrite F; reflexivity).
-  apply (eliminated_right _ _ _ _ _ _ T D K D) in E; [ | exact Z].
-  rewrite sum_right, minus_right in E. unfold Rminus. exact E.
+  destruct (eliminated_right _ _ _ _ _ _ T D K D E) as (c & _ & V).
+  rewrite sum_right, minus_right, Z, Rmult_0_r in V. exact V.
+Qed.
+
+Lemma rising_right p : (forall i, 0 < at_place i some) -> rising p = true -> 0 < poly p.
+Proof.
+  intros S R.
+  assert (G : forall p, rising p = true \/ p = [] -> 0 <= poly p /\ (p <> [] -> 0 < poly p)).
+  { clear p R. induction p as [ | [m c] p IH]; intros R; [split; [simpl; lra | easy] | ].
+    destruct R as [R | R]; [ | easy]. simpl in R. apply andb_prop in R. destruct R as [R A].
+    apply andb_prop in R. destruct R as [C M].
+    assert (0 < mono m).
+    { clear IH A. induction m as [ | [i n] m IH]; [simpl; lra | ]. simpl in M. apply andb_prop in M. destruct M as [I M].
+      destruct i as [ | i | ]; try easy. simpl. apply Rmult_lt_0_compat; [apply powerRZ_lt, S | apply IH, M]. }
+    assert (0 < Q2R c).
+    { apply Z.ltb_lt in C. unfold Q2R. apply Rmult_lt_0_compat; [apply (IZR_lt 0), C | ].
+      apply Rinv_0_lt_compat, (IZR_lt 0). reflexivity. }
+    destruct (IH ltac:(destruct p; auto)) as [P _].
+    assert (0 < Q2R c * mono m) by (apply Rmult_lt_0_compat; assumption). simpl. lra. }
+  apply G; [left; exact R | intros ->; discriminate].
+Qed.
+
+Theorem rises_right s l :
+  (forall i, 0 < at_place i some) -> divisors_right (below s) -> Forall holds (parts s) ->
+  rises s l = true -> 0 < meaning l.
+Proof.
+  intros S D P. unfold rises. assert (T : tied_right []) by constructor.
+  destruct (learned [] (below s) [] (parts s)) as [k | ] eqn:K; try easy.
+  apply learned_right in K; [ | exact T | exact D | constructor | exact P].
+  destruct (normal_right [] (below s) k l T D K) as [L _].
+  destruct (normal [] (below s) k l) as [x | ]; try easy.
+  destruct (eliminated [] (below s) k (below s) x) as [r | ] eqn:E; try easy. intros R.
+  destruct (eliminated_right _ _ _ _ _ _ T D K D E) as (c & [_ C] & V).
+  rewrite <- (L x eq_refl), V. apply Rmult_lt_0_compat; [apply C, S | apply rising_right; assumption].
 Qed.
 End Right.
 Transparent total multiplied scaled sum.
@@ -739,6 +797,28 @@ Proof.
   - exact (alike _ _ _ _ P P').
 Qed.
 
+Fixpoint positive_tree (t : tree) : Prop :=
+  match t with Leaf => True | Node x e o => 0 < x /\ positive_tree e /\ positive_tree o end.
+Lemma positive_right i t : positive_tree t -> 0 < at_place i t.
+Proof. revert i. induction t as [ | x e E o O]; simpl; [intros; exact Rlt_0_1 | ]. intros [i | i | ] (N & A & B); auto. Qed.
+
+Theorem rise_right other some s l x names numbers :
+  positive_tree some ->
+  numbers = map (fun e => value other some (xO (fst e))) (below s) ->
+  numbers = map (fun e => meaning other some (snd e)) (below s) ->
+  names = map (fun e => value other some (fst e)) (parts s) ->
+  names = map (fun e => meaning other some (snd e)) (parts s) ->
+  x = meaning other some l -> rises s l = true -> x > 0.
+Proof.
+  intros A D D' P P' ->. apply rises_right.
+  - intros i. apply Rgt_not_eq, positive_right, A.
+  - intros i. apply positive_right, A.
+  - assert (B := alike _ _ _ _ D D'). revert B. apply Forall_impl. intros [i e]. exact (fun H => H).
+  - exact (alike _ _ _ _ P P').
+Qed.
+
+Lemma positive_node x e o : 0 < x -> positive_tree e -> positive_tree o -> positive_tree (Node x e o).
+Proof. exact (fun n a b => conj n (conj a b)). Qed.
 Lemma apart_node x e o : x <> 0 -> apart e -> apart o -> apart (Node x e o).
 Proof. exact (fun n a b => conj n (conj a b)). Qed.
 Lemma every_cons (f : positive * term -> Prop) e l : f e -> every f l -> every f (e :: l).
@@ -807,7 +887,8 @@ Ltac2 Type hypothesis := [
 | Tie (ident, constr, constr)
 | Nothing ].
 
-Ltac2 classified h :=
+(* For a claim that something is above zero, hypotheses that say so count; else those that it is not zero. *)
+Ltac2 classified positive h :=
   match h with
   | (name, body, kind) =>
       match body with
@@ -816,8 +897,9 @@ Ltac2 classified h :=
           let proof := Constr.Unsafe.make (Constr.Unsafe.Var name) in
           if Constr.equal kind 'R then Free name
           else lazy_match! kind with
-          | ?x <> 0 => Nonzero x proof
-          | 0 < ?x => match Constr.Unsafe.kind x with
+          | ?x <> 0 => if positive then Nothing else Nonzero x proof
+          | 0 < ?x => if positive then Nonzero x proof else
+              match Constr.Unsafe.kind x with
               | Constr.Unsafe.Var _ => Nonzero x (app '(fun x => Rgt_not_eq x 0) [x; proof])
               | _ => Nothing end
           | ?x ^ 2 = ?q => match Constr.Unsafe.kind x with
@@ -831,9 +913,11 @@ Ltac2 classified h :=
 Ltac2 next i := Std.eval_vm None (app 'Pos.succ [i]).
 
 Ltac2 decide () :=
-  lazy_match! goal with
-  | [ |- @eq R ?l ?r ] =>
-      let all := List.map classified (Control.hyps ()) in
+  let (positive, l, r) := lazy_match! goal with
+  | [ |- @eq R ?l ?r ] => (false, l, r)
+  | [ |- ?l > ?r ] => (true, l, r)
+  end in
+      let all := List.map (classified positive) (Control.hyps ()) in
       let real := 'R in
       (* The numbers: those that are not zero first. *)
       let rec nonzeros i all :=
@@ -874,9 +958,10 @@ Ltac2 decide () :=
         | e :: rest => match e with (_, _, proof) =>
             app 'every_cons [f; pair e; entries rest; proof; proofs f rest] end
         end in
+      let node := if positive then 'positive_node else 'apart_node in
       let nonzero es := match tree ('Leaf, 'I) (fun e a b => match e with (_, x, proof) =>
           match a with (a, p) => match b with (b, q) =>
-            (app 'Node [x; a; b], app 'apart_node [x; a; b; proof; p; q]) end end end) es with (_, p) => p end in
+            (app 'Node [x; a; b], app node [x; a; b; proof; p; q]) end end end) es with (_, p) => p end in
       let body v := List.find_opt (fun h => match h with Part w _ => Ident.equal v w | _ => false end) all in
       let reflexivity x := app '@eq_refl [real; x] in
       let rec below es :=
@@ -912,16 +997,20 @@ Ltac2 decide () :=
       let x := l in let y := r in let l := read l in let r := read r in
       let machine := match Constr.Unsafe.kind '(I <: True) with
         | Constr.Unsafe.Cast _ c _ => c | _ => Control.zero (Tactic_failure None) end in
-      let claim := app '@eq ['bool; app 'decided [s; l; r]; 'true] in
+      let claim := app '@eq ['bool; if positive then app 'rises [s; l] else app 'decided [s; l; r]; 'true] in
       let computed := Constr.Unsafe.make (Constr.Unsafe.Cast '(@eq_refl bool true) machine claim) in
       let values es := listed real (List.map (fun e => match e with (_, _, x) => x end) es) in
       let numbers := values below in let names := values parts in
       let alike xs := app '@eq_refl ['(list R); xs] in
-      let t := app 'decide_right
-        [other; some; s; l; r; x; y; names; numbers; nonzero above; proofs tie ties; alike numbers; alike numbers;
-          alike names; alike names; reflexivity x; reflexivity y; computed] in
-      ltac1:(t |- exact_no_check t) (Ltac1.of_constr t)
-  end.
+      let named := [alike numbers; alike numbers; alike names; alike names] in
+      let t :=
+        if positive then
+          app 'rise_right (List.append [other; some; s; l; x; names; numbers; nonzero above]
+            (List.append named [reflexivity x; computed]))
+        else
+          app 'decide_right (List.append [other; some; s; l; r; x; y; names; numbers; nonzero above; proofs tie ties]
+            (List.append named [reflexivity x; reflexivity y; computed])) in
+      ltac1:(t |- exact_no_check t) (Ltac1.of_constr t).
 
 Ltac rational := ltac2:(decide ()).
 
@@ -932,3 +1021,9 @@ Goal forall x y w : R, w ^ 2 = 1 / 2 -> x - y <> 0 -> (x ^ 2 - y ^ 2) / (x - y) 
 Proof. intros x y w W D. rational. Fail Qed. Abort.
 Goal forall x : R, x / x = 1.
 Proof. intros x. rational. Fail Qed. Abort.
+Goal forall x y : R, 0 < x -> 0 < y -> 0 < x + y -> 1 - x / (x + y) > 0.
+Proof. intros x y X Y S. rational. Qed.
+Goal forall x y : R, 0 < x -> 0 < y -> 0 < x + y -> 1 - 2 * x / (x + y) > 0.
+Proof. intros x y X Y S. rational. Fail Qed. Abort.
+Goal forall x y : R, 0 < x -> x + y > 0.
+Proof. intros x y X. rational. Fail Qed. Abort.

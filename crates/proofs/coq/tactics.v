@@ -11,9 +11,6 @@ Ltac positive :=
     | apply Rplus_lt_0_compat | apply Rmult_lt_0_compat | apply Rdiv_lt_0_compat | apply pow_lt
     | lra ].
 
-Lemma above_zero : forall x above below : R, 0 < above -> 0 < below -> x = above / below -> x > 0.
-Proof. intros x above below A B ->. apply Rlt_gt. apply Rdiv_lt_0_compat; assumption. Qed.
-
 (* Divisors that are not zero: by hypothesis, by sign, or since a product that contains them is not. *)
 Ltac nonzero :=
   repeat split;

@@ -37,6 +37,11 @@ mod turning;
 
 use crate::proof::Proof;
 
+/// Whether a proof is that of a method's order, which adds up long series and claims nothing of letters.
+pub(crate) fn is_of_an_order(proof: &Proof) -> bool {
+    methods::PROOFS.iter().any(|method| method.name == proof.name)
+}
+
 /// Every proof.
 #[must_use]
 pub fn proofs() -> Vec<&'static Proof> {

@@ -69,15 +69,19 @@ impl Printer {
         }
         let mut printer = Self::default();
         let mut sizes: HashMap<usize, usize> = HashMap::new();
+        let mut known: HashMap<String, String> = HashMap::new();
         for part in order {
             let size = 1 + part.parts().iter().map(|inner| sizes[&inner.address()]).sum::<usize>();
             let named = (size >= SHARED && uses[&part.address()] > 1) || size >= LONG;
             sizes.insert(part.address(), if named { 1 } else { size });
             if named {
-                let name = format!("t_{}", printer.definitions.len() + 1);
+                // What was computed twice has one name.
                 let text = printer.print(part);
-                printer.names.insert(part.address(), name.clone());
-                printer.definitions.push(Definition { name, text, expression: part.clone() });
+                let name = format!("t_{}", printer.definitions.len() + 1);
+                let name = known.entry(text.clone()).or_insert(name).clone();
+                if printer.names.insert(part.address(), name.clone()).is_none() && known.len() > printer.definitions.len() {
+                    printer.definitions.push(Definition { name, text, expression: part.clone() });
+                }
             }
         }
         printer

@@ -3,8 +3,7 @@
 use super::print::{Printer, number};
 use super::statement::Statement;
 use super::witness::{Value, find};
-use crate::number::expression::Expression;
-use crate::number::{Fraction, Polynomial, Rational, Symbol};
+use crate::number::{Fraction, Rational, Symbol};
 use crate::record::{Assertion, Claim};
 use num_traits::Zero;
 use std::fmt;
@@ -25,7 +24,8 @@ pub(super) fn same_statement(a: &Claim, b: &Claim) -> bool {
 
 fn says(claim: &Claim) -> Vec<String> {
     let s = Statement::new(claim);
-    [s.ties(), s.nonzero(), vec![s.printer.print(&s.left), s.printer.print(&s.right)]].concat()
+    let sides = [&s.left, &s.right].map(|side| s.printer.print(side));
+    [s.ties(), definitions(&s.printer).collect(), s.nonzero(), sides.to_vec()].concat()
 }
 
 impl Theorem {
@@ -59,14 +59,9 @@ impl Theorem {
         match &claim.kind {
             Assertion::Equal(_) => proof.push("rational.".to_owned()),
             Assertion::Above => {
-                proof.push("unnamed.".to_owned());
-                let plain = |d: &Expression| Printer::default().print(d);
-                let not_zero = |d| format!("assert ({d} <> 0) by (apply Rgt_not_eq; positive).");
-                let (above, below) = (printed(claim.left.numerator()), printed(claim.left.denominator()));
-                proof.extend(s.signed.iter().map(plain).chain([below.clone()]).map(not_zero));
-                proof.push(format!(
-                    "apply (above_zero _ ({above}) ({below})); [positive | positive | rational]."
-                ));
+                let above = |d| format!("assert (0 < {}) by (unnamed; positive).", s.printer.print(d));
+                proof.extend(s.signed.iter().map(above));
+                proof.push("rational.".to_owned());
             }
         }
         Some(Self { name: name.to_owned(), words: claim.words.clone(), says, proof })
@@ -107,10 +102,6 @@ impl Theorem {
         proof.retain(|line| !line.is_empty());
         Some(Self { name: name.to_owned(), words: claim.words.clone(), says, proof })
     }
-}
-
-fn printed(p: &Polynomial) -> String {
-    Printer::default().print(&Expression::polynomial(p))
 }
 
 fn conclusion(s: &Statement, relation: &str) -> String {
