@@ -60,9 +60,8 @@ tumblingLive.judgeVerdict = (() => {
     }
 
     /** The verdict in a line: the outcome, and what there is to say of it. */
-    function line({ report, diagnosis }) {
-        const [{ title, lines }, rule] = report;
-        return [title, `: ${[...lines, ...(diagnosis ? rule.lines.slice(0, 1) : [])].join(" ")}`];
+    function line({ report: [{ title, lines }] }) {
+        return [title, `: ${lines[0]}`];
     }
 
     return { show, line, put };

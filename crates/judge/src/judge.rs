@@ -3,7 +3,9 @@
 use crate::error::Error;
 use crate::laws::{Complaint, Trial};
 use crate::options::Options;
-use crate::read::{Derived, Feed, Fit, Known, Raw, Row, Rows, Said, Source, Stopped, fitted_start, in_world};
+use crate::read::{
+    Derived, Feed, Fit, Known, Note, Raw, Row, Rows, Said, Source, Stopped, fitted_start, in_world,
+};
 use crate::rule::{PHYSICS_ENGINES, Subject};
 use crate::thresholds::PROBE_ROWS;
 use crate::verdict::{Verdict, verdict};
@@ -60,7 +62,11 @@ pub(crate) fn judge_rows(rows: &mut dyn Source, said: Said, options: &Options) -
     let subject = Subject::new(moments, said.torque)?;
     let mut known = Known::of(&mut probe, said, moments);
     let mut feed = Feed { has_spin: known.has_spin(), moments, clock: known.clock, waiting: None };
-    let (states, stopped) = known.understood(&probe, &mut feed)?;
+    let (mut states, stopped) = known.understood(&probe, &mut feed)?;
+    let rest = states.iter().position(|row| row.omega != Vector3::zeros()).unwrap_or(0);
+    states.drain(..rest);
+    let moves = states.first().filter(|_| rest > 0);
+    known.said.notes.extend(moves.map(|first| Note::Rest { line: first.line }));
     let (first, fitted) = start(&states, stopped, probe.len(), &subject.moments, options)?;
     let (direction, fit) = fitted.unzip();
     let mut trial = Trial::new(&subject, first, direction.flatten(), known)?;

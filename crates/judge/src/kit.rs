@@ -5,6 +5,7 @@ use crate::error::Error;
 use crate::law::LawName;
 use crate::memory::{Precision, Row, judge_in_memory};
 use crate::options::Options;
+use crate::read::Note;
 use crate::verdict::Verdict;
 use nalgebra::Vector3;
 use serde_json::Value;
@@ -154,7 +155,9 @@ impl Story {
         h: f64,
         step: impl FnMut([T; 4], [T; 3]) -> ([T; 4], [T; 3]),
     ) -> Result<Verdict, Error> {
-        judge_in_memory(self.moments, self.rows(h, step), &self.options(h))
+        let mut verdict = judge_in_memory(self.moments, self.rows(h, step), &self.options(h))?;
+        verdict.record.notes.push(Note::Story(self.name.clone()));
+        Ok(verdict)
     }
 
     /// What the judge allows of a run of it in steps of `h` seconds: as always, and for the turn against the

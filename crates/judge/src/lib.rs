@@ -32,7 +32,7 @@ pub use memory::{Precision, Row, judge_in_memory};
 pub use options::Options;
 pub use read::{FileMistake, Fit, Note};
 pub use rule::{
-    Advice, Alteration, Base, Confidence, Diagnosis, Explanation, Limits, PHYSICS_ENGINES, PhysicsEngine,
-    Rule, Spin, Steps, When,
+    Advice, Alteration, Base, Confidence, Diagnosis, Explanation, Jump, Limits, PHYSICS_ENGINES,
+    PhysicsEngine, Rule, Spin, Steps, Turn, When,
 };
 pub use verdict::{Outcome, Recording, Section, Verdict};

@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::judge::judge_rows;
 use crate::options::Options;
-use crate::read::{Printed, Raw, Said, Source};
+use crate::read::{Exact, Printed, Raw, Said, Source};
 use crate::thresholds::{MOST_DIGITS, ROWS_BEFORE_THE_END};
 use crate::verdict::Verdict;
 use nalgebra::{Quaternion, Vector3};
@@ -139,9 +139,11 @@ impl<T: Precision, I: Iterator<Item = Row<T>>> Source for Memory<I> {
             attitude,
             vector: spin,
             printed: Printed::default(),
-            digits: MOST_DIGITS,
-            single: numbers().all(|x| f64::from(x as f32) == x),
-            place: f64::INFINITY,
+            exact: [&row.attitude.map_or(Vec::new(), Vec::from)[..], &row.spin[..]].map(|numbers| Exact {
+                digits: MOST_DIGITS,
+                single: numbers.iter().all(|&x| f64::from(x.get() as f32) == x.get()),
+                place: f64::INFINITY,
+            }),
         }))
     }
 

@@ -1,6 +1,5 @@
 //! Which rule made the steps.
 
-mod accuracy;
 mod advice;
 mod candidates;
 mod confidence;
@@ -11,18 +10,19 @@ mod engines;
 mod fitted;
 mod names;
 mod rules;
+mod tried;
+mod unnamed;
 
-pub(crate) use accuracy::accuracy;
 pub use advice::Advice;
 pub(crate) use candidates::Subject;
 pub use confidence::Confidence;
-pub use diagnosis::{Diagnosis, Explanation};
+pub use diagnosis::{Diagnosis, Explanation, Jump};
 pub(crate) use diagnosis::{Whole, diagnose};
 pub(crate) use drift::Run;
 pub(crate) use engine_step::parted;
 pub use engine_step::{Limits, PhysicsEngine};
 pub use engines::PHYSICS_ENGINES;
-pub(crate) use fitted::{cap_at_start, compound, momentum_for_spin};
-pub(crate) use names::{engine_names, engines, first_named, readable, significant};
-pub use rules::{Alteration, Base, Rule, Spin, Steps, When};
+pub(crate) use fitted::{compound, momentum_for_spin, other_bodies};
+pub(crate) use names::{engine_names, engines, first_named, readable};
+pub use rules::{Alteration, Base, Rule, Spin, Steps, Turn, When};
 pub(crate) use rules::{frozen_at, in_parts, of_parts, plain};

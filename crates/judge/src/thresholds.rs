@@ -188,6 +188,8 @@ pub(crate) const LAW_OF_TWO: f64 = 2.0;
 
 // How an error grows.
 
+/// Logarithm of a ratio from which on a quantity that stays away from what it was has grown: a tenth.
+pub(crate) const GROWN: f64 = 0.1;
 /// Share of the time from which on a course is looked at: before it few rows have grown.
 pub(crate) const GROWTH_FROM: f64 = 1.0 / 16.0;
 /// Growth from the first half of the time to the second below which an error is bounded.
@@ -244,8 +246,21 @@ pub(crate) const NEAR_RATIO: [f64; 2] = [10.0, 1e3];
 pub(crate) const ABOVE_ROUNDING: f64 = 16.0;
 /// Error of an accurate rule's step, as a share of what the gyroscopic term changes in the step.
 /// Runge and Kutta's of order four and solvers with a tolerance of 1e-4 or less leave up to 8e-5 in the runs
-/// made for the tests; a term that is off by 0.5 %, or a drag, 4e-3 and more.
+/// made for the tests; a term that is off by 0.5 %, 4e-3 and more. A drag may leave less than this: it is
+/// tried by itself ([`ALTERED`]).
 pub(crate) const ACCURATE: f64 = 1e-4;
+/// How many times as well the exact motion must explain a record once it is damped, or its gyroscopic term
+/// multiplied, for a rule not to be called accurate; and for that to be named.
+pub(crate) const ALTERED: [f64; 2] = [3.0, 32.0];
+/// Roundings within which three rows are on a straight line, and the share of all rows from which on they are
+/// interpolated.
+pub(crate) const STRAIGHT: [f64; 2] = [16.0, 0.05];
+/// How many times as far as steps that still fit one must be from the rule to be a jump.
+pub(crate) const JUMP_IN_LIMITS: f64 = 100.0;
+/// How many times as fast a spin is that rules are compared at, and the difference up to which they are one.
+pub(crate) const FASTER: f64 = 3.0;
+/// Relative to the spin, or in rad.
+pub(crate) const SAME: f64 = 1e-9;
 /// Steps of a whole run taken once more for each rule: longer runs are compared by a part.
 pub(crate) const RUN_STEPS: f64 = 20_000.0;
 /// Share of a drift that a rule's own drift may miss.
@@ -259,39 +274,33 @@ pub(crate) const FLIPS_MISSED: u64 = 10;
 
 /// Share by which a spin is beyond a limit.
 pub(crate) const BEYOND: f64 = 1e-9;
-/// First step that slows a body by this factor, and share by which no later one goes beyond: a cap.
-pub(crate) const CAP_AT_START: [f64; 2] = [1.05, 1e-6];
 /// Rows at a greatest spin that make a cap: at least this number, and at least one in this number.
 pub(crate) const CAPPED_ROWS: [usize; 2] = [4, 10];
 /// Loss of spin a step, as a share, below which there is no damping.
 pub(crate) const DAMPED: f64 = 1e-9;
 /// Roundings by which a factor of damping must be below one.
 pub(crate) const DAMPED_ROUNDINGS: f64 = 16.0;
-/// Change of a factor, as a share, at which a fit has converged.
-pub(crate) const CONVERGED: f64 = 1e-15;
-/// Change of a moment, as a share, by which derivatives are taken: the cube root of rounding, about.
+/// How near a rate of damping must be to one of three digits to be that one, as a share.
+pub(crate) const ROUND_RATE: f64 = 1e-5;
+/// How near a multiple of the gyroscopic term must be to one that has a name, and how far from 1.
+pub(crate) const NEAR_A_TERM: [f64; 2] = [1e-4, 1e-3];
+/// Change of a number of order 1 by which derivatives are taken: the cube root of rounding, about.
 pub(crate) const JOLT: f64 = 1e-6;
 
-// A start fitted to the first rows.
+// A fit by least squares.
 
-/// Smallest share of a step tried.
-pub(crate) const FIT_SHARE: f64 = 1e-3;
+/// Shares of a step that are tried: the whole of it, or less where it leads away.
+pub(crate) const FIT_SHARES: [f64; 4] = [1.0, 0.5, 0.1, 0.01];
 /// Gain, as a share, below which a fit has converged.
 pub(crate) const FIT_GAIN: f64 = 1e-12;
-/// Step left, relative to the spin, at which the bottom is reached but for rounding.
-pub(crate) const FIT_BOTTOM: f64 = 1e-6;
 /// What may be left of the spins, as a share: more is another motion.
 pub(crate) const FIT_LEFT: f64 = 0.1;
 
 // Rounds of iterations: each is more than a right record takes, and none goes on without gain.
 
-/// Of Gauss and Newton's way to a start.
-pub(crate) const FIT_ROUNDS: usize = 40;
+/// Of Gauss and Newton's way in a fit.
+pub(crate) const FIT_ROUNDS: usize = 20;
 /// Of Newton's way to the spin of a turn.
 pub(crate) const SPIN_ROUNDS: usize = 20;
 /// Of a rule's way to the spin of a turn, of first order.
 pub(crate) const RULE_ROUNDS: usize = 60;
-/// Of Gauss and Newton's way to moments.
-pub(crate) const MOMENTS_ROUNDS: usize = 12;
-/// Of the way to a factor of damping.
-pub(crate) const DAMPING_ROUNDS: usize = 6;

@@ -2,7 +2,7 @@
 
 use crate::laws::{Stretch, Stretches};
 use crate::thresholds::{
-    BOUNDED, EXPONENTIAL, EXPONENTIAL_FROM, GROWTH_FROM, OF_ITSELF, POWERS, STAYED, STRETCHES,
+    BOUNDED, EXPONENTIAL, EXPONENTIAL_FROM, GROWN, GROWTH_FROM, OF_ITSELF, POWERS, STAYED, STRETCHES,
 };
 
 /// The size of an error over a record of any length.
@@ -78,11 +78,11 @@ impl Curve {
             .collect();
         let at = |share: f64| envelope.iter().find(|x| x.0 >= share * end).map_or(most, |x| x.1);
         if most < BOUNDED * at(0.5) {
-            // A quantity doubled or halved, which never comes near to what it was again.
+            // A quantity a tenth larger or smaller, or more, which never comes near to what it was again.
             let later = self.stretches.all().iter().filter(|x| x.t >= end / 2.0);
             let least = later.map(|x| x.most).fold(f64::INFINITY, f64::min);
             let one_way = self.greatest.min(-self.least) < STAYED * most;
-            let great = of_ratio && one_way && most > std::f64::consts::LN_2 && least > STAYED * most;
+            let great = of_ratio && one_way && most > GROWN && least > STAYED * most;
             return if great { Growth::Stayed } else { Growth::Bounded };
         }
         let ([fast, linear], [even_most, fast_most]) = (POWERS, OF_ITSELF);
@@ -136,7 +136,7 @@ pub enum Growth {
     Rounding,
     /// In the second half of the time no more than in the first, to a quarter.
     Bounded,
-    /// Of a quantity that doubled, or halved, or worse, and then stayed away from what it was.
+    /// Of a quantity that grew or shrank by a tenth or more, and then stayed away from what it was.
     Stayed,
     /// As the square root of time.
     RandomWalk {

@@ -33,6 +33,18 @@ pub(crate) enum TimeColumn {
     Time(usize),
     /// A count of steps.
     Steps(usize),
+    /// Nothing: each row is one step.
+    Rows,
+}
+
+impl TimeColumn {
+    /// Its place among the fields, if it has one.
+    pub(crate) const fn place(self) -> Option<usize> {
+        match self {
+            Self::Time(i) | Self::Steps(i) => Some(i),
+            Self::Rows => None,
+        }
+    }
 }
 
 /// What the three numbers are that move.
@@ -225,12 +237,16 @@ impl Names {
         Ok(Some(places.into_iter().flatten().collect()))
     }
 
-    fn clock(&self) -> Result<TimeColumn, Error> {
+    /// The time; `step` says whether the header has the length of a step.
+    fn clock(&self, step: bool) -> Result<TimeColumn, Error> {
         let times: Vec<&str> = TIME.into_iter().chain(TIME_IN.map(|name| name.0)).collect();
         match (self.any(&times)?, self.any(&STEPS)?) {
             (Some(i), _) => Ok(TimeColumn::Time(i)),
             (None, Some(i)) => Ok(TimeColumn::Steps(i)),
-            (None, None) => Err(self.wrong(format!("the column `t` is missing; {KNOWN}"))),
+            (None, None) if step => Ok(TimeColumn::Rows),
+            (None, None) => Err(self.wrong(format!(
+                "the column `t` is missing: add it, or a comment line `# dt: 1/60` with the time from row to row; {KNOWN}"
+            ))),
         }
     }
 
@@ -316,11 +332,11 @@ impl Names {
 }
 
 impl Columns {
-    /// From the line of names.
-    pub(crate) fn of(line: &str, number: usize) -> Result<Self, Error> {
+    /// From the line of names; `step` says whether the header has the length of a step.
+    pub(crate) fn of(line: &str, number: usize, step: bool) -> Result<Self, Error> {
         let separator = Separator::of(line);
         let names = Names::of(separator, line, number)?;
-        let clock = names.clock()?;
+        let clock = names.clock(step)?;
         let attitude = names.attitude()?;
         let (kind, vector) = match names.vector()? {
             Some((kind, places)) => (kind, Some(places)),
@@ -350,8 +366,7 @@ impl Columns {
 
     /// Whether a column is read.
     pub(crate) fn reads(&self, i: usize) -> bool {
-        let (TimeColumn::Time(clock) | TimeColumn::Steps(clock)) = self.clock;
-        i == clock
+        self.clock.place() == Some(i)
             || self.attitude.is_some_and(|places| places.contains(&i))
             || self.vector.is_some_and(|places| places.contains(&i))
     }

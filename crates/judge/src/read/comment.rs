@@ -17,6 +17,8 @@ pub struct Header {
     pub inertia: Option<Vector3<f64>>,
     /// By how much their printed digits leave them open.
     pub open: Vector3<f64>,
+    /// Each of them where it has a line of its own, and by how much its digits leave it open.
+    each: [Option<(f64, f64)>; 3],
     /// The step, s.
     pub step: Option<f64>,
     /// A torque constant in the world, N m.
@@ -62,13 +64,35 @@ fn seconds(text: &str) -> Option<f64> {
     Some(number / words.next().and_then(units::per_second).unwrap_or(1.0))
 }
 
-/// Three numbers, and by how much their printed digits leave them open.
+/// The numbers up to the first word that is none, and by how much their printed digits leave them open.
+fn numbers(text: &str) -> Vec<(f64, f64)> {
+    let words = text.split([' ', ',', '\t', ';', '(', ')', '[', ']']).filter(|x| !x.is_empty());
+    words.map_while(|word| Some((word.parse().ok()?, 0.5 * last_place(word)))).collect()
+}
+
+/// The first three numbers, and by how much their printed digits leave them open.
 fn three(text: &str) -> Option<[Vector3<f64>; 2]> {
-    let text = text.trim_start_matches(['(', '[', ' ']);
-    let mut words = text.split([' ', ',', '\t', ';', ')', ']']).filter(|x| !x.is_empty());
-    let mut number = || words.next().and_then(|word| Some((word.parse().ok()?, 0.5 * last_place(word))));
-    let (x, y, z) = (number()?, number()?, number()?);
+    let [x, y, z, ..] = numbers(text)[..] else { return None };
     Some([Vector3::new(x.0, y.0, z.0), Vector3::new(x.1, y.1, z.1)])
+}
+
+/// Three moments; of nine numbers, or of six, the tensor's, those of its diagonal if the rest are zero.
+fn moments(text: &str) -> Result<Option<[Vector3<f64>; 2]>, String> {
+    let all = numbers(text);
+    let places = match all.len() {
+        6 => [0, 1, 2],
+        9 => [0, 4, 8],
+        _ => return Ok(three(text)),
+    };
+    if (0..all.len()).any(|i| !places.contains(&i) && all[i].0 != 0.0) {
+        return Err(format!(
+            "{} numbers are given for the inertia, with products that are not zero: give the three principal moments, and write \
+             spin and attitude about the principal axes",
+            all.len()
+        ));
+    }
+    let part = |of: fn(&(f64, f64)) -> f64| Vector3::from(places.map(|i| of(&all[i])));
+    Ok(Some([part(|x| x.0), part(|x| x.1)]))
 }
 
 /// What comes before a semicolon.
@@ -89,11 +113,18 @@ impl Header {
             if self.inertia.is_none()
                 && let Some(text) = after(comment, word)
             {
-                match three(text) {
+                match moments(text).map_err(|problem| Error::Line { line, problem })? {
                     Some([moments, open]) => (self.inertia, self.open) = (Some(moments), open),
-                    None => unread = Some(word),
+                    None => unread = Some(word).filter(|_| after(comment, "ixx").is_none()),
                 }
             }
+        }
+        for (i, word) in ["ixx", "iyy", "izz"].into_iter().enumerate() {
+            self.each[i] =
+                self.each[i].or(after(comment, word).and_then(|text| numbers(text).first().copied()));
+        }
+        if let (None, [Some(x), Some(y), Some(z)]) = (self.inertia, self.each) {
+            (self.inertia, self.open) = (Some(Vector3::new(x.0, y.0, z.0)), Vector3::new(x.1, y.1, z.1));
         }
         if self.torque.is_none()
             && let Some(text) = after(comment, "torque")

@@ -1,9 +1,9 @@
-//! A start fitted to the first rows, for records of few digits.
+//! A fit by least squares; and a start fitted to the first rows, for records of few digits.
 
 use crate::error::Error;
 use crate::read::Row;
-use crate::thresholds::{FIT_BOTTOM, FIT_GAIN, FIT_LEFT, FIT_ROUNDS, FIT_SHARE};
-use nalgebra::{Matrix3, Vector3};
+use crate::thresholds::{FIT_GAIN, FIT_LEFT, FIT_ROUNDS, FIT_SHARES, JOLT};
+use nalgebra::{SMatrix, SVector, Vector3};
 use serde::Serialize;
 use tumbling::exact::FreeMotion;
 
@@ -18,28 +18,45 @@ pub struct Fit {
     pub moved: f64,
 }
 
-/// The squares of what is left of the rows' spins by the exact motion from this one, summed.
-fn left(moments: &Vector3<f64>, rows: &[Row], omega: &Vector3<f64>) -> Result<f64, tumbling::Error> {
-    let motion = FreeMotion::new((*moments).try_into()?, omega)?;
-    rows.iter()
-        .try_fold(0.0, |sum, row| Ok(sum + (motion.omega(row.t - rows[0].t)? - row.omega).norm_squared()))
-}
-
-/// The step of Gauss and Newton's way; none where the rows do not determine it.
-fn step(
-    moments: &Vector3<f64>,
-    rows: &[Row],
-    omega: &Vector3<f64>,
-) -> Result<Option<Vector3<f64>>, tumbling::Error> {
-    let motion = FreeMotion::new((*moments).try_into()?, omega)?;
-    let (mut normal, mut side) = (Matrix3::zeros(), Vector3::zeros());
-    for row in rows {
-        let t = row.t - rows[0].t;
-        let by_start = motion.state_transition(t)?.fixed_view::<3, 3>(3, 3).into_owned();
-        normal += by_start.tr_mul(&by_start);
-        side += by_start.tr_mul(&(row.omega - motion.omega(t)?));
+/// Gauss and Newton's way to the numbers of order 1 that miss a record least; `misses` has none of numbers
+/// that cannot be, and `inside` leads back from there.
+pub(crate) fn least<const N: usize>(
+    start: SVector<f64, N>,
+    misses: impl Fn(&SVector<f64, N>) -> Option<Vec<Vector3<f64>>>,
+    inside: impl Fn(SVector<f64, N>) -> SVector<f64, N>,
+) -> Option<SVector<f64, N>> {
+    let dot = |a: &[Vector3<f64>], b: &[Vector3<f64>]| a.iter().zip(b).map(|(a, b)| a.dot(b)).sum::<f64>();
+    let mut at = start;
+    let mut here = misses(&at)?;
+    for _ in 0..FIT_ROUNDS {
+        let mut along = Vec::new();
+        for i in 0..N {
+            let jolted = |by: f64| {
+                let mut other = at;
+                other[i] += by;
+                let change = |(there, here): (&Vector3<f64>, &Vector3<f64>)| (there - here) / by;
+                misses(&other).map(|there| there.iter().zip(&here).map(change).collect::<Vec<_>>())
+            };
+            along.push(jolted(JOLT).or_else(|| jolted(-JOLT))?);
+        }
+        let normal = SMatrix::<f64, N, N>::from_fn(|i, j| dot(&along[i], &along[j]));
+        let side = SVector::<f64, N>::from_fn(|i, _| dot(&along[i], &here));
+        let step = normal.cholesky()?.solve(&side);
+        let before = dot(&here, &here);
+        // Shorter steps where the whole one leads away.
+        let better = FIT_SHARES.iter().find_map(|share| {
+            let next = inside(at - step * *share);
+            let there = misses(&next)?;
+            let now = dot(&there, &there);
+            (now < before).then_some((next, there, now))
+        });
+        let Some((next, there, now)) = better else { break };
+        (at, here) = (next, there);
+        if now > before * (1.0 - FIT_GAIN) {
+            break;
+        }
     }
-    Ok(normal.cholesky().map(|root| root.solve(&side)))
+    Some(at)
 }
 
 /// The spin at the time of the first row whose exact motion is nearest to the spins of all of them, in the
@@ -47,42 +64,16 @@ fn step(
 pub(crate) fn fitted_start(moments: &Vector3<f64>, rows: &[Row]) -> Result<(Vector3<f64>, Fit), Error> {
     let none = |problem: &str| Error::Fit { rows: rows.len(), problem: problem.into() };
     let [first, .., last] = rows else { return Err(none("it takes two rows at least")) };
-    let mut omega = first.omega;
-    let mut least = left(moments, rows, &omega)?;
-    let speed = rows.iter().map(|row| row.omega.norm()).fold(0.0, f64::max);
-    let enough = f64::EPSILON * speed;
-    let mut settled = speed == 0.0;
-    for _ in 0..FIT_ROUNDS {
-        if settled {
-            break;
-        }
-        let Some(step) = step(moments, rows, &omega)? else {
-            return Err(none("the rows do not determine the three components of a start"));
-        };
-        // Shorter steps where the whole one leads away.
-        let mut share = 1.0;
-        let mut better = None;
-        while share > FIT_SHARE && better.is_none() {
-            let next = omega + step * share;
-            better = left(moments, rows, &next).ok().filter(|now| *now < least).map(|now| (next, now));
-            share /= 2.0;
-        }
-        if let Some((next, now)) = better {
-            settled = (next - omega).norm() <= enough || now > least * (1.0 - FIT_GAIN);
-            (omega, least) = (next, now);
-            continue;
-        }
-        // At the bottom no step leads further down: by rounding only, or it is no bottom.
-        settled = step.norm() <= FIT_BOTTOM * speed;
-        if !settled {
-            return Err(none("it does not converge: no start near the first row's comes nearer to the rows"));
-        }
-    }
-    if !settled {
-        return Err(none("it does not converge in the rounds that it has"));
-    }
-    let left = (least / rows.len() as f64).sqrt();
-    let moved = (omega - first.omega).norm();
+    let speed = rows.iter().map(|row| row.omega.norm()).fold(f64::MIN_POSITIVE, f64::max);
+    let misses = |spin: &Vector3<f64>| -> Option<Vec<Vector3<f64>>> {
+        let motion = FreeMotion::new((*moments).try_into().ok()?, &(spin * speed)).ok()?;
+        let miss = |row: &Row| Some((motion.omega(row.t - first.t).ok()? - row.omega) / speed);
+        rows.iter().map(miss).collect()
+    };
+    let unknown = || none("the rows do not determine the three components of a start");
+    let spin = least(first.omega / speed, misses, |spin| spin).ok_or_else(unknown)?;
+    let sum: f64 = misses(&spin).ok_or_else(unknown)?.iter().map(Vector3::norm_squared).sum();
+    let (omega, left) = (spin * speed, speed * (sum / rows.len() as f64).sqrt());
     // What is left must be rounding or an engine's error, not another motion.
     if left > FIT_LEFT * speed {
         let over = last.t - first.t;
@@ -90,5 +81,5 @@ pub(crate) fn fitted_start(moments: &Vector3<f64>, rows: &[Row]) -> Result<(Vect
             "no free motion comes near to these rows: {left:.2e} rad/s are left of {speed:.2e} over {over:.3e} s. Take fewer rows"
         )));
     }
-    Ok((omega, Fit { rows: rows.len(), left, moved }))
+    Ok((omega, Fit { rows: rows.len(), left, moved: (omega - first.omega).norm() }))
 }

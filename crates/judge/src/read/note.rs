@@ -13,6 +13,13 @@ pub enum Note {
         /// What it speaks of.
         word: &'static str,
     },
+    /// The record is of this story of the kit.
+    Story(String),
+    /// The body is at rest before this line: the rows before it are left out.
+    Rest {
+        /// The line.
+        line: usize,
+    },
     /// Rounded moments that no body has are taken for those of a flat body.
     Flat {
         /// The largest, as printed, kg m².

@@ -6,27 +6,40 @@ use crate::thresholds::{
     FITS_FEW_FROM, FITS_SINGLE, MOST_DIGITS,
 };
 
-/// The rounding of numbers that have this number of digits, or that single precision holds.
+/// The rounding of a record's numbers: of attitudes and of vectors each on their own, and the larger of both.
 pub(crate) fn rounding(probe: &[Raw]) -> f64 {
-    let digits = probe.iter().map(|raw| raw.digits).max().unwrap_or(MOST_DIGITS).min(MOST_DIGITS);
-    let single = probe.iter().all(|raw| raw.single) && digits > DIGITS_OF_SINGLE;
-    let of_digits =
-        if digits >= DIGITS_OF_DOUBLE { 0.0 } else { 10.0_f64.powi(1 - i32::try_from(digits).unwrap_or(17)) };
-    // Few digits may be all there are: 0.5 has one. A record of such numbers alone does not move.
-    let of_digits = if digits < FEWEST_DIGITS { 0.0 } else { of_digits };
-    let of_single = if single { f64::from(f32::EPSILON) } else { 0.0 };
-    // Numbers with a fixed number of places after the point have fewer digits where they are small.
-    let place = probe.iter().map(|raw| raw.place).fold(f64::INFINITY, f64::min);
-    let size = median(probe.iter().map(|raw| raw.vector.norm()).filter(|size| *size > 0.0));
-    let of_place = if digits < FEWEST_DIGITS
-        || place.partial_cmp(&size) != Some(std::cmp::Ordering::Less)
-        || size.is_infinite()
-    {
+    let vector = median(probe.iter().map(|raw| raw.vector.norm()).filter(|size| *size > 0.0));
+    let moves = [
+        probe.windows(2).any(|two| two[0].attitude != two[1].attitude),
+        probe.windows(2).any(|two| two[0].vector != two[1].vector),
+    ];
+    // Numbers that stay as they are may fit any precision.
+    let all_stay = moves == [false; 2];
+    let groups = [(0, 1.0), (1, vector)].into_iter().filter(|(group, _)| moves[*group] || all_stay);
+    groups.map(|(group, size)| rounding_of(probe, group, size, all_stay)).fold(f64::EPSILON, f64::max)
+}
+
+/// The rounding of numbers that have this number of digits, or that single precision holds.
+fn rounding_of(probe: &[Raw], group: usize, size: f64, stays: bool) -> f64 {
+    let all = probe.iter().map(|raw| raw.exact[group]);
+    let digits = all.clone().map(|exact| exact.digits).max().unwrap_or(MOST_DIGITS).min(MOST_DIGITS);
+    // Few digits may be all there are where nothing moves: 0.5 has one.
+    if stays && digits < FEWEST_DIGITS {
+        return 0.0;
+    }
+    // The first digit of an attitude's numbers stands for tenths.
+    let first = i32::from(group == 1);
+    let single = digits > DIGITS_OF_SINGLE && all.clone().all(|exact| exact.single);
+    let of_digits = if digits >= DIGITS_OF_DOUBLE {
         0.0
     } else {
-        place / size
+        10.0_f64.powi(first - i32::try_from(digits).unwrap_or(17))
     };
-    f64::EPSILON.max(of_digits).max(of_single).max(of_place)
+    let of_single = if single { f64::from(f32::EPSILON) } else { 0.0 };
+    // Numbers with a fixed number of places after the point have fewer digits where they are small.
+    let place = all.map(|exact| exact.place).fold(f64::INFINITY, f64::min);
+    let of_place = if place < size && size.is_finite() { place / size } else { 0.0 };
+    of_digits.max(of_single).max(of_place)
 }
 
 /// The rounding of a record's numbers.

@@ -1,7 +1,7 @@
 //! A record, row by row: one line in memory at a time.
 
 use crate::error::Error;
-use crate::read::{Columns, Header, Printed, Raw, Source, TimeColumn, last_place, significant};
+use crate::read::{Columns, Exact, Header, Printed, Raw, Source, TimeColumn, last_place, significant};
 use crate::thresholds::{FIELD_SHOWN, LINE_BYTES, MOST_DIGITS_OF_SINGLE, ROWS_BEFORE_THE_END};
 use nalgebra::{Quaternion, Vector3};
 use std::io::BufRead;
@@ -29,7 +29,7 @@ impl<R: BufRead> Rows<R> {
             if let Some(comment) = text.strip_prefix('#') {
                 header.read(comment, line)?;
             } else if !text.is_empty() {
-                let columns = Columns::of(text, line)?;
+                let columns = Columns::of(text, line, header.step.is_some())?;
                 if matches!(columns.clock, TimeColumn::Steps(_)) && header.step.is_none() {
                     let problem = "steps are counted, and their length is not given: a comment line `# dt: 0.01`, or a \
                                    column `t`, is missing";
@@ -50,7 +50,7 @@ impl<R: BufRead> Rows<R> {
             if text.is_empty() || text.starts_with('#') {
                 continue;
             }
-            let raw = match read(&self.columns, text, line, &self.header, &mut self.fields) {
+            let raw = match read(&self.columns, text, line, (&self.header, self.rows), &mut self.fields) {
                 Err(Wrong::NotFinite(error)) if self.rows >= ROWS_BEFORE_THE_END => {
                     self.ended = Some(error);
                     break;
@@ -61,7 +61,7 @@ impl<R: BufRead> Rows<R> {
             if let Some(last) = self.last.replace(raw.t)
                 && raw.t <= last
             {
-                let (TimeColumn::Time(i) | TimeColumn::Steps(i)) = self.columns.clock;
+                let i = self.columns.clock.place().unwrap_or(0);
                 let problem = format!("time does not increase: {} s after {last} s", raw.t);
                 return Err(Error::Field {
                     line,
@@ -95,38 +95,36 @@ enum Wrong {
     Row(Error),
 }
 
-/// What the numbers of a row say of how exact they are.
-struct Exact {
-    printed: Printed,
-    digits: u32,
-    single: bool,
-    place: f64,
+impl Exact {
+    /// Of no number yet.
+    const NONE: Self = Self { digits: 0, single: true, place: f64::INFINITY };
+
+    fn take(&mut self, field: &str, value: f64) {
+        self.digits = self.digits.max(significant(field));
+        let place = last_place(field);
+        self.place = self.place.min(place);
+        // As it stands, or as decimals of it that lead back to it.
+        let off = (f64::from(value as f32) - value).abs();
+        let decimals = significant(field) <= MOST_DIGITS_OF_SINGLE;
+        self.single &= off == 0.0 || decimals && off <= 0.5000001 * place;
+    }
 }
 
-impl Exact {
-    fn take(&mut self, field: &str, value: f64, is_time: bool) {
-        if is_time {
-            self.printed.half = 0.5 * last_place(field);
-            self.printed.digits = significant(field);
-            if value != 0.0 {
-                self.printed.above = 10.0_f64.powf(value.abs().log10().floor() + 1.0);
-            }
-        } else {
-            self.digits = self.digits.max(significant(field));
-            let place = last_place(field);
-            self.place = self.place.min(place);
-            // As it stands, or as decimals of it that lead back to it.
-            let off = (f64::from(value as f32) - value).abs();
-            let decimals = significant(field) <= MOST_DIGITS_OF_SINGLE;
-            self.single &= off == 0.0 || decimals && off <= 0.5000001 * place;
-        }
+impl Printed {
+    fn of(field: &str, value: f64) -> Self {
+        let above = if value == 0.0 { 0.0 } else { 10.0_f64.powf(value.abs().log10().floor() + 1.0) };
+        Self { half: 0.5 * last_place(field), digits: significant(field), above }
     }
 }
 
 /// The numbers of a row, one for each column; zero where none is read.
-fn numbers(columns: &Columns, text: &str, line: usize, fields: &mut Vec<f64>) -> Result<Exact, Wrong> {
-    let (TimeColumn::Time(clock) | TimeColumn::Steps(clock)) = columns.clock;
-    let mut exact = Exact { printed: Printed::default(), digits: 0, single: true, place: f64::INFINITY };
+fn numbers(
+    columns: &Columns,
+    text: &str,
+    line: usize,
+    fields: &mut Vec<f64>,
+) -> Result<(Printed, [Exact; 2]), Wrong> {
+    let (mut printed, mut exact) = (Printed::default(), [Exact::NONE; 2]);
     let there = columns.names.len();
     fields.clear();
     for (i, field) in columns.separator.split(text).enumerate() {
@@ -156,7 +154,12 @@ fn numbers(columns: &Columns, text: &str, line: usize, fields: &mut Vec<f64>) ->
             let problem = format!("the value is {}: from here on there is no motion", shown(field));
             return Err(Wrong::NotFinite(wrong(problem)));
         }
-        exact.take(field, value, i == clock);
+        if columns.clock.place() == Some(i) {
+            printed = Printed::of(field, value);
+        } else {
+            let of_attitude = columns.attitude.is_some_and(|places| places.contains(&i));
+            exact[usize::from(!of_attitude)].take(field, value);
+        }
         fields.push(value);
     }
     if let Some(missing) = columns.names.get(fields.len()) {
@@ -164,20 +167,21 @@ fn numbers(columns: &Columns, text: &str, line: usize, fields: &mut Vec<f64>) ->
         let problem = format!("there are {found} fields for {there} columns: `{missing}` is missing");
         return Err(Wrong::Row(Error::Line { line, problem }));
     }
-    Ok(exact)
+    Ok((printed, exact))
 }
 
 fn read(
     columns: &Columns,
     text: &str,
     line: usize,
-    header: &Header,
+    (header, rows): (&Header, u64),
     fields: &mut Vec<f64>,
 ) -> Result<Raw, Wrong> {
-    let Exact { printed, digits, single, place } = numbers(columns, text, line, fields)?;
+    let (printed, exact) = numbers(columns, text, line, fields)?;
     let t = match columns.clock {
         TimeColumn::Time(i) => fields[i] / columns.per_second,
         TimeColumn::Steps(i) => fields[i] * header.step.unwrap_or(1.0),
+        TimeColumn::Rows => rows as f64 * header.step.unwrap_or(1.0),
     };
     let printed = match columns.clock {
         TimeColumn::Time(_) => Printed {
@@ -185,7 +189,7 @@ fn read(
             above: printed.above / columns.per_second,
             ..printed
         },
-        TimeColumn::Steps(_) => Printed::default(),
+        TimeColumn::Steps(_) | TimeColumn::Rows => Printed::default(),
     };
     let vector =
         Vector3::from(columns.vector.map_or([0.0; 3], |places| places.map(|i| fields[i]))) * columns.unit;
@@ -193,7 +197,7 @@ fn read(
         let [w, x, y, z] = places.map(|i| fields[i]);
         Quaternion::new(w, x, y, z)
     });
-    Ok(Raw { line, t, attitude, vector, printed, digits, single, place })
+    Ok(Raw { line, t, attitude, vector, printed, exact })
 }
 
 /// A field as an error shows it: not all of a long one.

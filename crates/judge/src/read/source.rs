@@ -35,11 +35,18 @@ pub(crate) struct Raw {
     pub vector: Vector3<f64>,
     /// How its time is printed.
     pub printed: Printed,
-    /// The most significant digits that any of its numbers has.
+    /// How exact the numbers of the attitude are, and those of the vector.
+    pub exact: [Exact; 2],
+}
+
+/// How exact numbers are, as they are written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Exact {
+    /// The most significant digits of any.
     pub digits: u32,
-    /// Whether all but the time fit single precision.
+    /// Whether all fit single precision.
     pub single: bool,
-    /// What a one is worth in the last place of the number that is written most finely.
+    /// What a one is worth in the last place of the one that is written most finely.
     pub place: f64,
 }
 

@@ -1,6 +1,6 @@
 //! What to do about a rule that is found, and where the book says more.
 
-use crate::rule::{Alteration, Base, Confidence, Rule, Spin};
+use crate::rule::{Alteration, Base, Confidence, Rule, Spin, Turn, Whole};
 use tumbling::step::Method;
 
 /// What a rule means for a body, and what to do.
@@ -28,57 +28,85 @@ const fn with(chapter: &'static str, words: &'static str) -> Advice {
 }
 
 impl Advice {
+    const SINGLE: &str = "Each step is exact to the rounding of single precision; over many steps that rounding adds up. For longer \
+                          runs or for stricter limits carry attitude and momentum in double precision.";
+
     const NOTHING: Self = advice("Nothing to do: the steps are the motion itself.");
 
     /// What follows from the rule that fits best and how well it fits; `single` says whether the record is in
-    /// single precision, `kept` whether every law is kept to rounding, `fails` whether it fails all the same.
-    pub(crate) fn of(confidence: Confidence, rule: &Rule, single: bool, kept: bool, fails: bool) -> Self {
-        match confidence {
+    /// single precision, `jumps` whether some steps are not the rule's.
+    pub(crate) fn of(
+        confidence: Confidence,
+        rule: &Rule,
+        single: bool,
+        whole: &Whole,
+        jumps: bool,
+    ) -> Vec<Self> {
+        let one = match confidence {
             Confidence::NoneFits => with(STEPS, "Compare the engine's rule with those that are known."),
             Confidence::Accurate => with(
                 STEPS,
-                "The rule is none of those known here, as those with steps chosen by error control are. Its errors fall with \
-                 its tolerance or its step; what drifts in the table goes on drifting.",
+                "Its errors fall with its step or its tolerance; what drifts in the table goes on drifting.",
             ),
+            Confidence::Interpolated => {
+                advice("Write a row at each of the engine's steps, and none in between.")
+            }
             Confidence::FewSteps => advice("Write a row at every step, and judge it again."),
             Confidence::SmallErrors => advice(
                 "Errors so close to rounding are those of many rules: record a faster spin, or longer steps, and judge it again.",
             ),
+            Confidence::FewDigits if single => advice(Self::SINGLE),
             Confidence::FewDigits => advice(
                 "Write the record with all digits (17 of double precision, 9 of single), and judge it again.",
+            ),
+            Confidence::MostSteps if jumps => advice(
+                "Something acts on the body at the jumps: turn off contacts, pushes and resets, or look at what happens there.",
             ),
             Confidence::MostSteps => advice(
                 "Most steps are this rule's: find what acts in the others, a limit, damping, a contact or a push.",
             ),
             Confidence::ToRounding | Confidence::Near => match Self::of_rule(rule) {
-                Self::NOTHING if single => advice(
-                    "Each step is exact to the rounding of single precision; over many steps that rounding adds up. For longer \
-                     runs or for stricter limits carry attitude and momentum in double precision.",
-                ),
-                Self::NOTHING if !kept => advice(
-                    "Each step is exact to the record's rounding, and over the whole record the laws named above are not kept: \
+                Self::NOTHING if single => advice(Self::SINGLE),
+                Self::NOTHING if !whole.kept => advice(
+                    "Each step is exact to the record's rounding, and over the whole record the laws named here are not kept: \
                      errors below that rounding add up. Record all digits, or longer steps, and judge it again.",
                 ),
-                Self::NOTHING if fails => advice(
-                    "The steps are the motion itself: what fails the record is named above, and is not the rule.",
+                Self::NOTHING if whole.fails => advice(
+                    "The steps are the motion itself: what fails the record is named here, and is not the rule.",
                 ),
                 other => other,
             },
-        }
+        };
+        // A rule with something altered has a fault of its own, and so has one between jumps.
+        let more = (jumps || confidence.names_a_rule() && rule.alteration.is_some())
+            .then(|| Self::of_rule(&if jumps { *rule } else { Rule::plain(rule.base) }));
+        std::iter::once(one).chain(more.filter(|more| *more != Self::NOTHING)).collect()
     }
 
     /// What follows from a rule that all steps are made by.
     const fn of_rule(rule: &Rule) -> Self {
         match (&rule.alteration, &rule.base) {
-            (Some(Alteration::OtherMoments(_)), _) => with(
+            (Some(Alteration::OtherMoments(..)), _) => with(
                 AXES,
                 "The engine steps a body with other moments than the record says: look for a wrong order of axes, a principal \
                  frame that is left out, or a shape that replaces the moments set. A free body shows their ratios, never their \
                  common scale.",
             ),
-            (Some(Alteration::Damped(..)), _) => {
+            (Some(Alteration::Damped { .. }), _) => {
                 with(STEPS, "Damping takes spin in each step: set the engine's angular damping to 0.")
             }
+            (Some(Alteration::Term(_)), _) => with(
+                PITFALL_FLIPS,
+                "The gyroscopic term is not that of the body: write w' = J ((I w) x w) in body axes, with J the inverse of the \
+                 tensor I, once and with this order of the product.",
+            ),
+            (Some(Alteration::Turned(Turn::Old | Turn::Late)), _) => advice(
+                "Spin and attitude of a row are not of one instant: turn the body by the new spin, and write both after the step.",
+            ),
+            (Some(Alteration::Turned(Turn::Otherwise)), _) => advice(
+                "The spin goes by this rule, and the attitude does not follow it: look at how the spin turns the body, and at the \
+                 columns of the attitude.",
+            ),
             (Some(Alteration::Capped(_)), _) => {
                 advice("The spin is cut off at a limit: raise the engine's greatest angular velocity.")
             }
@@ -91,7 +119,7 @@ impl Advice {
             (None, Base::Method(method, _)) => Self::of_method(*method),
             (None, Base::Engine(engine)) => Self::of_method(engine.method),
             (None, Base::PositionStage(_)) => Self::KEEPS_LAWS,
-            (None, Base::FrozenTensor(_) | Base::FrozenAt(..)) => with(
+            (None, Base::FrozenTensor(..)) => with(
                 PITFALL_TENSOR,
                 "The spin is stepped in the world with the tensor of the body as it stood at the start: turn the tensor with the \
                  body, R I R^T, at each step.",

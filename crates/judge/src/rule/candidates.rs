@@ -1,7 +1,7 @@
 //! The body of a record, and how each rule that may have made it takes a row one step further.
 
 use crate::read::{Pair, Row, angle_between, ordered, unit};
-use crate::rule::{Alteration, Base, Limits, Rule, Spin, Steps, When, parted};
+use crate::rule::{Alteration, Base, Limits, Rule, Spin, Steps, Turn, When, parted};
 use crate::thresholds::{FAR_FROM_ONE, RULE_ROUNDS, STILL};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::exact::FreeMotion;
@@ -71,9 +71,8 @@ impl Subject {
             }
             Base::Engine(engine) => engine.step(&self.system, &self.motion(from), h).ok().map(end),
             Base::PositionStage(parts) => self.staged(parts.max(1), from, h),
-            Base::FrozenTensor(steps) => self.frozen(steps, from, h),
-            Base::FrozenAt(first, steps) => {
-                // In the axes that the body had at first the tensor is frozen at the identity.
+            Base::FrozenTensor(first, steps) => {
+                // In the axes that the body had there the tensor is frozen at the identity.
                 let from = Row { attitude: Some(attitude::product(&first.conjugate(), &start)), ..*from };
                 let (q, omega) = self.frozen(steps, &from, h)?;
                 Some((attitude::product(&first, &q), omega))
@@ -145,11 +144,22 @@ impl Subject {
         let with = |omega: Vector3<f64>| (turned(&start, &omega, h), omega);
         let Some(alteration) = rule.alteration else { return base(from, h) };
         match alteration {
-            Alteration::OtherMoments(moments) => {
-                Self::new(moments, self.torque).ok()?.based(rule.base, from, h)
+            Alteration::OtherMoments(moments, axes) => {
+                let (q, omega) = (start * axes.into_inner(), axes.inverse() * from.omega);
+                let from = Row { attitude: Some(q), omega, ..*from };
+                let (q, omega) = Self::new(moments, None).ok()?.based(rule.base, &from, h)?;
+                Some((q * axes.inverse().into_inner(), axes * omega))
             }
-            Alteration::Damped(factor, When::After) => Some(with(base(from, h)?.1 * factor)),
-            Alteration::Damped(factor, When::Before) => base(&Row { omega: from.omega * factor, ..*from }, h),
+            Alteration::Damped { factor, when: When::Before, .. } => {
+                base(&Row { omega: from.omega * factor, ..*from }, h)
+            }
+            Alteration::Damped { factor, when: When::After, .. } => Some(with(base(from, h)?.1 * factor)),
+            Alteration::Damped { factor, when: When::Turned, .. } => {
+                base(from, h).map(|(q, omega)| (q, omega * factor))
+            }
+            // The spin's own equation has no other term: one so many times as strong acts so much longer.
+            Alteration::Term(times) => Some(with(base(from, h * times)?.1)),
+            Alteration::Turned(_) => Some((turned(&start, &from.omega, h), base(from, h)?.1)),
             Alteration::Capped(most) => {
                 let (q, omega) = base(from, h)?;
                 let speed = omega.norm();
@@ -201,11 +211,18 @@ impl Subject {
         if let Some((_, ahead)) = pair.to.ahead {
             return self.residual_of_turns(rule, pair, &ahead).unwrap_or(f64::INFINITY);
         }
-        let Some((q, omega)) = self.after(rule, &pair.from, pair.h) else { return f64::INFINITY };
+        let Some((mut q, omega)) = self.after(rule, &pair.from, pair.h) else { return f64::INFINITY };
+        if rule.alteration == Some(Alteration::Turned(Turn::Late)) {
+            // The spin of this row stands in the next one.
+            let from = Row { omega: pair.to.omega, ..pair.from };
+            q = self.based(rule.base, &from, pair.h).map_or(q, |end| end.0);
+        }
         let speed = pair.to.omega.norm().max(pair.from.omega.norm()).max(f64::MIN_POSITIVE);
         let spin = (omega - pair.to.omega).norm() / speed;
         let turn = match (pair.from.attitude, pair.to.attitude) {
-            (Some(_), Some(to)) => angle_between(&q, &to) / (pair.to.omega.norm() * pair.h).max(1.0),
+            (Some(_), Some(to)) if !rule.is_of_spin() => {
+                angle_between(&q, &to) / (pair.to.omega.norm() * pair.h).max(1.0)
+            }
             _ => 0.0,
         };
         let worst = spin.max(turn);

@@ -1,5 +1,10 @@
 //! How sure a diagnosis is, in steps that a reader can act on.
 
+use crate::read::{Floor, Known};
+use crate::rule::diagnosis::Ranked;
+use crate::rule::{Alteration, Explanation, PHYSICS_ENGINES, Rule, Turn};
+use crate::thresholds::{ERROR_ABOVE, FITS_EXACT, NEAR, NEAR_RATIO, TRIED_SHARE};
+
 /// How sure a diagnosis is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
@@ -22,6 +27,8 @@ pub enum Confidence {
     /// None of the rules known here, and so near to the exact motion that the error of a step is a small
     /// share of what the gyroscopic term does in it ([`error`](crate::Diagnosis::error)).
     Accurate,
+    /// Rows lie on straight lines between others: they are interpolated.
+    Interpolated,
     /// None of the rules known here.
     NoneFits,
 }
@@ -32,18 +39,6 @@ impl Confidence {
     pub const fn names_a_rule(self) -> bool {
         matches!(self, Self::ToRounding | Self::MostSteps | Self::Near)
     }
-
-    /// All of them.
-    pub const ALL: [Self; 8] = [
-        Self::ToRounding,
-        Self::MostSteps,
-        Self::Near,
-        Self::FewDigits,
-        Self::SmallErrors,
-        Self::FewSteps,
-        Self::Accurate,
-        Self::NoneFits,
-    ];
 
     /// What a program calls it.
     #[must_use]
@@ -56,7 +51,61 @@ impl Confidence {
             Self::SmallErrors => "errors too small",
             Self::FewSteps => "too few steps",
             Self::Accurate => "accurate",
+            Self::Interpolated => "interpolated",
             Self::NoneFits => "none fits",
         }
     }
+}
+
+/// How sure a diagnosis is: by how near the best rule is to the record, relative to rounding, to the error
+/// that it explains, and to the next rule.
+pub(crate) fn confidence_in(ranked: &Ranked, found: &[Explanation], known: &Known, share: f64) -> Confidence {
+    let (floor, best) = (known.floor, &ranked.best);
+    let ratio = ranked.second.map_or(f64::INFINITY, |second| best.relative_to(&second));
+    let is_exact = best.rule == Rule::EXACT;
+    // A rule that is not known here may come near to one that is; to its rounding only by chance.
+    let [rounding, _] = floor.closely();
+    let closely = best.median <= rounding && (!is_exact || best.median <= FITS_EXACT[0] * floor.size);
+    let fitted = usize::from(has_fitted_number(&best.rule, known.clock.per_row));
+    let clear = is_exact || explains_much(best, found, floor, ERROR_ABOVE[fitted]);
+    if share < TRIED_SHARE {
+        Confidence::FewSteps
+    } else if (closely || best.fits(floor)) && !clear {
+        Confidence::SmallErrors
+    } else if closely && best.fits(floor) {
+        Confidence::ToRounding
+    } else if closely {
+        Confidence::MostSteps
+    } else if best.median < NEAR && !is_exact && clear && ratio >= NEAR_RATIO[fitted] {
+        Confidence::Near
+    } else {
+        Confidence::NoneFits
+    }
+}
+
+/// Whether a number of the rule is fitted to the record: that of an alteration, or a number of parts that
+/// neither the header nor an engine's rule names.
+fn has_fitted_number(rule: &Rule, per_row: Option<u32>) -> bool {
+    let parts = rule.base.parts();
+    let of_an_engine = rule
+        .method()
+        .is_some_and(|rule| PHYSICS_ENGINES.iter().any(|engine| (engine.method, engine.parts) == rule));
+    rule.alteration.is_some() || parts > 1 && per_row != Some(parts) && !of_an_engine
+}
+
+/// Whether the error that a rule explains (of the exact motion; of the rule without its alteration) is so
+/// many times as large as what is left of it and as the rounding. Otherwise it may be near by chance.
+fn explains_much(best: &Explanation, found: &[Explanation], floor: Floor, above: f64) -> bool {
+    let otherwise = Some(Alteration::Turned(Turn::Otherwise));
+    let altered = best.rule.alteration.is_some() && best.rule.alteration != otherwise;
+    let without = match best.rule.alteration {
+        None => Rule::EXACT,
+        // Of the spin alone.
+        alteration if alteration == otherwise => Rule { alteration, ..Rule::EXACT },
+        Some(_) => Rule::plain(best.rule.base),
+    };
+    let Some(error) = found.iter().find(|x| x.rule == without) else { return true };
+    // An alteration may act in some of the steps alone.
+    (altered || error.median >= above * best.median.max(floor.size))
+        && error.percentile_95 >= above * best.percentile_95.max(floor.size)
 }

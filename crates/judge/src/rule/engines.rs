@@ -4,18 +4,28 @@ use crate::rule::{Limits, PhysicsEngine};
 use std::f64::consts::FRAC_PI_4;
 use tumbling::step::Method;
 
-/// A rule in one part, known from an engine's source or documentation.
-const RULE_ALONE: PhysicsEngine = PhysicsEngine {
-    name: "",
-    version: None,
-    setting: "",
-    method: Method::ConstantSpin,
-    parts: 1,
-    limits: Limits::NONE,
-    record: None,
-    date: "",
-    source: "",
-};
+const NONE: Limits = Limits::NONE;
+const MUJOCO: Limits = Limits { rate: Some(1e10), ..NONE };
+const BULLET: Limits = Limits { turn: Some(FRAC_PI_4), ..NONE };
+const RAPIER: Limits = Limits { spin: Some(FRAC_PI_4), ..NONE };
+
+/// Name, version if recorded, setting: rule in parts a step, limits, record, date, source.
+macro_rules! engines {
+    ($($name:literal, $version:expr, $setting:literal: $method:ident in $parts:literal, $limits:expr,
+       $record:expr, $date:literal, $source:literal;)+) => {
+        &[$(PhysicsEngine {
+            name: $name,
+            version: $version,
+            setting: $setting,
+            method: Method::$method,
+            parts: $parts,
+            limits: $limits,
+            record: $record,
+            date: $date,
+            source: $source,
+        }),+]
+    };
+}
 
 /// Engines and what they do to a free body. The recorded ones are followed step by step in
 /// `tests/judge/engines_recorded.rs`; of the others the rule is known, and neither the last digits nor their
@@ -29,140 +39,33 @@ const RULE_ALONE: PhysicsEngine = PhysicsEngine {
 /// let never_flips = PHYSICS_ENGINES.iter().filter(|engine| engine.method == Method::ConstantSpin);
 /// assert_eq!(never_flips.count(), 4);
 /// ```
-pub const PHYSICS_ENGINES: &[PhysicsEngine] = &[
-    PhysicsEngine {
-        name: "MuJoCo",
-        version: Some("4.0.0"),
-        setting: "Euler (default)",
-        method: Method::SemiImplicitEuler,
-        limits: Limits { rate: Some(1e10), ..Limits::NONE },
-        record: Some("mujoco-4.0.0-euler"),
-        date: "2026-11-21",
-        source: "recorded from the Python package mujoco",
-        ..RULE_ALONE
-    },
-    PhysicsEngine {
-        name: "MuJoCo",
-        version: Some("4.0.0"),
-        setting: "implicitfast, implicit",
-        method: Method::LinearisedImplicit,
-        limits: Limits { rate: Some(1e10), ..Limits::NONE },
-        record: Some("mujoco-4.0.0-implicitfast"),
-        date: "2026-11-21",
-        source: "recorded from the Python package mujoco",
-        ..RULE_ALONE
-    },
-    PhysicsEngine {
-        name: "MuJoCo",
-        version: Some("4.0.0"),
-        setting: "RK4",
-        method: Method::TurnedRungeKutta4,
-        limits: Limits { rate: Some(1e10), ..Limits::NONE },
-        record: Some("mujoco-4.0.0-rk4"),
-        date: "2026-11-21",
-        source: "recorded from the Python package mujoco",
-        ..RULE_ALONE
-    },
-    PhysicsEngine {
-        name: "MuJoCo",
-        version: Some("3.17.0"),
-        setting: "RK4",
-        method: Method::MeanSpinRungeKutta4,
-        limits: Limits { rate: Some(1e10), ..Limits::NONE },
-        record: Some("mujoco-3.17.0-rk4"),
-        date: "2026-11-21",
-        source: "recorded from the Python package mujoco",
-        ..RULE_ALONE
-    },
-    PhysicsEngine {
-        name: "Bullet",
-        version: Some("3.2.7 (pybullet)"),
-        setting: "multibody (pybullet's default)",
-        method: Method::SemiImplicitEuler,
-        limits: Limits { turn: Some(FRAC_PI_4), component: Some(100.0), ..Limits::NONE },
-        record: Some("bullet-3.2.7-multibody"),
-        date: "2026-11-21",
-        source: "recorded from the Python package pybullet",
-        ..RULE_ALONE
-    },
-    PhysicsEngine {
-        name: "Bullet",
-        version: Some("3.2.7 (pybullet)"),
-        setting: "rigid body (maximal coordinates)",
-        method: Method::ImplicitOneNewton,
-        limits: Limits { turn: Some(FRAC_PI_4), ..Limits::NONE },
-        record: Some("bullet-3.2.7-rigid"),
-        date: "2026-11-21",
-        source: "recorded from the Python package pybullet",
-        ..RULE_ALONE
-    },
-    PhysicsEngine {
-        name: "Rapier",
-        version: Some("0.36.1"),
-        setting: "gyroscopic forces on (default)",
-        method: Method::RescaledLinearAttitude,
-        parts: 4,
-        limits: Limits { spin: Some(FRAC_PI_4), ..Limits::NONE },
-        record: Some("rapier3d-f64-0.36.1"),
-        date: "2026-11-21",
-        source: "recorded from the crate rapier3d-f64",
-    },
-    PhysicsEngine {
-        name: "Avian",
-        setting: "gyroscopic motion on, six substeps (default)",
-        method: Method::Rescaled,
-        parts: 6,
-        date: "2026-11-21",
-        source: "Jondolf/avian, src/dynamics/integrator/semi_implicit_euler.rs: solve_gyroscopic_torque",
-        ..RULE_ALONE
-    },
-    PhysicsEngine {
-        name: "Jolt",
-        setting: "gyroscopic force on",
-        method: Method::Rescaled,
-        date: "2026-11-21",
-        source: "jrouwe/JoltPhysics: BodyCreationSettings::mApplyGyroscopicForce",
-        ..RULE_ALONE
-    },
-    PhysicsEngine {
-        name: "Jolt",
-        setting: "gyroscopic force off (default)",
-        method: Method::ConstantSpin,
-        date: "2026-11-21",
-        source: "jrouwe/JoltPhysics: BodyCreationSettings::mApplyGyroscopicForce",
-        ..RULE_ALONE
-    },
-    PhysicsEngine {
-        name: "Box3D",
-        setting: "four substeps",
-        method: Method::ImplicitOneNewton,
-        parts: 4,
-        date: "2026-11-22",
-        source: "erincatto/box3d at 04ce9fb9, src/solver.c: b3IntegrateVelocitiesTask",
-        ..RULE_ALONE
-    },
-    PhysicsEngine {
-        name: "PhysX, Unity",
-        setting: "gyroscopic forces off (default)",
-        method: Method::ConstantSpin,
-        date: "2026-11-21",
-        source: "NVIDIA PhysX: PxRigidBodyFlag::eENABLE_GYROSCOPIC_FORCES is not set by default",
-        ..RULE_ALONE
-    },
-    PhysicsEngine {
-        name: "Godot Physics",
-        setting: "default",
-        method: Method::ConstantSpin,
-        date: "2026-11-21",
-        source: "godotengine/godot, modules/godot_physics_3d/godot_body_3d.cpp: no gyroscopic term",
-        ..RULE_ALONE
-    },
-    PhysicsEngine {
-        name: "Brax",
-        setting: "positional",
-        method: Method::ConstantSpin,
-        date: "2026-11-22",
-        source: "google/brax at 0d513cdb, brax/positional/integrator.py: no gyroscopic term",
-        ..RULE_ALONE
-    },
-];
+pub const PHYSICS_ENGINES: &[PhysicsEngine] = engines! {
+    "MuJoCo", Some("4.0.0"), "Euler (default)": SemiImplicitEuler in 1, MUJOCO,
+        Some("mujoco-4.0.0-euler"), "2026-11-21", "recorded from the Python package mujoco";
+    "MuJoCo", Some("4.0.0"), "implicitfast, implicit": LinearisedImplicit in 1, MUJOCO,
+        Some("mujoco-4.0.0-implicitfast"), "2026-11-21", "recorded from the Python package mujoco";
+    "MuJoCo", Some("4.0.0"), "RK4": TurnedRungeKutta4 in 1, MUJOCO,
+        Some("mujoco-4.0.0-rk4"), "2026-11-21", "recorded from the Python package mujoco";
+    "MuJoCo", Some("3.17.0"), "RK4": MeanSpinRungeKutta4 in 1, MUJOCO,
+        Some("mujoco-3.17.0-rk4"), "2026-11-21", "recorded from the Python package mujoco";
+    "Bullet", Some("3.2.7 (pybullet)"), "multibody (pybullet's default)": SemiImplicitEuler in 1, Limits { component: Some(100.0), ..BULLET },
+        Some("bullet-3.2.7-multibody"), "2026-11-21", "recorded from the Python package pybullet";
+    "Bullet", Some("3.2.7 (pybullet)"), "rigid body (maximal coordinates)": ImplicitOneNewton in 1, BULLET,
+        Some("bullet-3.2.7-rigid"), "2026-11-21", "recorded from the Python package pybullet";
+    "Rapier", Some("0.36.1"), "gyroscopic forces on (default)": RescaledLinearAttitude in 4, RAPIER,
+        Some("rapier3d-f64-0.36.1"), "2026-11-21", "recorded from the crate rapier3d-f64";
+    "Avian", None, "gyroscopic motion on, six substeps (default)": Rescaled in 6, NONE,
+        None, "2026-11-21", "Jondolf/avian, src/dynamics/integrator/semi_implicit_euler.rs: solve_gyroscopic_torque";
+    "Jolt", None, "gyroscopic force on": Rescaled in 1, NONE,
+        None, "2026-11-21", "jrouwe/JoltPhysics: BodyCreationSettings::mApplyGyroscopicForce";
+    "Jolt", None, "gyroscopic force off (default)": ConstantSpin in 1, NONE,
+        None, "2026-11-21", "jrouwe/JoltPhysics: BodyCreationSettings::mApplyGyroscopicForce";
+    "Box3D", None, "four substeps": ImplicitOneNewton in 4, NONE,
+        None, "2026-11-22", "erincatto/box3d at 04ce9fb9, src/solver.c: b3IntegrateVelocitiesTask";
+    "PhysX, Unity", None, "gyroscopic forces off (default)": ConstantSpin in 1, NONE,
+        None, "2026-11-21", "NVIDIA PhysX: PxRigidBodyFlag::eENABLE_GYROSCOPIC_FORCES is not set by default";
+    "Godot Physics", None, "default": ConstantSpin in 1, NONE,
+        None, "2026-11-21", "godotengine/godot, modules/godot_physics_3d/godot_body_3d.cpp: no gyroscopic term";
+    "Brax", None, "positional": ConstantSpin in 1, NONE,
+        None, "2026-11-22", "google/brax at 0d513cdb, brax/positional/integrator.py: no gyroscopic term";
+};

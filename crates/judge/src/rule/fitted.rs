@@ -1,12 +1,14 @@
-//! Candidates with a number in them, each fitted to the record before it is held against it.
+//! Candidates with numbers in them, each fitted to the record before it is held against it.
 
-use crate::read::{Pair, median};
-use crate::rule::{Alteration, Base, Rule, Subject, When};
+use crate::read::{Pair, least, median, ordered};
+use crate::rule::{Alteration, Base, Rule, Subject, Turn, When};
 use crate::thresholds::{
-    BEYOND, CAP_AT_START, CAPPED_ROWS, CONVERGED, DAMPED, DAMPED_ROUNDINGS, DAMPING_ROUNDS, FITTED_STEPS,
-    JOLT, MOMENTS_ROUNDS,
+    BEYOND, CAPPED_ROWS, DAMPED, DAMPED_ROUNDINGS, FITTED_STEPS, JOLT, NEAR_A_TERM, ROUND_RATE,
 };
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Rotation3, SVector, UnitQuaternion, Vector3};
+use tumbling::PrincipalMoments;
+use tumbling::dynamics::euler::angular_acceleration;
+use tumbling::step::Method;
 
 /// The number that takes the momentum to the turn.
 pub(crate) fn momentum_for_spin(subject: &Subject, pairs: &[Pair]) -> Option<Rule> {
@@ -17,116 +19,153 @@ pub(crate) fn momentum_for_spin(subject: &Subject, pairs: &[Pair]) -> Option<Rul
     (mass.is_finite() && mass > 0.0).then_some(Rule::plain(Base::MomentumForSpin(mass)))
 }
 
-/// Candidates with a number in them, which is fitted first.
+/// The steps that numbers are fitted to.
+fn some(pairs: &[Pair]) -> Vec<Pair> {
+    pairs.iter().step_by(pairs.len().div_ceil(FITTED_STEPS).max(1)).copied().collect()
+}
+
+/// By how much a rule misses the spins of the record, relative to them.
+fn misses(subject: &Subject, pairs: &[Pair], rule: &Rule) -> Option<Vec<Vector3<f64>>> {
+    let miss = |pair: &Pair| {
+        let end = subject.spin_after(rule, pair)?;
+        Some((end - pair.to.omega) / pair.to.omega.norm().max(f64::MIN_POSITIVE))
+    };
+    pairs.iter().map(miss).collect()
+}
+
+/// Rules with one number, or none: damping, another gyroscopic term, another turn, a cap.
 pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<Rule> {
-    let few: Vec<Pair> = pairs.iter().step_by(pairs.len().div_ceil(FITTED_STEPS).max(1)).copied().collect();
+    let few = some(pairs);
+    let with_attitude = pairs.first().is_some_and(|pair| pair.from.attitude.is_some());
+    let of_spin = pairs.iter().all(|pair| pair.to.ahead.is_none());
+    let term = times_the_term(subject, &few);
     let mut all = Vec::new();
-    let mut triples = permuted(&subject.moments);
-    triples.extend(from_rates(&few, &subject.moments));
     for base in Base::all() {
-        all.extend(triples.iter().map(|&moments| base.but(Alteration::OtherMoments(moments))));
-        all.extend(fitted(subject, &few, base, &triples));
-        for when in [When::After, When::Before] {
-            all.extend(damped(subject, &few, base, when, rounding));
+        all.extend(damped(subject, &few, base, When::Before, rounding));
+        let after = damped(subject, &few, base, When::After, rounding);
+        // Without attitudes these two are one.
+        all.extend(after.into_iter().chain(after.filter(|_| with_attitude).map(turned)));
+        let is_still = matches!(base, Base::Method(Method::ConstantSpin, _));
+        if !is_still && term.is_finite() {
+            let rule = |times: &SVector<f64, 1>| base.but(Alteration::Term(times.x));
+            let fitted = least([term].into(), |times| misses(subject, &few, &rule(times)), |times| times);
+            let other = fitted.filter(|times| (times.x - 1.0).abs() > NEAR_A_TERM[1]);
+            all.extend(other.map(|times| rule(&times)));
+        }
+        if with_attitude && of_spin {
+            all.extend([Turn::Old, Turn::Late].map(|turn| base.but(Alteration::Turned(turn))));
         }
         all.extend(capped(pairs).map(|most| base.but(Alteration::Capped(most))));
     }
     all
 }
 
-/// The moments in every other order.
-fn permuted(moments: &Vector3<f64>) -> Vec<Vector3<f64>> {
-    let orders = [[0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
-    orders
-        .map(|order| Vector3::from(order.map(|i| moments[i])))
-        .into_iter()
-        .filter(|x| x != moments)
-        .collect()
+/// How many times the gyroscopic term the changes of spin are, in the mean.
+fn times_the_term(subject: &Subject, pairs: &[Pair]) -> f64 {
+    let (found, wanted) = pairs.iter().fold((0.0, 0.0), |(found, wanted), pair| {
+        let (from, to) = (pair.from.omega, pair.to.omega);
+        let term = angular_acceleration(&subject.moments, &((from + to) / 2.0), &Vector3::zeros()) * pair.h;
+        (found + term.dot(&(to - from)), wanted + term.norm_squared())
+    });
+    found / wanted
 }
 
-/// The triple that follows from the changes of spin, each component on its own, scaled to the sum of `given`.
-fn from_rates(pairs: &[Pair], given: &Vector3<f64>) -> Option<Vector3<f64>> {
-    let (mut over, mut under) = (Vector3::zeros(), Vector3::zeros());
-    for pair in pairs {
-        let mean = (pair.from.omega + pair.to.omega) / 2.0;
-        let speed = mean.norm_squared();
-        let rate = (pair.to.omega - pair.from.omega) / pair.h;
-        for i in 0..3 {
-            let product = mean[(i + 1) % 3] * mean[(i + 2) % 3] / speed;
-            if product.is_finite() {
-                over[i] += rate[i] / speed * product;
-                under[i] += product * product;
-            }
-        }
-    }
-    // w1' = a w2 w3 with a = (I2 - I3) / I1, and so on round: two of them determine the ratios.
-    let rates: Vector3<f64> = over.component_div(&under);
-    let second = (1.0 + rates.x) / (1.0 - rates.y);
-    scaled(Vector3::new(1.0, second, 1.0 + rates.y * second), given)
-}
-
-fn scaled(moments: Vector3<f64>, given: &Vector3<f64>) -> Option<Vector3<f64>> {
-    let moments = moments * (given.sum() / moments.sum());
-    Subject::new(moments, None).is_ok().then_some(moments)
-}
-
-/// Gauss and Newton's way to the ratios of the moments with which the base makes the spins of the record.
-fn fitted(subject: &Subject, pairs: &[Pair], base: Base, starts: &[Vector3<f64>]) -> Option<Rule> {
-    let misses = |moments: &Vector3<f64>| -> Option<Vec<Vector3<f64>>> {
-        pairs
-            .iter()
-            .map(|pair| {
-                let end = subject.spin_after(&base.but(Alteration::OtherMoments(*moments)), pair)?;
-                Some((end - pair.to.omega) / pair.to.omega.norm().max(f64::MIN_POSITIVE))
-            })
-            .collect()
-    };
-    let size = |misses: &[Vector3<f64>]| misses.iter().map(Vector3::norm_squared).sum::<f64>();
-    let best = starts.iter().filter_map(|start| misses(start).map(|found| (*start, size(&found))));
-    let (mut moments, mut least) = best.min_by(|a, b| a.1.total_cmp(&b.1))?;
-    for _ in 0..MOMENTS_ROUNDS {
-        let here = misses(&moments)?;
-        let along = |i: usize| -> Option<Vec<Vector3<f64>>> {
-            let mut other = moments;
-            other[i] *= 1.0 + JOLT;
-            Some(misses(&other)?.iter().zip(&here).map(|(a, b)| (a - b) / JOLT).collect())
+/// The body with which each base makes the spins of the record: a tensor of the same trace as that named.
+pub(crate) fn other_bodies(subject: &Subject, pairs: &[Pair]) -> Vec<Rule> {
+    let few = some(pairs);
+    let trace = subject.moments.sum();
+    let named = subject.moments / trace;
+    // Euler's equation, as it stands between two rows, is linear in the tensor.
+    let linear = |numbers: &SVector<f64, 5>| {
+        let tensor = tensor(numbers);
+        let miss = |pair: &Pair| {
+            let (mean, change) = ((pair.from.omega + pair.to.omega) / 2.0, pair.to.omega - pair.from.omega);
+            (tensor * change / pair.h + mean.cross(&(tensor * mean))) / mean.norm_squared()
         };
-        let (a, b) = (along(1)?, along(2)?);
-        let dot =
-            |x: &[Vector3<f64>], y: &[Vector3<f64>]| x.iter().zip(y).map(|(x, y)| x.dot(y)).sum::<f64>();
-        let (aa, ab, bb) = (dot(&a, &a), dot(&a, &b), dot(&b, &b));
-        let (ha, hb) = (dot(&a, &here), dot(&b, &here));
-        let determinant = aa * bb - ab * ab;
-        let step = [(hb * ab - ha * bb) / determinant, (ha * ab - hb * aa) / determinant];
-        let next = Vector3::new(moments.x, moments.y * step[0].exp(), moments.z * step[1].exp());
-        let Some(next) = scaled(next, &subject.moments) else { break };
-        let Some(now) = misses(&next).map(|found| size(&found)) else { break };
-        if now >= least {
-            break;
-        }
-        (moments, least) = (next, now);
+        Some(few.iter().map(miss).collect())
+    };
+    let Some(start) = least([named.x, named.y, 0.0, 0.0, 0.0].into(), linear, inside) else {
+        return Vec::new();
+    };
+    let rule = |base: Base, numbers: &SVector<f64, 5>| {
+        let (moments, axes) = principal(&tensor(numbers));
+        let excess = 2.0 * moments.max() - moments.sum();
+        let moments = if excess.abs() < BEYOND { flat(moments) } else { moments } * trace;
+        PrincipalMoments::try_from(moments).ok()?;
+        Some(base.but(Alteration::OtherMoments(moments, axes)))
+    };
+    let fitted = |base: Base| {
+        let misses = |numbers: &SVector<f64, 5>| misses(subject, &few, &rule(base, numbers)?);
+        rule(base, &least(start, misses, inside)?)
+    };
+    Base::all().into_iter().filter_map(fitted).collect()
+}
+
+/// The tensor of trace 1 with these entries: two on the diagonal, and the three products.
+fn tensor(numbers: &SVector<f64, 5>) -> Matrix3<f64> {
+    let [xx, yy, yz, zx, xy] = (*numbers).into();
+    Matrix3::new(xx, xy, zx, xy, yy, yz, zx, yz, 1.0 - xx - yy)
+}
+
+/// The moments, in the order of the axes that their own are nearest to, and those axes.
+fn principal(tensor: &Matrix3<f64>) -> (Vector3<f64>, UnitQuaternion<f64>) {
+    const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
+    let eigen = tensor.symmetric_eigen();
+    let near = |order: &[usize; 3]| (0..3).map(|i| eigen.eigenvectors[(i, order[i])].abs()).sum::<f64>();
+    let order = ORDERS.into_iter().max_by(|a, b| near(a).total_cmp(&near(b))).unwrap_or([0, 1, 2]);
+    let [x, y] = [0, 1].map(|i| {
+        let axis = eigen.eigenvectors.column(order[i]).into_owned();
+        axis * axis[i].signum()
+    });
+    let axes = Rotation3::from_matrix_unchecked(Matrix3::from_columns(&[x, y, x.cross(&y)]));
+    (order.map(|i| eigen.eigenvalues[i]).into(), UnitQuaternion::from_rotation_matrix(&axes))
+}
+
+/// With the largest moment as the sum of the others.
+fn flat(mut moments: Vector3<f64>) -> Vector3<f64> {
+    let [small, middle, largest] = ordered(&moments);
+    moments[largest] = moments[small] + moments[middle];
+    moments
+}
+
+/// The tensor that is the nearest flat body's where no body has it.
+fn inside(numbers: SVector<f64, 5>) -> SVector<f64, 5> {
+    let (moments, axes) = principal(&tensor(&numbers));
+    let moments = moments.map(|moment| moment.max(JOLT));
+    if 2.0 * moments.max() <= moments.sum() {
+        return numbers;
     }
-    Some(base.but(Alteration::OtherMoments(moments)))
+    let moments = flat(moments);
+    let axes = axes.to_rotation_matrix();
+    let all = axes * Matrix3::from_diagonal(&(moments / moments.sum())) * axes.inverse();
+    [all[(0, 0)], all[(1, 1)], all[(1, 2)], all[(2, 0)], all[(0, 1)]].into()
 }
 
 /// The factor by which each step lessens the spin that the base makes.
 fn damped(subject: &Subject, pairs: &[Pair], base: Base, when: When, rounding: f64) -> Option<Rule> {
-    let mut factor = 1.0;
-    for _ in 0..DAMPING_ROUNDS {
-        let more = median(pairs.iter().filter_map(|pair| {
-            let end = subject.spin_after(&base.but(Alteration::Damped(factor, when)), pair)?;
-            Some(pair.to.omega.dot(&end) / end.norm_squared())
-        }));
-        if !more.is_finite() {
-            return None;
-        }
-        factor *= more;
-        if (more - 1.0).abs() < CONVERGED || when == When::After {
-            break;
-        }
-    }
+    let h = pairs.first()?.h;
+    let rule = |factor: f64| base.but(Alteration::Damped { factor, rate: rate(factor, h), when });
+    let factor = least([1.0].into(), |factor| misses(subject, pairs, &rule(factor.x)), |factor| factor)?.x;
     let below = 1.0 - DAMPED.max(DAMPED_ROUNDINGS * rounding);
-    (factor > 0.0 && factor < below).then_some(base.but(Alteration::Damped(factor, when)))
+    (factor > 0.0 && factor < below).then(|| rule(factor))
+}
+
+/// A damping after the term as one after the turn.
+fn turned(mut rule: Rule) -> Rule {
+    if let Some(Alteration::Damped { when, .. }) = &mut rule.alteration {
+        *when = When::Turned;
+    }
+    rule
+}
+
+/// What is lost a second, 1/s: of the ways in which engines damp the one with a round number, if there is
+/// one.
+fn rate(factor: f64, h: f64) -> f64 {
+    let ways = [(1.0 - factor) / h, (1.0 / factor - 1.0) / h, -factor.ln() / h];
+    let short = |digits: usize, x: f64| format!("{x:.digits$e}").parse().unwrap_or(x);
+    let round =
+        ways.into_iter().map(|x| (x, short(2, x))).find(|(x, near)| (x / near - 1.0).abs() < ROUND_RATE);
+    round.map_or_else(|| short(4, ways[0]), |(_, near)| near)
 }
 
 /// The greatest spin, if many rows have it.
@@ -135,13 +174,4 @@ fn capped(pairs: &[Pair]) -> Option<f64> {
     let there = pairs.iter().filter(|pair| pair.to.omega.norm() >= most * (1.0 - BEYOND)).count();
     let [least, share] = CAPPED_ROWS;
     (most > 0.0 && there >= least && there * share >= pairs.len()).then_some(most)
-}
-
-/// The spins before and after a first step that slows the body to what no later step exceeds, rad/s.
-pub(crate) fn cap_at_start(pairs: &[Pair]) -> Option<[f64; 2]> {
-    let [slowed, beyond] = CAP_AT_START;
-    let (from, to) = (pairs.first()?.from.omega.norm(), pairs.first()?.to.omega.norm());
-    let greatest = pairs.iter().skip(1).map(|pair| pair.to.omega.norm()).fold(0.0, f64::max);
-    let capped = pairs.len() > 2 && to > 0.0 && from > slowed * to && greatest <= to * (1.0 + beyond);
-    capped.then_some([from, to])
 }

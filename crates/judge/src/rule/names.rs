@@ -1,7 +1,7 @@
 //! What a rule is called, and who goes by it.
 
-use crate::rule::{Alteration, Base, Limits, PHYSICS_ENGINES, PhysicsEngine, Rule, Spin, When};
-use crate::thresholds::RULES_NAMED;
+use crate::rule::{Alteration, Base, Limits, PHYSICS_ENGINES, PhysicsEngine, Rule, Spin, Turn, When};
+use crate::thresholds::{NEAR_A_TERM, RULES_NAMED};
 use tumbling::step::Method;
 
 /// A number with five significant digits, as people write it.
@@ -42,7 +42,7 @@ impl Base {
                     limits(&engine.limits)
                 )
             }
-            Self::FrozenTensor(_) | Self::FrozenAt(..) => "a tensor frozen in the world".into(),
+            Self::FrozenTensor(..) => "a tensor frozen in the world".into(),
             Self::MomentumForSpin(mass) => {
                 format!("momentum taken for spin (divided by {})", significant(*mass))
             }
@@ -59,32 +59,46 @@ impl Base {
     }
 }
 
-impl When {
-    const fn word(self) -> &'static str {
-        match self {
-            Self::Before => "before",
-            Self::After => "after",
-        }
-    }
-}
-
 impl Alteration {
     /// What it is called.
     #[must_use]
     pub fn name(&self) -> String {
         match self {
-            Self::OtherMoments(moments) => {
+            Self::OtherMoments(moments, axes) => {
                 let [x, y, z] = moments.map(significant).into();
-                format!("other moments ({x}, {y}, {z})")
+                let degrees = axes.angle().to_degrees();
+                let about = format!(" about axes turned by {degrees:.1} degrees from the record's");
+                format!("other moments ({x}, {y}, {z}){}", if degrees < 0.05 { "" } else { &about })
             }
-            Self::Damped(factor, when) => {
-                let (lost, when) = (1.0 - factor, when.word());
-                format!("damping left on ({lost:.3e} of the spin each step, {when} the rule)")
+            Self::Damped { factor, rate, when } => {
+                let (lost, rate) = (1.0 - factor, readable(*rate));
+                let when = match when {
+                    When::Before => "before the gyroscopic term",
+                    When::After => "after the gyroscopic term",
+                    When::Turned => "after the turn",
+                };
+                format!("damping left on ({rate}/s: {lost:.3e} of the spin each step, {when})")
             }
+            Self::Term(times) => match TERMS.iter().find(|term| (term.0 - times).abs() < NEAR_A_TERM[0]) {
+                Some((_, words)) => (*words).into(),
+                None => format!("{} times the gyroscopic term", significant(*times)),
+            },
+            Self::Turned(Turn::Old) => {
+                "the attitude turned by the old spin (or each spin written a row early)".into()
+            }
+            Self::Turned(Turn::Late) => "each spin written a row late".into(),
+            Self::Turned(Turn::Otherwise) => "the attitude turned otherwise than by this rule".into(),
             Self::Capped(most) => format!("a cap on the spin ({} rad/s)", significant(*most)),
         }
     }
 }
+
+/// Multiples of the gyroscopic term that are mistakes one makes.
+const TERMS: [(f64, &str); 3] = [
+    (0.5, "half of the gyroscopic term"),
+    (-1.0, "the gyroscopic term with the wrong sign"),
+    (2.0, "twice the gyroscopic term"),
+];
 
 impl Rule {
     /// What it is called.

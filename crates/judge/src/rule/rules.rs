@@ -4,7 +4,7 @@ use crate::law::LawName;
 use crate::read::Pair;
 use crate::rule::{Limits, PHYSICS_ENGINES, PhysicsEngine};
 use crate::thresholds::{BEYOND, MORE_PARTS, PARTS};
-use nalgebra::{Quaternion, Vector3};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use tumbling::attitude;
 use tumbling::step::Method;
 
@@ -29,10 +29,8 @@ pub enum Base {
     PositionStage(u32),
     /// A physics engine's rule, and what the engine adds to it for a fast body.
     Engine(PhysicsEngine),
-    /// The spin in the world by the body's tensor as it stood at the identity.
-    FrozenTensor(Steps),
-    /// The spin in the world by the body's tensor as it stood at this attitude, the record's first.
-    FrozenAt(Quaternion<f64>, Steps),
+    /// The spin in the world by the body's tensor as it stood at this attitude.
+    FrozenTensor(Quaternion<f64>, Steps),
     /// The momentum, divided by this one number, turns the body.
     MomentumForSpin(f64),
     /// The spin stepped so, and the attitude straight by the new one: `q + h/2 q w`, its length set to 1 or
@@ -44,12 +42,34 @@ pub enum Base {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Alteration {
-    /// The body has other moments than the record says.
-    OtherMoments(Vector3<f64>),
-    /// The spin is lessened by this factor in each step: after the rule, or before.
-    Damped(f64, When),
+    /// The body has other moments than the record says, about axes turned so from the record's.
+    OtherMoments(Vector3<f64>, UnitQuaternion<f64>),
+    /// The spin is lessened by this factor in each step.
+    Damped {
+        /// What is left of the spin.
+        factor: f64,
+        /// What that is a second, 1/s.
+        rate: f64,
+        /// Where in the step.
+        when: When,
+    },
+    /// The gyroscopic term is multiplied by this number.
+    Term(f64),
+    /// The spin is the rule's, and the attitude does not turn by it.
+    Turned(Turn),
     /// There is no spin beyond this, rad/s.
     Capped(f64),
+}
+
+/// How an attitude turns that does not turn by its rule.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Turn {
+    /// By the spin before the step.
+    Old,
+    /// By the spin of the row after: each spin stands a row late.
+    Late,
+    /// Otherwise.
+    Otherwise,
 }
 
 /// How a plain engine steps the spin where it steps the attitude straight.
@@ -70,13 +90,15 @@ pub enum Steps {
     Fourth,
 }
 
-/// Whether a spin is damped before or after the rule.
+/// Where in a step the spin is damped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum When {
-    /// Before.
+    /// Before the gyroscopic term.
     Before,
-    /// After, and before the turn.
+    /// After it, and before the turn.
     After,
+    /// After the turn.
+    Turned,
 }
 
 impl Rule {
@@ -108,20 +130,26 @@ impl Rule {
                 let kept = method.info().conserved;
                 [kept.energy, kept.momentum, kept.direction]
             }
-            (Base::PositionStage(_), None) => [true; 3],
+            (Base::Exact | Base::PositionStage(_), None) => [true; 3],
             _ => [false; 3],
         };
         match law {
             LawName::Energy => energy,
             LawName::Momentum => momentum,
             LawName::Direction => direction,
+            LawName::Separatrix => energy && momentum,
             _ => false,
         }
     }
 
+    /// Whether it says nothing of the attitude.
+    pub(crate) const fn is_of_spin(&self) -> bool {
+        matches!(self.alteration, Some(Alteration::Term(_) | Alteration::Turned(Turn::Otherwise)))
+    }
+
     /// Of a body whose moments are this many times as large.
     pub(crate) fn times(mut self, unit: f64) -> Self {
-        if let Some(Alteration::OtherMoments(moments)) = &mut self.alteration {
+        if let Some(Alteration::OtherMoments(moments, _)) = &mut self.alteration {
             *moments *= unit;
         }
         if let Base::MomentumForSpin(mass) = &mut self.base {
@@ -202,7 +230,7 @@ pub(crate) fn plain(free: bool, pairs: &[Pair]) -> Vec<Rule> {
             Base::Straight(Spin::Explicit, 1),
         ]);
     }
-    all.extend([Base::FrozenTensor(Steps::First), Base::FrozenTensor(Steps::Fourth)]);
+    all.extend([Steps::First, Steps::Fourth].map(|steps| Base::FrozenTensor(Quaternion::identity(), steps)));
     all.into_iter().map(Rule::plain).collect()
 }
 
@@ -246,7 +274,7 @@ pub(crate) fn of_parts(parts: u32) -> Vec<Rule> {
 pub(crate) fn frozen_at(pairs: &[Pair]) -> Vec<Rule> {
     let first = pairs.first().and_then(|pair| pair.from.attitude);
     let first = first.map(|q| q / q.norm()).filter(|q| q.imag().norm() > 0.0 && q.norm().is_finite());
-    let both = |q| [Steps::First, Steps::Fourth].map(|steps| Rule::plain(Base::FrozenAt(q, steps)));
+    let both = |q| [Steps::First, Steps::Fourth].map(|steps| Rule::plain(Base::FrozenTensor(q, steps)));
     first.map_or(Vec::new(), |q| both(q).to_vec())
 }
 

@@ -1,11 +1,11 @@
 //! The end of a trial: what its laws and steps come to, as one verdict.
 
 use crate::law::LawName;
-use crate::laws::{Complaint, FlipCount, Law, Trial};
+use crate::laws::{Complaint, FlipCount, Growth, Law, Trial};
 use crate::options::Options;
 use crate::read::{Fit, Kind};
 use crate::rule::{Run, Subject, Whole, diagnose};
-use crate::thresholds::{ENOUGH_CHANGE, ENOUGH_ROWS, FLIPS_APART, STILL};
+use crate::thresholds::{ENOUGH_CHANGE, ENOUGH_ROWS, FLIPS_APART, LAW_ROUNDINGS, STILL};
 use crate::verdict::{Outcome, Recording, Verdict, spin_faults, wrong_pace, wrong_rule};
 use std::f64::consts::TAU;
 
@@ -27,6 +27,7 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, fit: Option<Fit>, options
     laws.retain(|law| free || matches!(law.name, LawName::Unit | LawName::Consistency));
     let flips = trial.laws.flips().filter(|_| free);
     let still = free && is_still(&trial, subject);
+    let floor = trial.known.floor.size;
     let end = End { trial: &trial, subject, options, laws: &laws, flips: flips.as_ref(), still };
     let mut complaints = end.complaints();
     let diagnosis =
@@ -35,6 +36,17 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, fit: Option<Fit>, options
         complaints.extend(diagnosis.as_ref().and_then(wrong_rule));
     }
     let outcome = end.outcome(complaints.is_empty());
+    if let Some(named) = diagnosis.as_ref().filter(|found| found.confidence.names_a_rule()) {
+        // What the rule does not keep is no rounding where it is more than that of the numbers.
+        let free_of = |law: &Law| {
+            let of_rule = matches!(law.name, LawName::Energy | LawName::Momentum);
+            of_rule && !named.best.rule.keeps(law.name) && law.most > LAW_ROUNDINGS[0] * floor
+        };
+        let graded = trial.laws.kept(|law| Some(0.0).filter(|_| law.is_conserved()));
+        for law in laws.iter_mut().filter(|law| law.growth == Growth::Rounding && free_of(law)) {
+            law.growth = graded.iter().find(|x| x.name == law.name).map_or(law.growth, |x| x.growth);
+        }
+    }
     let ends = trial.laws.separatrix().filter(|ends| free && ends.iter().all(|x| x.is_finite()));
     let untraceable = !still && trial.laws.untraceable();
     let Trial { known, laws: followed, first, .. } = trial;

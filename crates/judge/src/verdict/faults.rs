@@ -4,7 +4,7 @@
 use crate::law::LawName;
 use crate::laws::{Complaint, FlipCount, Law};
 use crate::options::Options;
-use crate::rule::{Base, Confidence, Diagnosis, Rule, Spin};
+use crate::rule::{Alteration, Base, Confidence, Diagnosis, Rule, Spin};
 use crate::thresholds::PACE;
 use tumbling::step::Method;
 
@@ -37,6 +37,7 @@ const fn is_wrong(rule: &Rule) -> bool {
             engine.limits.component.is_some() || matches!(engine.method, Method::ConstantSpin)
         }
         (Base::Straight(spin, _), None) => matches!(spin, Spin::Kept),
+        (base, Some(Alteration::Turned(_))) => is_wrong(&Rule::plain(base)),
         _ => true,
     }
 }

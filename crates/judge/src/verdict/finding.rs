@@ -1,8 +1,8 @@
 //! A diagnosis in words.
 
-use crate::rule::{Confidence, Diagnosis, Rule, significant};
+use crate::rule::{Advice, Confidence, Diagnosis, Jump, Rule};
 use crate::thresholds::RULES_NAMED;
-use crate::verdict::{Section, plain_number};
+use crate::verdict::plain_number;
 use std::fmt;
 
 /// With a capital letter and a full stop.
@@ -33,47 +33,48 @@ impl Diagnosis {
                 "Too few rows follow one another by one step to name the rule. One that fits those is"
             }
             Confidence::Accurate => "An accurate rule, none of those known. Nearest is",
+            Confidence::Interpolated => {
+                "The rows are interpolated between the engine's steps, and name no rule. Nearest is"
+            }
             Confidence::NoneFits => "None of the known rules fits. Nearest is",
         }
     }
 
-    /// In words: the rule, how sure it is, and what to do.
-    pub(crate) fn report(&self) -> [Section; 2] {
-        let mut lines = self.of_rule();
-        lines.extend(self.cap.map(|[from, to]| {
-            let [from, to] = [from, to].map(significant);
-            format!(
-                "the first step takes the spin from {from} to {to} rad/s, and no later one goes beyond: a cap on the spin"
-            )
+    /// The rule, the engines that go by it, and what to do.
+    pub(crate) fn head(&self) -> Vec<String> {
+        let names: Vec<String> = self.leading.iter().map(Rule::name).collect();
+        let words = match (self.confidence, self.jumps.len()) {
+            (Confidence::FewDigits, _) => {
+                format!("Too few digits to name the rule: they fit {} rules alike", 1 + self.alike.len())
+            }
+            (_, 0) => format!("{}: {}", self.words(), names.join("; or, with the same steps here: ")),
+            (_, 1) => format!("Every step but one, a jump, is made by: {}", names[0]),
+            (_, count) => format!("Every step but {count}, which are jumps, is made by: {}", names[0]),
+        };
+        let mut lines = vec![words];
+        if !self.engines.is_empty() && self.confidence != Confidence::FewDigits {
+            lines.push(format!("as in {}", self.engines.join("; or in ")));
+        }
+        lines.extend(self.advice.iter().map(|Advice { words, chapter }| {
+            let more = chapter.map(|place| format!(" More about it: chapter {place}"));
+            format!("{words}{}", more.unwrap_or_default())
         }));
-        let lines = lines.iter().map(|line| sentence(line)).collect();
-        let more = self.advice.chapter.map(|place| format!(" More about it: chapter {place}."));
-        let advice = format!("{}{}", self.advice.words, more.unwrap_or_default());
-        [("Diagnosis", lines), ("What to do", vec![advice])].map(|(title, lines)| Section {
-            title: title.into(),
-            table: Vec::new(),
-            lines,
-        })
+        lines.iter().map(|line| sentence(line)).collect()
     }
 
-    fn of_rule(&self) -> Vec<String> {
+    /// How sure that is, and what else there is.
+    pub(crate) fn details(&self) -> Vec<String> {
         let (half, most) = (plain_number(self.best.median), plain_number(self.best.percentile_95));
-        let within = format!("of {} steps half are within {half}, 95 in 100 within {most}", self.steps);
-        let share = format!("{:.0} % of the rows follow the one before by one step", 100.0 * self.share);
-        let share = (self.share < 1.0).then_some(share);
-        if self.confidence == Confidence::FewDigits {
-            let count = 1 + self.alike.len();
-            let first =
-                format!("Too few digits to name the rule by its single steps: they fit {count} rules alike");
-            return [first, within].into_iter().chain(share).chain(self.drifting()).collect();
+        let mut lines: Vec<String> = self.jumps.iter().map(Jump::words).collect();
+        lines.push(format!("of {} steps half are within {half}, 95 in 100 within {most}", self.steps));
+        if self.share < 1.0 {
+            lines.push(format!("{:.0} % of the rows follow the one before by one step", 100.0 * self.share));
         }
-        let names: Vec<String> = self.leading.iter().map(Rule::name).collect();
-        let mut lines = vec![format!("{}: {}", self.words(), names.join("; or, with the same steps here: "))];
-        lines.extend(self.engines.iter().map(|engine| format!("as in {engine}")));
-        lines.push(within);
-        lines.extend(share);
-        lines.extend(self.others());
-        lines
+        lines.extend(match self.confidence {
+            Confidence::FewDigits => self.drifting(),
+            _ => self.others(),
+        });
+        lines.iter().map(|line| sentence(line)).collect()
     }
 
     /// The other rules, relative to the one that is named.
@@ -127,7 +128,17 @@ fn listed(names: &[String]) -> String {
 
 impl fmt::Display for Diagnosis {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [rule, advice] = self.report();
-        write!(f, "{rule}\n{advice}")
+        let lines = [self.head(), self.details()].concat();
+        f.write_str(&lines.join("\n"))
+    }
+}
+
+impl Jump {
+    fn words(&self) -> String {
+        let Self { line, time, size } = self;
+        format!(
+            "at t = {time:.4} s (line {line}) the body jumps, by {} of its spin: a push, a contact, a limit on the spin or a reset",
+            plain_number(*size)
+        )
     }
 }

@@ -8,12 +8,15 @@ use nalgebra::Vector3;
 use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
+/// Of the keys: another one where a key goes or changes its meaning.
+const VERSION: u32 = 1;
+
 impl Verdict {
     /// All of it as one JSON object.
     ///
-    /// `report` is all of it in words, as [`Verdict::report`] has it; the other keys are for programs.
-    /// `curve` is the run in at most 256 points, to draw it by: an array for each of `time` (s), `energy` and
-    /// `momentum` (errors as shares), `direction` (rad; null without attitudes), `phase` (periods; null
+    /// `version` is that of the keys. `report` is all of it in words, as [`Verdict::report`] has it; the other
+    /// keys are for programs. `curve` is the run in at most 256 points, to draw it by: an array for each of
+    /// `time` (s), `energy` and `momentum` (errors as shares), `direction` (rad; null without attitudes), `phase` (periods; null
     /// where the motion has no period), and three arrays, one for each body axis, for `spin` and `exact`
     /// (rad/s). A point stands for a stretch of equally many rows: the spins are those of its first row, the
     /// errors the largest of them in size, and `spin_least`, `spin_greatest`, `exact_least` and
@@ -25,6 +28,7 @@ impl Verdict {
         let keys = |laws: &[LawName]| laws.iter().map(|law| law.key()).collect::<Vec<_>>();
         let each = |laws: &[Law]| laws.iter().map(|law| reported(law, self)).collect::<Vec<_>>();
         json!({
+            "version": VERSION,
             "outcome": self.outcome.key(),
             "report": self.report(),
             "columns": COLUMNS,
@@ -39,7 +43,7 @@ impl Verdict {
             "duration": record.duration,
             "step": record.step,
             "rounding": record.rounding,
-            "file_mistakes": self.file_mistakes.iter().map(|mistake| mistake.words()).collect::<Vec<_>>(),
+            "file_mistakes": self.file_mistakes.iter().map(|mistake| mistake.words(record.has_attitude)).collect::<Vec<_>>(),
             "ignored": record.ignored,
             "notes": words(&record.notes),
             "missing": keys(&record.missing),
@@ -103,9 +107,9 @@ fn diagnosed(diagnosis: &Diagnosis) -> Value {
         "single": diagnosis.single,
         "would_decide": diagnosis.would_decide(),
         "error": diagnosis.error,
-        "cap": diagnosis.cap,
-        "advice": diagnosis.advice.words,
-        "chapter": diagnosis.advice.chapter,
+        "jumps": diagnosis.jumps,
+        "advice": diagnosis.advice.iter().map(|advice| advice.words).collect::<Vec<_>>().join(" "),
+        "chapter": diagnosis.advice.iter().find_map(|advice| advice.chapter),
     })
 }
 

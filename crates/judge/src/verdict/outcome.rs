@@ -22,9 +22,6 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// All of them.
-    pub const ALL: [Self; 4] = [Self::Passed, Self::Failed, Self::NothingToJudge, Self::TooShort];
-
     /// What a reader calls it.
     #[must_use]
     pub(crate) const fn words(self) -> &'static str {

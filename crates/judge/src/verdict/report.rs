@@ -2,7 +2,7 @@
 
 use crate::law::LawName;
 use crate::laws::{Gaps, Law, Reset};
-use crate::rule::readable;
+use crate::rule::{Diagnosis, readable};
 use crate::verdict::{Outcome, Verdict, plain_number, sentence};
 use serde::Serialize;
 use std::fmt;
@@ -26,11 +26,21 @@ fn section(title: &str, lines: impl IntoIterator<Item = String>) -> Section {
 }
 
 impl Verdict {
-    /// All of it in words: the outcome first, then the rule and what to do, the laws, and the record.
+    /// All of it in words: the outcome, the rule, its engines and what to do; the reasons; how sure the rule
+    /// is; the laws, and the record.
     #[must_use]
     pub fn report(&self) -> Vec<Section> {
-        let mut all = vec![section(self.outcome.words(), self.reasons().iter().map(|x| sentence(x)))];
-        all.extend(self.diagnosis.iter().flat_map(|diagnosis| diagnosis.report()));
+        let sentences = |all: Vec<String>| all.iter().map(|words| sentence(words)).collect::<Vec<_>>();
+        let short = self.outcome == Outcome::TooShort;
+        let shown = self.diagnosis.as_ref().filter(|found| !short || found.confidence.names_a_rule());
+        let head = shown.map(Diagnosis::head).unwrap_or_default();
+        let mistakes = self.file_mistakes.iter().map(|mistake| mistake.words(self.record.has_attitude));
+        let (failed, reasons) =
+            (self.outcome == Outcome::Failed && !head.is_empty(), sentences(self.reasons()));
+        let first = if failed { sentences(mistakes.collect()) } else { reasons.clone() };
+        let mut all = vec![section(self.outcome.words(), first.into_iter().chain(head))];
+        all.extend(failed.then(|| section("Why", reasons)));
+        all.extend(shown.map(|found| section("Diagnosis", found.details())));
         all.extend(self.physics());
         all.extend(self.of_record());
         all.extend(self.of_file());
@@ -165,9 +175,9 @@ impl Verdict {
             all.push(("Ignored", format!("the columns {}", record.ignored.join(", "))));
         }
         all.extend(record.notes.iter().map(|note| ("Note", note.to_string())));
-        all.extend(self.file_mistakes.iter().map(|mistake| {
-            ("File", format!("{}. What is judged is the file with that put right", mistake.words()))
-        }));
+        if !self.file_mistakes.is_empty() {
+            all.push(("File", "what is judged is the file with its mistakes put right".into()));
+        }
         all.extend(self.resets.iter().map(|reset| {
             let Reset { line, time, .. } = reset;
             let how = reset.words();

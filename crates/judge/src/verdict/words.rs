@@ -61,6 +61,10 @@ impl fmt::Display for Note {
             Self::Unread { line, word } => {
                 write!(f, "line {line} speaks of `{word}`, and no number is read from it")
             }
+            Self::Story(name) => write!(f, "the record is of the kit's story {name}"),
+            Self::Rest { line } => {
+                write!(f, "the body is at rest before line {line}, and is judged from there")
+            }
             Self::Flat { printed, missing, moments } => write!(
                 f,
                 "the largest moment is printed as {printed}, {missing:.1e} more than the others together, which no body has; its \

@@ -25,22 +25,22 @@ fn of_two_engines_with_the_same_steps_both_are_named_first() {
     let text = text("bullet-3.2.7-rigid--box-middle");
     let of_header = |header: &str| {
         let words = judge(format!("{header}{text}").as_bytes(), &Options::default()).unwrap().to_string();
-        let lines = words.lines().map(str::trim).skip_while(|line| !line.starts_with("Diagnosis:")).skip(1);
-        lines.take(3).map(str::to_string).collect::<Vec<_>>()
+        words.lines().skip(1).take(3).map(|line| line.trim().to_string()).collect::<Vec<_>>()
     };
-    let (bullet, mujoco) = ("As in Bullet 3.2.7 (pybullet), rigid body", "As in MuJoCo 4.0.0, implicitfast");
+    let (bullet, mujoco) = ("in Bullet 3.2.7 (pybullet), rigid body", "in MuJoCo 4.0.0, implicitfast");
+    let order = |line: &str| line.find(bullet).zip(line.find(mujoco)).unwrap();
     let lines = of_header("");
     assert!(
         lines[0].ends_with("by: one Newton step; or, with the same steps here: linearised implicit."),
         "{lines:?}"
     );
-    assert!(lines[1].starts_with(bullet) && lines[2].starts_with(mujoco), "{lines:?}");
+    assert!(order(&lines[1]).0 < order(&lines[1]).1, "{lines:?}");
     let lines = of_header("# engine: MuJoCo, built by us\n");
     assert!(
         lines[0].ends_with("by: linearised implicit; or, with the same steps here: one Newton step."),
         "{lines:?}"
     );
-    assert!(lines[1].starts_with(mujoco) && lines[2].starts_with(bullet), "{lines:?}");
+    assert!(order(&lines[1]).0 > order(&lines[1]).1 && lines[2].contains("three exact turns"), "{lines:?}");
 }
 
 #[test]

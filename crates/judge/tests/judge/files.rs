@@ -58,7 +58,7 @@ fn each_misread_file_made_on_purpose_is_named_and_the_rule_behind_it_too() {
             let verdict = judged(&csv(&altered(&rows, how)));
             assert_eq!(verdict.file_mistakes, [misread]);
             assert_eq!(verdict.outcome, Outcome::Failed);
-            assert!(verdict.to_string().contains(&misread.words()));
+            assert!(verdict.to_string().contains(&misread.words(true)[1..]));
             let diagnosis = verdict.diagnosis.unwrap();
             assert_eq!(diagnosis.best.rule.method(), rule, "{misread:?}: {diagnosis}");
         }
@@ -98,15 +98,6 @@ fn without_an_attitude_the_law_determines_units_and_hand() {
             assert_eq!(judged(&spins(&altered(&rows, how))).file_mistakes, [misread]);
         }
     }
-}
-
-#[test]
-fn units_that_the_names_tell_are_no_mistake() {
-    let rows = exact(SPIN, 0.01, 300);
-    let text = csv(&altered(&rows, |(t, q, w)| (*t, *q, w.map(f64::to_degrees))));
-    let verdict = judged(&text.replace("wx,wy,wz", "wx [deg/s],wy [deg/s],wz [deg/s]"));
-    assert_eq!(verdict.file_mistakes, []);
-    assert_eq!(verdict.outcome, Outcome::Passed);
 }
 
 #[test]
@@ -295,31 +286,6 @@ fn the_json_has_the_sentences_of_the_text_and_none_names_an_option_of_the_comman
 }
 
 #[test]
-fn the_json_says_what_the_text_says() {
-    let verdict = judged(&csv(&stepped(Method::Rescaled, SPIN, 0.05, 600)));
-    let json = verdict.json();
-    assert_eq!(json["outcome"], "failed");
-    assert_eq!(json["diagnosis"]["best"]["rule"], "explicit, rescaled");
-    assert_eq!(json["diagnosis"]["confidence"], "to rounding");
-    assert_eq!(json["rows"], 601);
-    let laws = json["laws"].as_array().unwrap();
-    let energy = laws.iter().find(|law| law["law"] == "energy").unwrap();
-    assert!((energy["last"].as_f64().unwrap() - verdict.laws[0].last).abs() == 0.0);
-    // It can be written and read.
-    assert_eq!(serde_json::from_str::<serde_json::Value>(&json.to_string()).unwrap(), json);
-}
-
-#[test]
-fn the_threshold_decides() {
-    let text = csv(&stepped(Method::ImplicitOneNewton, SPIN, 0.001, 2000));
-    let with = |threshold: f64| {
-        judge(text.as_bytes(), &Options { threshold, ..Options::default() }).unwrap().outcome
-    };
-    assert_eq!(with(1.0), Outcome::Passed);
-    assert_eq!(with(1e-6), Outcome::Failed);
-}
-
-#[test]
 fn no_damage_to_a_file_makes_the_judge_panic() {
     let good = csv(&stepped(Method::SemiImplicitEuler, SPIN, 0.05, 12)).into_bytes();
     let mut seed = 1_u64;
@@ -367,23 +333,4 @@ fn spins_from_the_slowest_to_the_fastest_that_a_number_holds_are_judged_or_refus
             assert!(!(1e-100..1e101).contains(&scale), "{scale:e}");
         }
     }
-}
-
-#[test]
-fn a_run_in_single_precision_is_judged_by_its_own_rounding() {
-    // The rule of Bullet's multibody, every number rounded to single precision after each step.
-    let single = |x: f64| f64::from(x as f32);
-    let system = tumbling::step::System::free(MOMENTS.try_into().unwrap()).unwrap();
-    let rows = crate::common::stepped_by(SPIN, 1.0 / 64.0, 600, |motion| {
-        let end = Method::SemiImplicitEuler.step(&system, motion, 1.0 / 64.0).unwrap();
-        let omega = system.omega(&end.momentum).map(single);
-        let attitude = Quaternion::from_vector(end.attitude.coords.map(single));
-        tumbling::step::State { attitude, momentum: system.momentum(&omega) }
-    });
-    let rounded = altered(&rows, |(t, q, w)| (*t, *q, w.map(single)));
-    let verdict = judged(&csv(&rounded));
-    assert!((verdict.record.rounding - f64::from(f32::EPSILON)).abs() < 1e-12);
-    let diagnosis = verdict.diagnosis.unwrap();
-    assert_eq!(diagnosis.best.rule.method(), Some((Method::SemiImplicitEuler, 1)), "{diagnosis}");
-    assert_eq!(diagnosis.confidence, tumbling_judge::Confidence::ToRounding, "{diagnosis}");
 }

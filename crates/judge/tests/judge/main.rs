@@ -8,6 +8,7 @@ mod common;
 mod engines_fate;
 mod engines_judged;
 mod engines_recorded;
+mod faults;
 mod files;
 mod hard;
 mod in_memory;

@@ -263,21 +263,3 @@ fn moments_of_any_size_are_judged_alike() {
         }
     }
 }
-
-#[test]
-fn the_engine_of_the_header_is_named_where_its_rule_is_among_those_that_fit() {
-    let rows = stepped(Method::ImplicitOneNewton, SPIN * 4.0, 1.0 / 240.0, 4000);
-    let named = |engine: &str| {
-        let text = every(4, &format!("# engine: {engine}\n"), &rows);
-        let words = judged(&text).to_string();
-        let line = words.lines().find(|line| line.trim_start().starts_with("As in ")).unwrap_or_default();
-        line.trim().to_string()
-    };
-    // A rule that two engines go by: one in four parts a row, the other in four steps.
-    for name in ["Bullet", "Box3D"] {
-        assert!(PHYSICS_ENGINES.iter().any(|engine| engine.name == name));
-        let line = named(&format!("{name}, some build"));
-        assert!(line.starts_with(&format!("As in {name}")), "{line}");
-    }
-    assert!(!named("Drake").contains("Drake"));
-}

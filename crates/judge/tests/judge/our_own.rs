@@ -68,7 +68,7 @@ fn a_tensor_frozen_in_the_world_is_named() {
         .collect();
     let verdict = judged(&csv(&rows));
     let diagnosis = verdict.diagnosis.unwrap();
-    assert!(matches!(diagnosis.best.rule.base, Base::FrozenTensor(_)), "{diagnosis}");
+    assert!(matches!(diagnosis.best.rule.base, Base::FrozenTensor(..)), "{diagnosis}");
     assert_eq!(diagnosis.confidence, Confidence::ToRounding);
     assert_eq!(verdict.outcome, Outcome::Failed);
 }
@@ -101,49 +101,6 @@ fn momentum_taken_for_spin_is_named_where_the_record_is_of_momentum() {
 }
 
 #[test]
-fn a_wrong_triple_of_moments_is_named_with_the_moments() {
-    for wrong in [Vector3::new(2.0, 1.0, 2.5), Vector3::new(1.0, 1.7, 2.3)] {
-        for method in [Method::Gauss6, Method::SemiImplicitEuler, Method::ImplicitOneNewton] {
-            let system = System::free(wrong.try_into().unwrap()).unwrap();
-            let right = System::free(MOMENTS.try_into().unwrap()).unwrap();
-            let spin = Vector3::new(1.0, 2.0, 1.5);
-            let rows = stepped_by(spin, 0.005, 1000, |motion| {
-                let start = State { momentum: system.momentum(&right.omega(&motion.momentum)), ..*motion };
-                let end = method.step(&system, &start, 0.005).unwrap();
-                State { momentum: right.momentum(&system.omega(&end.momentum)), ..end }
-            });
-            let diagnosis = judged(&csv(&rows)).diagnosis.unwrap();
-            let Some(Alteration::OtherMoments(found)) = diagnosis.best.rule.alteration else {
-                panic!("{method:?} {wrong}: {diagnosis}")
-            };
-            // A free body shows their ratios.
-            let expected = wrong * (found.sum() / wrong.sum());
-            assert!((found - expected).norm() < 1e-6, "{method:?}: {found} {expected}");
-        }
-    }
-}
-
-#[test]
-fn damping_left_on_is_named_with_its_size() {
-    let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
-    for method in [Method::SemiImplicitEuler, Method::ConstantSpin, Method::ImplicitOneNewton] {
-        let spin = Vector3::new(1.0, 2.0, 1.5);
-        let rows = stepped_by(spin, 0.01, 1000, |motion| {
-            let mut start = *motion;
-            start.momentum *= 0.999;
-            method.step(&system, &start, 0.01).unwrap()
-        });
-        let verdict = judged(&csv(&rows));
-        let diagnosis = verdict.diagnosis.as_ref().unwrap();
-        let Some(Alteration::Damped(factor, _)) = diagnosis.best.rule.alteration else {
-            panic!("{method:?}: {diagnosis}")
-        };
-        assert!((factor - 0.999).abs() < 1e-9, "{method:?}: {factor}");
-        assert!(matches!(growth(&verdict, LawName::Energy), Growth::Exponential { rate } if rate < -0.1));
-    }
-}
-
-#[test]
 fn a_cap_on_the_spin_is_named() {
     let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
     let rows = stepped_by(Vector3::new(1.0, 2.0, 1.5), 0.02, 1000, |motion| {
@@ -158,24 +115,6 @@ fn a_cap_on_the_spin_is_named() {
         matches!(diagnosis.best.rule.alteration, Some(Alteration::Capped(most)) if (most - 2.6).abs() < 1e-9),
         "{diagnosis}"
     );
-}
-
-#[test]
-fn a_rule_that_none_knows_is_not_given_a_name() {
-    let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
-    let mut seed = 1_u64;
-    let noise = std::cell::RefCell::new(move || {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        f64::from((seed >> 33) as u32) / f64::from(1_u32 << 31) - 0.5
-    });
-    let rows = stepped_by(Vector3::new(1.0, 2.0, 1.5), 0.02, 500, |motion| {
-        let mut end = Method::Gauss6.step(&system, motion, 0.02).unwrap();
-        end.momentum = end.momentum.map(|x| x + 0.3 * (noise.borrow_mut())());
-        end
-    });
-    let diagnosis = judged(&csv(&rows)).diagnosis.unwrap();
-    assert_eq!(diagnosis.confidence, Confidence::NoneFits, "{diagnosis}");
-    assert!(diagnosis.to_string().contains("None of the known rules fits"));
 }
 
 #[test]

@@ -1,0 +1,114 @@
+//! Which rules are tried on a record, in which order, and how far each is from it.
+
+use crate::read::{Floor, Known, Pair, middle_and_most};
+use crate::rule::{
+    Alteration, Base, Explanation, Rule, Subject, Turn, compound, frozen_at, in_parts, momentum_for_spin,
+    of_parts, other_bodies, plain,
+};
+use crate::thresholds::{ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, AS_EXACT, CLEAR, TRIED_IN_PARTS};
+
+pub(super) fn explained(subject: &Subject, pairs: &[Pair], rule: Rule) -> Option<Explanation> {
+    let residuals = pairs.iter().map(|pair| subject.residual(&rule, pair)).collect();
+    middle_and_most(residuals).map(|[median, percentile_95]| Explanation { rule, median, percentile_95 })
+}
+
+/// Whether a rule is within rounding of the best, in the median as in the 95th percentile.
+pub(super) fn alike_to_best(found: &[Explanation], floor: Floor) -> impl Fn(&Explanation) -> bool + use<> {
+    let least = found.iter().map(|x| x.median).fold(f64::INFINITY, f64::min);
+    let [half, nearly_all] = floor.either(ALIKE_ROUNDINGS, ALIKE_FEW).map(|units| units * floor.size);
+    let near = move |x: &Explanation| x.median <= (ALIKE[0] * least).max(half);
+    let best_most = found.iter().filter(|x| near(x)).map(|x| x.percentile_95).fold(f64::INFINITY, f64::min);
+    move |x| near(x) && x.percentile_95 <= (ALIKE[1] * best_most).max(nearly_all)
+}
+
+/// How far each candidate's steps are from the record's: plain rules first, and others while none fits.
+pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bool) -> Vec<Explanation> {
+    let (floor, per_row) = (known.floor, known.clock.per_row);
+    let explained = |rule: Rule| explained(subject, pairs, rule);
+    let fits = |found: &[Explanation]| found.iter().any(|x| x.fits(floor));
+    let free = subject.torque.is_none();
+    let mut found: Vec<Explanation> = plain(free, pairs).into_iter().filter_map(explained).collect();
+    if free && (known.said.kind.is_momentum() || !fits(&found)) {
+        found.extend(momentum_for_spin(subject, pairs).and_then(explained));
+    }
+    let rules = match in_the_clear(&found, floor) {
+        _ if !free => Vec::new(),
+        None => in_parts(per_row, !sought),
+        // Other rules may make equal steps.
+        Some(parts) => of_parts(parts),
+    };
+    if !rules.is_empty() {
+        let mut in_parts = tried_in_parts(subject, pairs, rules, floor);
+        // Those of the number that the header names go before the same rules in one part.
+        if per_row.is_some_and(|parts| parts > 1) {
+            std::mem::swap(&mut found, &mut in_parts);
+        }
+        found.extend(in_parts);
+    }
+    if free && !fits(&found) {
+        found.extend(frozen_at(pairs).into_iter().filter_map(explained));
+    }
+    if free && !fits(&found) {
+        found.extend(compound(subject, pairs, floor.size).into_iter().filter_map(explained));
+    }
+    if free && !fits(&found) {
+        found.extend(other_bodies(subject, pairs).into_iter().filter_map(explained));
+    }
+    let with_attitude = pairs.first().is_some_and(|pair| pair.from.attitude.is_some());
+    if free && with_attitude && !sought && !fits(&found) {
+        let otherwise = |base: Base| explained(base.but(Alteration::Turned(Turn::Otherwise)));
+        found.extend(Base::all().into_iter().filter_map(otherwise));
+    }
+    found
+}
+
+/// In how many parts the best rule found makes its steps, if no rule in another number of parts can come as
+/// near: the steps are exact to rounding, or they are a rule's own and its error is plain.
+fn in_the_clear(found: &[Explanation], floor: Floor) -> Option<u32> {
+    let Some(exact) = found.iter().find(|x| x.rule == Rule::EXACT) else { return Some(1) };
+    if alike_to_best(found, floor)(exact) && exact.fits(floor) {
+        return Some(1);
+    }
+    let fits = found.iter().filter(|x| x.fits(floor) && x.rule != Rule::EXACT);
+    let best = fits.min_by(|a, b| a.median.total_cmp(&b.median))?;
+    (exact.median > CLEAR * best.median.max(floor.size)).then_some(best.rule.base.parts())
+}
+
+/// The rules in parts that a few of the pairs do not rule out.
+fn tried_in_parts(subject: &Subject, pairs: &[Pair], rules: Vec<Rule>, floor: Floor) -> Vec<Explanation> {
+    let [first, more] = TRIED_IN_PARTS.map(|count| -> Vec<Pair> {
+        pairs.iter().step_by(pairs.len().div_ceil(count).max(1)).copied().collect()
+    });
+    let [half, nearly_all] = floor.limits();
+    // The first of them, and the same with the exact motion's end.
+    let measure = first.first().and_then(|pair| {
+        let to = subject.next(&Rule::EXACT, &pair.from, pair.h)?;
+        Some((subject.residual(&Rule::EXACT, pair), Pair { to, ..*pair }))
+    });
+    let mut as_exact: Vec<(Base, u32)> = Vec::new();
+    let mut possible = |rule: &Rule| {
+        let (mut far, mut off) = (0, 0);
+        if let Some((error, exact)) = &measure {
+            let (base, parts) = (rule.base.in_parts(1), rule.base.parts());
+            if as_exact.iter().any(|(other, least)| *other == base && parts > *least) {
+                return false;
+            }
+            // Its own error is far below the record's: in more parts it comes no nearer.
+            if *error > nearly_all && subject.residual(rule, exact) < AS_EXACT * error {
+                as_exact.push((base, parts));
+                return false;
+            }
+        }
+        first.iter().all(|pair| {
+            let residual = subject.residual(rule, pair);
+            far += u32::from(residual > nearly_all);
+            off += usize::from(residual > half);
+            far < 2 && 2 * off <= first.len() + 1
+        })
+    };
+    rules
+        .into_iter()
+        .filter(|rule| possible(rule))
+        .filter_map(|rule| explained(subject, &more, rule))
+        .collect()
+}

@@ -1,0 +1,68 @@
+//! What is said of a record that no rule fits.
+
+use crate::read::{Floor, Pair, median};
+use crate::rule::diagnosis::Ranked;
+use crate::rule::{Alteration, Base, Confidence, Explanation, Rule, Subject};
+use crate::thresholds::{ABOVE_ROUNDING, ACCURATE, ALTERED, CLEAR, NEAR, STRAIGHT};
+
+/// The exact motion with a number altered, if that explains nearly all of its error; an accurate rule, and
+/// the error of its steps; interpolated rows; or none.
+pub(super) fn unnamed(
+    subject: &Subject,
+    pairs: &[Pair],
+    found: &[Explanation],
+    ranked: Ranked,
+    fails: bool,
+    floor: Floor,
+) -> (Ranked, Confidence, Option<f64>) {
+    let Some(exact) = found.iter().find(|x| x.rule == Rule::EXACT) else {
+        return (ranked, Confidence::NoneFits, None);
+    };
+    let alone = |best: &Explanation| Ranked { best: *best, alike: Vec::new(), second: Some(*exact) };
+    let (altered, times) = altered(found, exact);
+    if let Some(altered) = altered.filter(|x| times > ALTERED[1] && x.median < NEAR) {
+        return (alone(altered), Confidence::Near, None);
+    }
+    let error = accuracy(subject, pairs, exact, floor.size).filter(|_| !fails && times < ALTERED[0]);
+    if error.is_some() {
+        return (Ranked { second: ranked.second, ..alone(exact) }, Confidence::Accurate, error);
+    }
+    let interpolated = are_interpolated(pairs, floor);
+    (ranked, if interpolated { Confidence::Interpolated } else { Confidence::NoneFits }, None)
+}
+
+/// The exact motion with one number altered that explains the record best, and how many times as well as the
+/// exact motion alone.
+fn altered<'a>(found: &'a [Explanation], exact: &Explanation) -> (Option<&'a Explanation>, f64) {
+    let one = |x: &&Explanation| {
+        let alteration = x.rule.alteration;
+        x.rule.base == Base::Exact
+            && matches!(alteration, Some(Alteration::Damped { .. } | Alteration::Term(_)))
+    };
+    let times = |x: &Explanation| (exact.median / x.median).min(exact.percentile_95 / x.percentile_95);
+    let best = found.iter().filter(one).max_by(|a, b| times(a).total_cmp(&times(b)));
+    (best, best.map_or(0.0, times))
+}
+
+/// Whether some of the rows lie on a straight line between those before and after.
+fn are_interpolated(pairs: &[Pair], floor: Floor) -> bool {
+    let bends = pairs.windows(2).filter(|two| two[0].to.line == two[1].from.line).map(|two| {
+        let [first, second] = [two[0], two[1]].map(|pair| pair.to.omega - pair.from.omega);
+        let rounding = STRAIGHT[0] * floor.size * two[0].from.omega.norm();
+        (first - second).norm() <= rounding && first.norm() > CLEAR * rounding
+    });
+    let (straight, all) = bends.fold((0, 0), |(straight, all), is| (straight + u32::from(is), all + 1));
+    f64::from(straight) > STRAIGHT[1] * f64::from(all)
+}
+
+/// The error of the middle step, as a share of what the gyroscopic term changes of the spin in the middle
+/// step; of an accurate rule alone. A share of the spin would praise each rule whose steps are short, even
+/// where there is no gyroscopic term in them.
+fn accuracy(subject: &Subject, pairs: &[Pair], exact: &Explanation, floor: f64) -> Option<f64> {
+    let change = median(pairs.iter().filter_map(|pair| {
+        let end = subject.spin_after(&Rule::EXACT, pair)?;
+        Some((end - pair.from.omega).norm() / pair.from.omega.norm())
+    }));
+    let share = exact.median / change;
+    (change.is_finite() && change > ABOVE_ROUNDING * floor && share <= ACCURATE).then_some(share)
+}
