@@ -118,31 +118,41 @@ fn an_arrow_is_seen_wherever_a_room_is_named() {
     assert_eq!(rooms, ["body", "error", "solid"]);
 }
 
-/// The formulas that a text cites, as `(C7)`.
-fn formulas(text: &str) -> BTreeSet<u32> {
-    text.split("(C").skip(1).filter_map(|rest| rest.split_once(')')?.0.parse().ok()).collect()
+/// The formulas that a text cites by this letter, as `(C7)` or `(C7, C9)`.
+fn formulas(letter: char, text: &str) -> BTreeSet<u32> {
+    let groups = text.split('(').skip(1).filter_map(|rest| Some(rest.split_once(')')?.0));
+    let parts = groups.flat_map(|group| group.split([',', ' ']));
+    parts.filter_map(|part| part.strip_prefix(letter)?.parse().ok()).collect()
 }
 
 /// The formulas that a chapter numbers, each once: `**(C7)**`.
-fn numbered(chapter: &str) -> Vec<u32> {
-    chapter.split("**(C").skip(1).filter_map(|rest| rest.split_once(")**")?.0.parse().ok()).collect()
+fn numbered(letter: char, chapter: &str) -> Vec<u32> {
+    let parts = chapter.split("**(").skip(1).filter_map(|rest| rest.split_once(")**"));
+    parts.filter_map(|(number, _)| number.strip_prefix(letter)?.parse().ok()).collect()
+}
+
+/// Whether the code cites each formula that the chapter numbers, more than so many, and no other.
+fn cites(letter: char, files: &[PathBuf], chapter: &str, least: usize) {
+    let text = |file: &PathBuf| fs::read_to_string(file).unwrap();
+    let cited: BTreeSet<u32> = files.iter().flat_map(|file| formulas(letter, &text(file))).collect();
+    let chapter = text(&root().join("book/chapters").join(chapter));
+    let all = numbered(letter, &chapter);
+    assert!(all.len() > least && all.iter().copied().eq(1..=all.len() as u32), "{all:?}");
+    assert_eq!(cited, all.iter().copied().collect());
+    // And the chapter itself speaks of none that it lacks.
+    assert!(formulas(letter, &chapter).is_subset(&cited));
 }
 
 #[test]
-fn the_closed_form_cites_each_formula_of_its_chapter_and_no_other() {
-    let mut files = vec![root().join("src/dynamics/invariants.rs")];
-    sources(&root().join("src/exact"), &mut files);
-    let cited: BTreeSet<u32> =
-        files.iter().flat_map(|file| formulas(&fs::read_to_string(file).unwrap())).collect();
-    let chapter = fs::read_to_string(root().join("book/chapters/closed-form.md")).unwrap();
-    let all = numbered(&chapter);
-    assert!(all.len() > 40 && all.iter().copied().eq(1..=all.len() as u32), "{all:?}");
-    assert_eq!(cited, all.iter().copied().collect());
-    // And the chapter itself speaks of none that it lacks.
-    assert!(formulas(&chapter).is_subset(&cited));
+fn the_closed_forms_cite_each_formula_of_their_chapters_and_no_other() {
+    let [mut free, mut top] = [vec![root().join("src/dynamics/invariants.rs")], Vec::new()];
+    sources(&root().join("src/exact"), &mut free);
+    cites('C', &free, "closed-form.md", 40);
+    sources(&root().join("src/exact/top"), &mut top);
+    cites('T', &top, "top-closed-form.md", 20);
     // One number changed, on either side, is seen.
-    assert_ne!(formulas("(C6) and (C8)"), formulas("(C6) and (C7)"));
-    assert_eq!(numbered("**(C2)** by (C1)"), [2]);
+    assert_ne!(formulas('C', "(C6) and (C8)"), formulas('C', "(C6) and (C7)"));
+    assert_eq!(numbered('C', "**(C2)** by (C1)"), [2]);
 }
 
 /// Chosen by measured errors, which the tests of the motion and of its derivatives bound, or by the range of

@@ -20,29 +20,31 @@ chapters! {
     "body-and-world.md" body_and_world
     "eulers-equations.md" eulers_equations
     "three-pitfalls.md" three_pitfalls
-    "dzhanibekov.md" dzhanibekov
     "coin.md" coin
-    "exact-motion.md" exact_motion
-    "closed-form.md" closed_form
+    "dzhanibekov.md" dzhanibekov
     "a-top.md" a_top
+    "where-next.md" where_next
+    "your-own-body.md" your_own_body
+    "exact-motion.md" exact_motion
     "stepping-through-time.md" stepping_through_time
     "error-against-run-time.md" error_against_run_time
-    "only-what-you-need.md" only_what_you_need
+    "proofs.md" proofs
     "where-things-break.md" where_things_break
     "test-your-engine.md" test_your_engine
     "put-it-into-your-engine.md" put_it_into_your_engine
-    "proofs.md" proofs
     "problems.md" problems
     "for-teachers.md" for_teachers
-    "where-next.md" where_next
-    "your-own-body.md" your_own_body
-    "about.md" about
+    "appendix.md" appendix
+    "closed-form.md" closed_form
+    "top-closed-form.md" top_closed_form
     "library.md" library
+    "only-what-you-need.md" only_what_you_need
     "records.md" records
-    "notation.md" notation
     "errata.md" errata
-    "references.md" references
+    "notation.md" notation
     "glossary.md" glossary
+    "references.md" references
+    "about.md" about
 }
 
 /// A chapter that is not listed here is a chapter whose code nobody runs; one that `SUMMARY.md` lacks

@@ -3,6 +3,7 @@
 pub(crate) mod build;
 pub(crate) mod files;
 pub(crate) mod goals;
+pub(crate) mod home;
 pub(crate) mod log;
 pub(crate) mod manifests;
 pub(crate) mod paths;

@@ -117,7 +117,7 @@ fn tensor(subject: &Subject<'_>) -> String {
     out + "</section>\n"
 }
 
-/// About which axis spin flips, and how fast a push grows.
+/// About which axis spin flips, and how fast a slip grows.
 fn stability(subject: &Subject<'_>) -> Result<String, Box<dyn Error>> {
     let mut out = String::from("<section><h2>Which spin flips</h2>\n<ul>\n");
     for axis in Axis::ALL {
@@ -125,18 +125,18 @@ fn stability(subject: &Subject<'_>) -> Result<String, Box<dyn Error>> {
             Stability::Growth { rate } => {
                 let each = (TAU * rate / subject.spin).exp();
                 format!(
-                    "<strong>unstable, it flips.</strong> A push grows e-fold in {} turns ({}), by a factor of {} in each turn.",
+                    "<strong>unstable, it flips.</strong> A slip grows e-fold in {} turns ({}), by a factor of {} in each turn.",
                     units::number(subject.spin / (rate * TAU), 3),
                     units::time(1.0 / rate),
                     units::number(each, 3)
                 )
             }
             Stability::Libration { rate } => format!(
-                "stable. After a push the spin circles the axis once in {} turns ({}), and stays as near.",
+                "stable. After a slip the spin circles the axis once in {} turns ({}), and stays as near.",
                 units::number(subject.spin / rate, 3),
                 units::time(TAU / rate)
             ),
-            _ => "one of the equal moments. A push neither grows nor circles.".into(),
+            _ => "one of the equal moments. A slip neither grows nor circles.".into(),
         };
         let _ =
             writeln!(out, "<li>Axis {}, the {} moment: {fate}</li>", axis as usize + 1, NAMES[axis as usize]);
@@ -162,7 +162,7 @@ fn flips(subject: &Subject<'_>) -> Result<String, Box<dyn Error>> {
             out + "<p>It never flips: at least two of its principal moments are equal.</p></section>\n"
         );
     }
-    out += "<table><caption>Spun about axis 2 with a push about axis 3</caption>\n<tr><th scope=\"col\">push, as a part of the spin</th>\
+    out += "<table><caption>Spun about axis 2 with a slip about axis 3</caption>\n<tr><th scope=\"col\">slip, as a part of the spin</th>\
             <th scope=\"col\">time between flips</th><th scope=\"col\">turns</th></tr>\n";
     for exponent in 1..=9 {
         let time = subject.flip_time(10_f64.powi(-exponent))?;

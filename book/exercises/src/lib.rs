@@ -40,7 +40,7 @@ pub fn chapters() -> Vec<String> {
     include_str!("../../chapters/SUMMARY.md")
         .lines()
         .filter_map(|line| {
-            Some(line.strip_prefix("- [")?.split_once("](")?.1.strip_suffix(".md)")?.to_owned())
+            Some(line.trim_start().strip_prefix("- [")?.split_once("](")?.1.strip_suffix(".md)")?.to_owned())
         })
         .collect()
 }

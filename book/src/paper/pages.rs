@@ -9,7 +9,7 @@ use super::page::{Page, opened};
 use super::still;
 use super::tree::{self, Element, Node, each, parse, rewritten};
 use crate::preprocess::Preprocess;
-use crate::site::{build, files, paths};
+use crate::site::{build, files, goals, paths};
 use mdbook_driver::MDBook;
 use mdbook_preprocessor::book::BookItem;
 use std::collections::{BTreeMap, BTreeSet};
@@ -56,8 +56,8 @@ impl Paper {
             let body = body(&html, &name).map_err(|what| format!("{name}.html: {what}"))?;
             let body = ends.take(&name, &chapter.name, body);
             let number = chapter.number.as_ref().map(|n| n.to_string().trim_end_matches('.').to_owned());
-            // A page below a chapter is no chapter: it has no goals, exercises or handout of its own.
-            let number = number.filter(|number| !number.contains('.'));
+            // A page below another, or without goals, is no chapter: it has no handout of its own.
+            let number = number.filter(|number| !number.contains('.') && goals::of(&name).is_ok());
             pages.push(Page { name, title: chapter.name.clone(), number, body });
         }
         pages.extend(ends.pages());

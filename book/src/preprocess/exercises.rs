@@ -35,12 +35,7 @@ pub(super) fn replace(source: &Source<'_>, all: &[Exercise]) -> Result<String, S
 
 /// The tasks, one after the other.
 fn section(exercises: &[&Exercise]) -> String {
-    let mut out = String::from(
-        "Each of these has a file of its own. Fill the place that is marked in it, and run its command; it fails until you \
-         are right, and shows your value next to the expected one. The first run compiles the library, and takes a while. \
-         `cargo run -- exercises` shows how far you \
-         have come.\n",
-    );
+    let mut out = String::from("Each has a file of its own, and a command that checks it: [how to run them](about.md#exercises).\n");
     for exercise in exercises {
         let (_, number) = exercise.place();
         let name = &exercise.name;

@@ -19,7 +19,7 @@ mod theme;
 mod turning;
 mod widget;
 
-use crate::site::goals;
+use crate::site::{goals, home};
 use edits::Edits;
 use mdbook_preprocessor::book::{Book, BookItem};
 use mdbook_preprocessor::errors::{Error, Result};
@@ -79,7 +79,9 @@ fn run(context: &PreprocessorContext, mut book: Book) -> Result<Book> {
             return;
         };
         let written = Source { path: &path, text: &chapter.content };
-        let text = exercises::replace(&written, &exercises).and_then(|text| goals::replace(&text));
+        let text = exercises::replace(&written, &exercises)
+            .and_then(|text| goals::replace(&text))
+            .and_then(|text| home::replace(&text));
         let text = match text {
             Ok(text) => text,
             Err(fault) => return faults.push(fault),

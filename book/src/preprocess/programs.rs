@@ -5,7 +5,8 @@ use super::edits::Edits;
 use super::{Piece, nested};
 use pulldown_cmark::{CodeBlockKind, Event, Tag};
 
-/// Folds every Rust block that stands in the text itself, in no list, no quote and no other fold.
+/// Folds every Rust block that stands in the text itself, in no list, no quote and no other fold, unless it
+/// is to be `shown`.
 pub(super) fn replace(text: &str, pieces: &[Piece<'_>], edits: &mut Edits) {
     let mut folds = 0_usize;
     for (_, depth, (event, range)) in nested(pieces) {
@@ -15,7 +16,7 @@ pub(super) fn replace(text: &str, pieces: &[Piece<'_>], edits: &mut Edits) {
                     .saturating_sub(html.matches("</details>").count());
             }
             Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(language)))
-                if depth == 0 && folds == 0 && language.starts_with("rust") =>
+                if depth == 0 && folds == 0 && language.starts_with("rust") && !language.contains("shown") =>
             {
                 let block = &text[range.clone()];
                 edits.replace(range.clone(), fold("fold program", &summary(block), block));
@@ -92,6 +93,7 @@ mod tests {
         for text in [
             "<details class=\"fold\">\n<summary>Hint</summary>\n\n```rust\nlet a = 1;\n```\n\n</details>\n",
             "```sh\ncargo test\n```\n",
+            "```rust,shown\nlet a = 1;\n```\n",
             "- one\n\n  ```rust\n  let a = 1;\n  ```\n",
         ] {
             assert_eq!(folded(text), text);

@@ -62,14 +62,18 @@ pub(crate) fn replace(text: &str) -> Result<String, String> {
     if text.contains(DIRECTIVE) { Ok(text.replacen(DIRECTIVE, &listed()?, 1)) } else { Ok(text.to_owned()) }
 }
 
-/// The numbered chapters and their titles, in order.
+/// The chapters that have exercises and their titles, in order.
 fn chapters() -> Result<Vec<(String, String)>, String> {
     let summary = files::text(&paths::chapters().join("SUMMARY.md"))?;
     let line = |line: &str| {
-        let (title, file) = line.strip_prefix("- [")?.split_once("](")?;
+        let (title, file) = line.trim_start().strip_prefix("- [")?.split_once("](")?;
         Some((file.strip_suffix(".md)")?.to_owned(), title.to_owned()))
     };
-    Ok(summary.lines().filter_map(line).collect())
+    let taught = |(name, _): &(String, String)| {
+        let text = fs::read_to_string(paths::chapters().join(format!("{name}.md")));
+        text.is_ok_and(|text| text.contains("{{#exercises}}"))
+    };
+    Ok(summary.lines().filter_map(line).filter(taught).collect())
 }
 
 fn read() -> Result<Goals, String> {

@@ -17,6 +17,7 @@
 
 mod bodies;
 mod closed;
+mod heavy;
 pub mod laws;
 mod motion;
 mod steps;

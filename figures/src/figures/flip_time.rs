@@ -16,7 +16,7 @@ pub(super) fn draw() -> Drawing {
     let plot = Plot::new(&canvas, [50.0, 56.0, 484.0, 376.0], Scale::log(1e-12..1.0), 0.0..14.0);
     plot.x_axis(
         (-6..=0).map(|n| (10_f64.powi(2 * n), power_of_ten(2 * n))),
-        "push, as a fraction of the spin",
+        "slip, as a fraction of the spin",
     );
     plot.y_axis((0..=7).map(|n| (2.0 * f64::from(n), (2 * n).to_string())), "time between two flips (s)");
     let time = |push: f64| -> Result<f64, Box<dyn std::error::Error>> {
@@ -55,7 +55,7 @@ pub(super) fn draw() -> Drawing {
     let word = plot.at(3e-9, 10.6);
     canvas.label(word, &Label::new("line: the formula; rings: simulated"));
     canvas.described(format!(
-        "Time between two flips of the box spun at {SPIN:.0} rad/s about its middle axis, against the push, from {:.2} s at a \
+        "Time between two flips of the box spun at {SPIN:.0} rad/s about its middle axis, against the slip, from {:.2} s at a \
          push of 0.1 to {:.2} s at 1e-12: nearly a straight line over a logarithmic axis, {decade:.2} s for each factor of \
          ten. Twelve simulated motions lie on the formula, all to better than {:.0e}.",
         time(0.1)?,

@@ -52,7 +52,7 @@ pub(super) fn draw() -> Drawing {
     let plot = Plot::new(&canvas, [50.0, 56.0, 486.0, 336.0], x, y);
     plot.x_axis(
         (-3..=0).map(|n| (100.0 * f64::from(n), power_of_ten(100 * n))),
-        "push, as a fraction of the spin",
+        "slip, as a fraction of the spin",
     );
     plot.y_axis((0..=3).map(|n| (100.0 * f64::from(n), (100 * n).to_string())), "time between two flips (s)");
     let line: Result<Vec<_>, Box<dyn Error>> =
@@ -62,7 +62,7 @@ pub(super) fn draw() -> Drawing {
     canvas.disc(start, 5.0, Fill::new(Ink::Text), None);
     canvas.label(
         (start.0 + 40.0, start.1 - 18.0),
-        &Label::new(format!("{least:.0} s: the smallest push that")),
+        &Label::new(format!("{least:.0} s: the smallest slip that")),
     );
     canvas.label((start.0 + 40.0, start.1 + 4.0), &Label::new("a computer’s number can be"));
     let end = plot.at(last, exact(&m, 10_f64.powf(last))?);
@@ -76,7 +76,7 @@ pub(super) fn draw() -> Drawing {
     word(-24.0, "parameter rounded to one:".into());
     word(-2.0, format!("no flips below {}", power_of_ten(last.round() as i32)));
     canvas.described(format!(
-        "Time between two flips of the box spun at {SPIN:.0} rad/s about its middle axis against a push about its largest, as a \
+        "Time between two flips of the box spun at {SPIN:.0} rad/s about its middle axis against a slip about its largest, as a \
          fraction of the spin. The exact time is a straight line over the powers of ten, from {:.2} s at 0.1 to {:.0} s at \
          1e-300 and {least:.0} s at 5e-324, the smallest number above zero. A computation that rounds the elliptic parameter \
          ends below {:.0e}, where the parameter rounds to 1: it says that the box never flips.",

@@ -82,22 +82,22 @@ pub(crate) static ALL: &[Figure] = figures! {
     turning_tensor::draw, "turning-tensor", "body-and-world", "The box turns, and its tensor in world axes turns with it";
     torque::draw, "torque", "eulers-equations", "A torque about one axis turns a box at rest about another";
     seen_from_body::draw, "seen-from-body", "eulers-equations", "An arrow fixed in the room, seen from a turning body";
-    three_spins::draw, "three-spins", "eulers-equations", "The same small push about each of the three axes: two wobble, one flips"
+    three_spins::draw, "three-spins", "eulers-equations", "The same small slip about each of the three axes: two wobble, one flips"
         => spins::three, "The spin in body axes, thrown about each axis in turn";
     engines_energy::draw, "engines-energy", "three-pitfalls", "Energy of a free box: the right engine, and the one with a frozen tensor";
     engines_paths::draw, "engines-paths", "three-pitfalls", "Spin about the middle axis: the right engine flips, two wrong ones refuse";
     polhodes::draw, "polhodes", "dzhanibekov", "Paths of the spin on the ellipsoid of equal energy, with the separatrix"
         => polhodes::draw, "The paths of its spin on the ellipsoid of equal energy";
     wobble_growth::draw, "wobble-growth", "dzhanibekov", "A small wobble about the middle axis grows as theory says, until it flips"
-        => flips::growth, "How a small push grows until it flips";
-    flip_time::draw, "flip-time", "dzhanibekov", "Time between flips against the push"
-        => flips::time, "The time between flips against the push";
-    moments_map::draw_growth, "flip-map", "dzhanibekov", "How fast a push off the middle axis grows, for every rigid body"
-        => moments::on_growth_map, "How fast a push grows, among all rigid bodies";
+        => flips::growth, "How a small slip grows until it flips";
+    flip_time::draw, "flip-time", "dzhanibekov", "Time between flips against the slip"
+        => flips::time, "The time between flips against the slip";
+    moments_map::draw_growth, "flip-map", "dzhanibekov", "How fast a slip off the middle axis grows, for every rigid body"
+        => moments::on_growth_map, "How fast a slip grows, among all rigid bodies";
     coin::draw, "coin", "coin", "A thrown plate: its axis and its spin circle its momentum";
     jacobi::draw, "jacobi", "exact-motion", "The components of the spin are Jacobi's three functions"
         => spins::jacobi, "Its spin in Jacobi’s elliptic functions";
-    flip_time_deep::draw, "flip-time-deep", "exact-motion", "Time between flips down to the smallest push that a computer knows";
+    flip_time_deep::draw, "flip-time-deep", "exact-motion", "Time between flips down to the smallest slip that a computer knows";
     series_terms::draw, "series-terms", "closed-form", "Number of terms that the two series of the closed form need";
     exact_errors::draw, "exact-errors", "exact-motion", "Errors of the exact motion over all bodies, relative to what a rounded input does";
     a_top::draw, "a-top", "a-top", "The axis of a top that was let go: it nods and goes round";

@@ -123,7 +123,7 @@ pub(crate) fn growth_lines(canvas: &Canvas, plot: &Plot) -> Result<Vec<String>, 
 /// What the lines of equal growth are.
 pub(crate) fn growth_key(canvas: &Canvas, plot: &Plot) {
     let words = plot.at(0.76, 0.72);
-    let lines = [(0.0, "dashed: $λ/ω$,"), (21.0, "a push’s growth"), (42.0, "per radian of spin")];
+    let lines = [(0.0, "dashed: $λ/ω$,"), (21.0, "a slip’s growth"), (42.0, "per radian of spin")];
     for (down, line) in lines {
         canvas.label((words.0, words.1 + down), &Label::new(line).ink(Ink::AxisMid).size(15.5));
     }
@@ -143,7 +143,7 @@ pub(super) fn draw_growth() -> Drawing {
         said.push(format!("{body} {:.2}", rate(m[0] / m[2], m[1] / m[2])));
     }
     canvas.described(format!(
-        "The triangle of all rigid bodies with lines of equal growth rate of a push off the middle axis, relative to the spin: \
+        "The triangle of all rigid bodies with lines of equal growth rate of a slip off the middle axis, relative to the spin: \
          {}. It is zero along the two edges of round bodies and largest towards the needle along the edge of flat \
          plates. The book's bodies: {}.",
         levels.join(", "),

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use tumbling::Axis;
 use tumbling::dynamics::observe::sign_changes;
 
-/// The spin, the push about each other axis (rad/s), and the time watched (s).
+/// The spin, the slip about each other axis (rad/s), and the time watched (s).
 const SPIN: f64 = 10.0;
 const PUSH: f64 = 0.3;
 const END: f64 = 5.0;
@@ -59,7 +59,7 @@ pub(super) fn draw() -> Drawing {
     }
     canvas.label((14.0, 22.0), &Label::new("spin in body axes, $ω$ (rad/s)"));
     canvas.described(format!(
-        "The box spun at {SPIN:.0} rad/s about each principal axis in turn, with the same push of {PUSH} rad/s about both \
+        "The box spun at {SPIN:.0} rad/s about each principal axis in turn, with the same slip of {PUSH} rad/s about both \
          others. {}.",
         said.join(". ")
     ))

@@ -86,7 +86,7 @@ pub(super) fn draw() -> Drawing {
     }
     canvas.label((250.0, 460.0), &Label::new("turns since the throw").middle());
     canvas.described(format!(
-        "Three tosses of a book, each with a push of {PUSH} rad to the side, drawn at the throw and after each of {TURNS} turns. The \
+        "Three tosses of a book, each with a slip of {PUSH} rad to the side, drawn at the throw and after each of {TURNS} turns. The \
          cover that is seen: {}. In the first two tosses the book looks the same each time; in the third it has turned over.",
         said.join("; ")
     ))

@@ -18,7 +18,7 @@ pub(super) fn draw() -> Drawing {
         (-3..=0).map(|n| (10_f64.powi(2 * n), power_of_ten(2 * n))),
         "angle between the spin and the middle axis (rad)",
     );
-    // A push about the largest axis, half growing, half fading: `cosh`, with `sinh` about the smallest.
+    // A slip about the largest axis, half growing, half fading: `cosh`, with `sinh` about the smallest.
     let other = ((m[2] - m[1]) * m[2] / ((m[1] - m[0]) * m[0])).sqrt();
     let mut said = Vec::new();
     for exponent in [-2, -4, -6] {
@@ -42,11 +42,11 @@ pub(super) fn draw() -> Drawing {
         if exponent == -2 {
             canvas.label((tail.0 + 10.0, tail.1 + 6.0), &Label::new(power));
         } else {
-            canvas.label((tail.0 - 4.0, tail.1 + 22.0), &Label::new(format!("a push of {power} rad")).end());
+            canvas.label((tail.0 - 4.0, tail.1 + 22.0), &Label::new(format!("a slip of {power} rad")).end());
         }
         let top = plot.at(0.5 * whole, 4.5);
         canvas.label(top, &Label::new(format!("{:.1} s", 0.5 * whole)).middle());
-        said.push(format!("After a push of {push:.0e} rad it flips after {:.2} s", 0.5 * whole));
+        said.push(format!("After a slip of {push:.0e} rad it flips after {:.2} s", 0.5 * whole));
     }
     canvas.label(plot.at(0.05, 4.5), &Label::new("flip:"));
     let words = ["wide: the theory,".into(), "growth as $e^{λt}$,".into(), format!("$λ$ = {rate:.2} /s")];
@@ -55,9 +55,9 @@ pub(super) fn draw() -> Drawing {
         canvas.label((at.0, at.1 + down), &Label::new(line));
     }
     canvas.described(format!(
-        "The box spun at {SPIN:.0} rad/s about its middle axis, with a small push about the largest. On a logarithmic scale \
+        "The box spun at {SPIN:.0} rad/s about its middle axis, with a small slip about the largest. On a logarithmic scale \
          the angle between spin and middle axis grows along a straight line, the theory's exp({rate:.2} t), until the \
-         spin is far from the axis; there it flips, and the angle falls back to what it was. {}. Each push a hundred \
+         spin is far from the axis; there it flips, and the angle falls back to what it was. {}. Each slip a hundred \
          times smaller only delays the flip by the same {:.2} s.",
         said.join(". "),
         100_f64.ln() / rate

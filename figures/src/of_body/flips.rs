@@ -1,4 +1,4 @@
-//! How a push grows, and the time between flips.
+//! How a slip grows, and the time between flips.
 
 use super::Subject;
 use crate::draw::{Canvas, Fill, Ink, Label, Pen, Plot, Scale};
@@ -14,7 +14,7 @@ pub(crate) fn time(subject: &Subject<'_>) -> Drawing {
     canvas.label((14.0, 24.0), &Label::new(subject.heading()).bold());
     let (x, y) = (Scale::log(1e-10..1.0), 0.0..longest / unit);
     let plot = Plot::new(&canvas, [76.0, 78.0, 484.0, 376.0], x, y);
-    plot.x_axis((-4..=0).map(|n| (100_f64.powi(n), power_of_ten(2 * n))), "push, as a part of the spin");
+    plot.x_axis((-4..=0).map(|n| (100_f64.powi(n), power_of_ten(2 * n))), "slip, as a part of the spin");
     plot.y_axis(units::ticks(longest / unit), &format!("time between two flips ({name})"));
     let curve: Result<Vec<_>, Box<dyn std::error::Error>> = (0..=200)
         .map(|i| 10_f64.powf(-10.0 + 0.0495 * f64::from(i)))
@@ -28,13 +28,13 @@ pub(crate) fn time(subject: &Subject<'_>) -> Drawing {
     }
     let decade = 2.0 * 10_f64.ln() / (subject.growth() * subject.spin);
     let right = (480.0, 108.0);
-    canvas.label(right, &Label::new("a push ten times smaller:").end());
+    canvas.label(right, &Label::new("a slip ten times smaller:").end());
     canvas.label(
         (right.0, right.1 + 22.0),
         &Label::new(format!("{} longer", units::time(decade))).end().bold(),
     );
     canvas.described(format!(
-        "Time between two flips of {} spun about its middle axis, {}, against the push: from {} at a push of 0.1 to {} at 1e-9, \
+        "Time between two flips of {} spun about its middle axis, {}, against the slip: from {} at a slip of 0.1 to {} at 1e-9, \
          nearly a straight line over a logarithmic axis, {} for each factor of ten.",
         subject.name(),
         units::turning(subject.spin),
@@ -77,7 +77,7 @@ pub(crate) fn growth(subject: &Subject<'_>) -> Drawing {
     let words = format!("grows e-fold in {}", units::time(fold));
     canvas.label_at_first(&[(472.0, 384.0), (472.0, 362.0)], &Label::new(words).end().bold());
     canvas.described(format!(
-        "{} spun about its middle axis with small pushes about the largest. On a logarithmic scale the angle between spin and \
+        "{} spun about its middle axis with small slips about the largest. On a logarithmic scale the angle between spin and \
          middle axis grows along a straight line, by a factor of e in {}: {}.",
         subject.name(),
         units::time(fold),

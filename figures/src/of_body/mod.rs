@@ -105,13 +105,13 @@ impl<'a> Subject<'a> {
         FreeMotion::new(self.moments, &(parts * self.spin))
     }
 
-    /// How fast a push off the middle axis grows, relative to the spin in rad/s.
+    /// How fast a slip off the middle axis grows, relative to the spin in rad/s.
     pub(crate) fn growth(&self) -> f64 {
         let [a, b, c] = self.moments.vector().into();
         tumbling::dynamics::stability::rate_squared(&1.0, &b, &a, &c).max(0.0).sqrt()
     }
 
-    /// The time between flips of a spin about the middle axis after a push, as a part of the spin, about
+    /// The time between flips of a spin about the middle axis after a slip, as a part of the spin, about
     /// the largest.
     pub(crate) fn flip_time(&self, push: f64) -> Result<f64, Box<dyn Error>> {
         self.flips()?;

@@ -69,7 +69,7 @@ fn place(subject: &Subject<'_>, growth: bool) -> Drawing {
     canvas.described(format!(
         "Every rigid body is a point in a triangle: across, its smallest moment over the largest; up, its middle moment over the \
          largest. The corners are the needle (0, 1), the thin disk (0.5, 0.5) and the ball (1, 1). {} is at ({x:.3}, {y:.3}); \
-         a push off its middle axis grows by {:.2} per radian of spin.",
+         a slip off its middle axis grows by {:.2} per radian of spin.",
         subject.name(),
         subject.growth()
     ))

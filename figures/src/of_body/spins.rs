@@ -68,7 +68,7 @@ impl<'a> Panel<'a> {
     }
 }
 
-/// Thrown about each axis with a push about both others.
+/// Thrown about each axis with a slip about both others.
 pub(crate) fn three(subject: &Subject<'_>) -> Drawing {
     let turn = TAU / subject.spin;
     let end = match subject.kind {
@@ -99,7 +99,7 @@ pub(crate) fn three(subject: &Subject<'_>) -> Drawing {
         said.push(format!("about the axis of {which} it falls to {least:.2} of what it was"));
     }
     canvas.described(format!(
-        "The spin of {} in body axes over {}, thrown about each principal axis in turn with the same push of {PUSH} of the spin \
+        "The spin of {} in body axes over {}, thrown about each principal axis in turn with the same slip of {PUSH} of the spin \
          about both others. The component about the axis of the throw: {}.",
         subject.name(),
         units::time(end),

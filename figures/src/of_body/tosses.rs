@@ -54,7 +54,7 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
         _ => "Moments are equal: no toss turns it over by a flip.",
     };
     canvas.described(format!(
-        "Three tosses of {}, each with a push of {PUSH} rad to the side, drawn at the throw and after each of {TURNS} turns. One side \
+        "Three tosses of {}, each with a slip of {PUSH} rad to the side, drawn at the throw and after each of {TURNS} turns. One side \
          is dark; the side that is seen: {}. {end}",
         subject.name(),
         said.join("; ")

@@ -130,7 +130,7 @@ pub(super) fn section(subject: &Subject<'_>) -> Result<String, Box<dyn Error>> {
          <th scope=\"col\">energy</th><th scope=\"col\">momentum</th><th scope=\"col\">attitude at the end</th>\
          <th scope=\"col\">frames a turn needed</th></tr>\n",
         match subject.kind {
-            Kind::Three => "spun about axis 2 with a push of 0.1",
+            Kind::Three => "spun about axis 2 with a slip of 0.1",
             _ => "spun between axes 1 and 3",
         },
         ANGLE.to_degrees()

@@ -3,7 +3,7 @@
 //! With `alpha = w + i z` and `beta = x + i y` of the attitude's quaternion, `|alpha|² = (1 + u)/2` and
 //! `|beta|² = (1 - u)/2`, where `u` is the cosine of the lean, that has a period. So both are theta functions
 //! whose zeros lie where `u` is -1 and 1, over the one where `u` has its poles, times an exponential of the
-//! time ([KS97](crate::references)); so is the spin across the axis, whose square is linear in `u`:
+//! time ([KS97](crate::references)), (T12); so is the spin across the axis, whose square is linear in `u`:
 //!
 //! ```text
 //! alpha ~ theta_1(z - i B)/theta_4(z),   beta, omega ~ theta_2(z - i B)/theta_4(z)
@@ -25,7 +25,7 @@ pub(super) struct Shape {
     pub(super) depths: [f64; 2],
     /// 1 or -1: the sign of the rate at which its argument turns as it passes the zero.
     pub(super) sense: f64,
-    /// Its length, and how fast its argument turns (rad per unit of time), where it is largest.
+    /// Its length, and how fast its argument turns (rad per unit of time), where it is largest (T11).
     pub(super) size: f64,
     pub(super) rate: DoubleDouble,
     /// At the start; where that is zero, its rate of change.
@@ -79,9 +79,9 @@ pub(super) type Carriers<'a> = [&'a mut Carrier; 3];
 
 /// Makes the three turn together. Where the axis is lowest, the spin across it is parallel to the vertical's
 /// part across it: `i conj(alpha) beta` times a real number. So over each half period the spin turns by as
-/// much as `conj(alpha) beta`, but for the signs of the theta functions, half a turn; else the momentum about
-/// the vertical would drift. That one is corrected most whose drift is the most uncertain and which counts
-/// the least, relative to `sizes`.
+/// much as `conj(alpha) beta`, but for the signs of the theta functions, half a turn (T18); else the momentum
+/// about the vertical would drift. That one is corrected most whose drift is the most uncertain and which
+/// counts the least, relative to `sizes`.
 pub(super) fn turn_together(carriers: Carriers<'_>, sizes: [f64; 3], half_periods: DoubleDouble) {
     let in_half_period = |k: usize| carriers[k].drift / half_periods + DoubleDouble::from(carriers[k].step);
     let [alpha, beta, across] = [0, 1, 2].map(in_half_period);
@@ -160,7 +160,7 @@ impl Direct {
         let c = [0, 1, 2, 3].map(|n| size[n] * (1.0 + falls[n]));
         let mut s = [0, 1, 2, 3].map(|n| size[n] * (1.0 - falls[n]));
         s[0] = -less;
-        // How fast the argument turns with the phase where it is largest, and what that is short of 1.
+        // (T17) How fast the argument turns with the phase where it is largest, and what that is short of 1.
         let odd = [1.0, 3.0, 5.0, 7.0];
         let total = c[0] + c[1] + c[2] + c[3];
         let (turning, rounded) = if fall > 0.5 {
@@ -218,7 +218,7 @@ impl Direct {
     }
 }
 
-/// The form in the complementary nome.
+/// The form in the complementary nome (T19).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Complementary {
     first: bool,

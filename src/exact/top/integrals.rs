@@ -1,4 +1,4 @@
-//! What stays the same in a top's motion, and how high and low its axis goes.
+//! What stays the same in a top's motion, and how high and low its axis goes: (T1) to (T7) of the book.
 
 use super::cubic::Cubic;
 use crate::number::double_double::DoubleDouble;
@@ -13,19 +13,21 @@ pub(super) const ROUNDINGS: f64 = 16.0;
 
 /// A start in units of one rate, with the body's axis of symmetry last, from the fixed point to the weight.
 pub(super) struct Start {
-    /// Its attitude's `alpha = w + i z` and `beta = x + i y`, and the square of its length.
+    /// Its attitude's `alpha = w + i z` and `beta = x + i y` (T1).
     pub(super) alpha: [f64; 2],
     pub(super) beta: [f64; 2],
     /// The spin across the axis.
     pub(super) across: [f64; 2],
-    /// The momentum along the axis over the moment across it: the spin of a spherical top that moves alike.
+    /// The momentum along the axis over the moment across it (T2): the spin of a spherical top that moves
+    /// alike (T3).
     pub(super) along: DoubleDouble,
-    /// Twice the torque of a level axis over the moment across it: 0 or above.
+    /// Twice the torque of a level axis over the moment across it (T2): 0 or above.
     pub(super) pull: DoubleDouble,
 }
 
 /// All that the motion is prepared from, by the cosine `u` of the lean, whose rate has the square
-/// `(1 - u²)(e - pull u) - (l - along u)²`: two of its roots, `low` and `high`, bound the motion.
+/// `(1 - u²)(e - pull u) - (l - along u)²` (T5), with the constants (T4): two of its roots, `low` and `high`,
+/// bound the motion.
 pub(super) struct Integrals {
     pub(super) along: DoubleDouble,
     pub(super) pull: DoubleDouble,
@@ -123,8 +125,8 @@ impl Integrals {
             <= square_of_range(rounding * terms, rounding * moving)
     }
 
-    /// The roots, each from the start, the top or the bottom, whichever is near: so each has all its digits,
-    /// and what lies between two of them is a sum.
+    /// The roots, each from the start, the top or the bottom (T6), whichever is near: so each has all its
+    /// digits, and what lies between two of them is a sum. The third is by (T7).
     fn find_bounds(&mut self) {
         let (b, pull, square) = (self.along, self.pull, self.across_squared);
         let twice = |x: DoubleDouble| x * 2.0;

@@ -1,4 +1,4 @@
-//! Which kind of motion of a top it is.
+//! Which kind of motion of a top it is (T23).
 
 use super::integrals::Integrals;
 

@@ -10,7 +10,7 @@ use crate::number::functions::hypot;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Nutation {
     pub(super) form: Form,
-    /// The time from the lowest place to the highest and back; infinite on the separatrix.
+    /// The time from the lowest place to the highest and back (T10); infinite on the separatrix.
     pub(super) half_period: DoubleDouble,
     /// How fast Jacobi's argument runs.
     pub(super) rate: f64,

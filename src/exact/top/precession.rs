@@ -10,9 +10,9 @@ use num_traits::Float as _;
 /// result by an eighth of the square of this.
 const EQUAL: f64 = 2e-8;
 
-/// The integral of `(first + r t²)/((1 + r² t²) sqrt((1 + t²)(1 + k'² t²)))` over positive `t`: Legendre's
-/// complete one of the third kind by repeated means [Bul69](crate::references), which add only positive
-/// numbers. The `root` is `r`, whose square must be in the range of `f64`.
+/// The integral of `(first + r t²)/((1 + r² t²) sqrt((1 + t²)(1 + k'² t²)))` over positive `t` (T21):
+/// Legendre's complete one of the third kind by repeated means [Bul69](crate::references), which add only
+/// positive numbers. The `root` is `r`, whose square must be in the range of `f64`.
 fn third_kind(complement: f64, root: f64, first: f64) -> f64 {
     let (mut a, mut b, mut p) = (first, 1.0, root);
     let (mut e, mut g, mut m) = (complement, complement, 1.0);
@@ -34,14 +34,15 @@ fn third_kind(complement: f64, root: f64, first: f64) -> f64 {
 }
 
 impl Integrals {
-    /// The mean of `(l - along u)/(1 - u²)` in radians per unit of time, from the `long` one of the spans,
-    /// the complementary modulus and the quarter period; on the separatrix, what it comes to in the end.
+    /// The mean of `(l - along u)/(1 - u²)` (T20) in radians per unit of time, from the `long` one of the
+    /// spans, the complementary modulus and the quarter period; on the separatrix, what it comes to in the
+    /// end.
     ///
     /// In partial fractions it is half of `at_bottom/(1 + u)` and `at_top/(1 - u)`. If both have one sign,
     /// the sum of their means has no cancellation. If not, the path of integration around the two roots that
     /// bound the motion is moved to the one around the third root and infinity. The residues at -1 and 1 are
     /// half a turn forward and half a turn back, which cancel exactly; and beyond the third root both
-    /// fractions have one sign. A passage exactly through a pole counts as no turn.
+    /// fractions have one sign (T22). A passage exactly through a pole counts as no turn.
     pub(super) fn precession(&self, long: DoubleDouble, complement: f64, quarter: f64) -> f64 {
         let sign = |x: DoubleDouble| if x.hi() == 0.0 { 0.0 } else { x.hi().signum() };
         let (bottom, top) = (sign(self.at_bottom), sign(self.at_top));

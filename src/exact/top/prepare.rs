@@ -11,8 +11,8 @@ use core::f64::consts::{PI, TAU};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
-/// `F = sqrt(a) R_F(x, y, z)` of squares, and what is left of it to its quarter period, where `square` is
-/// that of the other modulus: each with all its digits where it is small.
+/// `F = sqrt(a) R_F(x, y, z)` of squares (T15), and what is left of it to its quarter period, where `square`
+/// is that of the other modulus: each with all its digits where it is small.
 fn depths(a: DoubleDouble, [x, y, z]: [DoubleDouble; 3], square: DoubleDouble) -> [f64; 2] {
     let root = |x: DoubleDouble| x.hi().max(0.0).sqrt();
     let product = |a: DoubleDouble, [x, y, z]: [DoubleDouble; 3]| {
@@ -52,7 +52,7 @@ impl Integrals {
         }
     }
 
-    /// `alpha`, `beta` and the spin across the axis.
+    /// `alpha`, `beta` and the spin across the axis: their zeros (T13, T14) and their sides (T16).
     fn shapes(&self, start: &Start) -> [Shape; 3] {
         let Spans { long, short, range, swept } = self.spans();
         let ([low, high], [lowest, highest]) = (self.bottoms, self.tops);
@@ -101,8 +101,8 @@ impl Integrals {
         [alpha, beta, across]
     }
 
-    /// The motion of a spherical top, in the axes of a body that turns on its axis by `ahead` more per unit
-    /// of time.
+    /// The motion of a spherical top (T8) from its start (T9), in the axes of a body that turns on its axis
+    /// by `ahead` more per unit of time (T3).
     pub(super) fn nutation(&self, start: &Start, ahead: DoubleDouble) -> Nutation {
         let Spans { long, short, range, swept } = self.spans();
         let rate = long.sqrt() * 0.5;

@@ -32,7 +32,7 @@ fn every_equation_of_the_book_is_proven_or_exempt_with_a_reason() {
         assert_eq!(found.exempt.len(), expected.exemptions.len() - apart, "{name}");
         assert_eq!(found.notation.len(), expected.notation.len(), "{name}");
     }
-    let exemptions = CHAPTERS.iter().flat_map(|(_, expected)| expected.exemptions);
+    let exemptions = CHAPTERS.iter().flat_map(|(name, _)| laws::of(name).exemptions);
     assert!(exemptions.clone().count() > 0 && exemptions.into_iter().all(|it| it.reason.len() > 10));
 }
 
@@ -122,8 +122,8 @@ fn an_equation_proven_apart_needs_a_proof_of_that_name() {
 /// An exempt equation may only stand as it was when it was exempted.
 #[test]
 fn an_altered_exempt_equation_is_noticed() {
-    for (chapter, expected) in CHAPTERS {
-        for exemption in expected.exemptions {
+    for (chapter, _) in CHAPTERS {
+        for exemption in laws::of(chapter).exemptions {
             let altered = exemption.tex.replacen(['x', 'v', '1', 'a'], "z", 1);
             let text = format!("${altered}$");
             let faults = faults(chapter, &equations(&text));

@@ -2,6 +2,7 @@
 
 use super::bodies::{self, axis, body, piece, planar, the_box, the_box_spun};
 use super::closed;
+use super::heavy;
 use super::motion::{
     self, attitude, energy, equal_moments, frozen, grows, momentum_for_spin, rates, summit, swings,
     world_inverse, world_tensor,
@@ -253,6 +254,48 @@ laws! {
     COMPLEMENTARY_A2 = law("a_2", &[closed::complementary_attitude], "the sum of the terms of a theta function at a shifted argument");
     COMPLEMENTARY_B1 = law("b_1", &[closed::complementary_attitude], "the sum of the terms of a theta function at a shifted argument");
     COMPLEMENTARY_B2 = law("b_2", &[closed::complementary_attitude], "the sum of the terms of a theta function at a shifted argument");
+    HEAVY_VERTICAL = law("V", &[heavy::turning], "the vertical seen from the body, by attitude::rotation_matrix");
+    HEAVY_HEIGHT = law("c", &[heavy::turning], "the same, along the axis");
+    HEAVY_ALONG = law("n", &[heavy::turning], "the momentum about the axis");
+    HEAVY_PULL = law("g", &[heavy::turning], "the torque of the weight");
+    HEAVY_ALPHA = law(r"\dot{\alpha}", &[heavy::turning], "attitude::rate");
+    HEAVY_BETA = law(r"\dot{\beta}", &[heavy::turning], "attitude::rate");
+    HEAVY_OMEGA = law(r"\dot{\omega}", &[heavy::turning], "euler::angular_acceleration under the torque of the weight");
+    HEAVY_MOMENTUM = law("l", &[heavy::turning], "the momentum about the vertical, by attitude::rotation_matrix");
+    HEAVY_ENERGY = law("e", &[heavy::turning], "observe::energy and the height, without the spin about the axis");
+    HEAVY_RISING = law(r"\dot{c}", &[heavy::turning], "the rate of the height, by attitude::rate");
+    HEAVY_CUBIC = law(r"\dot{c}^2", &[heavy::turning], "the square of that rate");
+    HEAVY_ROOTS = law(r"\dot{c}^2", &[heavy::any_height], "the cubic by its roots");
+    HEAVY_FROM_START = law(r"\dot{c}^2", &[heavy::from_the_start], "the cubic by the height above the start");
+    HEAVY_SLOPE = law("F", &[heavy::from_the_start], "the derivative of the cubic at the start");
+    HEAVY_FROM_TOP = law(r"-\dot{c}^2", &[heavy::from_the_top], "the cubic by the depth below the top");
+    HEAVY_FROM_BOTTOM = law(r"-\dot{c}^2", &[heavy::from_the_bottom], "the cubic by the height above the bottom");
+    HEAVY_THIRD = law("g(c_3-1)", &[heavy::any_height], "the third root by the sum of the roots");
+    HEAVY_AT_BOTTOM = law("(l+n)^2", &[heavy::any_height], "the cubic at -1");
+    HEAVY_AT_TOP = law("(l-n)^2", &[heavy::any_height], "the cubic at 1");
+    HEAVY_SWING = law("c", &[heavy::swinging], "a height whose rate has the cubic as its square");
+    HEAVY_RATE = law(r"\eta^2", &[heavy::swinging], "the rate with which it has");
+    HEAVY_MODULUS = law("k^2", &[heavy::swinging], "the modulus with which it has");
+    HEAVY_COMPLEMENT = law("k'^2", &[heavy::swinging], "the complement of that modulus");
+    HEAVY_SN = law(r"\operatorname{sn}(u_0)^2", &[heavy::swinging], "sn, from the height");
+    HEAVY_CN = law(r"\operatorname{cn}(u_0)^2", &[heavy::swinging], "cn, from the height");
+    HEAVY_DN = law(r"\operatorname{dn}(u_0)^2", &[heavy::swinging], "dn, from the height");
+    HEAVY_ANGLE_1 = law(r"\dot{\phi}_1", &[heavy::turning], "the rate of the angle by attitude::rate, without the steady turn");
+    HEAVY_ANGLE_2 = law(r"\dot{\phi}_2", &[heavy::turning], "the rate of the angle by attitude::rate, without the steady turn");
+    HEAVY_ANGLE_3 = law(r"\dot{\phi}_3", &[heavy::turning], "the rate of the angle by euler::angular_acceleration, without the steady turn");
+    HEAVY_S1 = law("S_1^2", &[heavy::lowest_zero], "where the height is -1");
+    HEAVY_C1 = law("C_1^2", &[heavy::lowest_zero], "the same zero");
+    HEAVY_D1 = law("D_1^2", &[heavy::lowest_zero], "the same zero");
+    HEAVY_SJ = law("S_j^2", &[heavy::other_zero], "where the height is that of the zero");
+    HEAVY_CJ = law("C_j^2", &[heavy::other_zero], "the same zero");
+    HEAVY_DJ = law("D_j^2", &[heavy::other_zero], "the same zero");
+    HEAVY_TURNING = law(r"\rho_j", &[heavy::sums], "the first terms of the rate of a theta function's angle");
+    HEAVY_ODD = law("A", &[heavy::sums], "the sum of its first terms, in hyperbolic functions");
+    HEAVY_EVEN = law("B", &[heavy::sums], "the sum of its first terms, in hyperbolic functions");
+    HEAVY_BELOW = law("N", &[heavy::sums], "the sum of its first terms, in hyperbolic functions");
+    HEAVY_ROUND = law("P", &[heavy::turning], "the rate at which the axis goes round, by attitude::rate");
+    PRODUCT_WHEN_TURNED = law("I'_{xy}", &[motion::turned_axes], "inertia::turned, by an angle about the third axis");
+    TANGENT_OF_THE_GAP = law(r"\tan(\text{gap})", &[motion::slant], "the tangent of the gap, by euler::coupling");
     SLOPES = bare("b/a", &[motion::slopes], "by what the momentum's slope exceeds the spin's");
     TWICE_THE_ENERGY = bare(r"\mathbf{L}\cdot\boldsymbol{\omega}", &[bodies::twice_the_energy], "twice the sum of m v²/2 of any points", );
     GYROSCOPIC_TORQUE = bare(r"(I\boldsymbol{\omega})\times\boldsymbol{\omega}", &[motion::gyroscopic], "euler::tensor_times_acceleration without torque", );

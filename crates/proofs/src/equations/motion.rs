@@ -187,14 +187,40 @@ pub(super) fn momentum_for_spin() -> Scope {
         .with(r"\boldsymbol{\omega}", omega)
 }
 
+/// A tensor with its axes turned about the third.
+pub(super) fn turned_axes() -> Scope {
+    let [sin, cos] = variables(["sin", "cos"]);
+    let mut axes = Matrix::identity();
+    (axes[(0, 0)], axes[(1, 1)]) = (cos.clone(), cos.clone());
+    (axes[(0, 1)], axes[(1, 0)]) = (sin.clone(), -sin.clone());
+    let tensor = symmetric("I");
+    Scope::default()
+        .with("I'_{xy}", turned(&axes, &tensor)[(0, 1)].clone())
+        .with_all([("I_{xx}", tensor[(0, 0)].clone()), ("I_{yy}", tensor[(1, 1)].clone())])
+        .with_all([("I_{xy}", tensor[(0, 1)].clone()), (r"\sin(\phi)", sin), (r"\cos(\phi)", cos)])
+}
+
+/// Moments `a` and `b`, the tangent of the spin's angle and that of the gap: in the plane of the two axes
+/// |L x w| has one component, and over w.L it is that tangent.
+fn gap_at(slope: &Fraction) -> [Fraction; 3] {
+    let [a, excess] = variables(["a", "d"]);
+    let b = &a + &excess;
+    let moments = Vector::new(a.clone(), b.clone(), Fraction::one());
+    let omega = Vector::new(Fraction::one(), slope.clone(), Fraction::zero());
+    let tangent = -coupling(&moments, &omega).z.clone() / omega.dot(&(diagonal(&moments) * &omega));
+    [a, b, tangent]
+}
+
+/// The gap for any direction of the spin between two axes.
+pub(super) fn slant() -> Scope {
+    let slope = Fraction::variable("t");
+    let [a, b, tangent] = gap_at(&slope);
+    Scope::default().with_all([("a", a), ("b", b), (r"\tan(\theta)", slope), (r"\tan(\text{gap})", tangent)])
+}
+
 /// Where the gap between two axes is widest, and how wide: moments `a` and `b`, the larger `b`.
 pub(super) fn summit() -> Scope {
-    let [a, excess, slope] = variables(["a", "d", "t"]);
-    let b = &a + &excess;
-    // In the plane of the two axes |L x w| has one component; over w.L it is the tangent of the gap.
-    let moments = Vector::new(a.clone(), b.clone(), Fraction::one());
-    let omega = Vector::new(Fraction::one(), slope, Fraction::zero());
-    let tangent = -coupling(&moments, &omega).z.clone() / omega.dot(&(diagonal(&moments) * &omega));
+    let [a, b, tangent] = gap_at(&Fraction::variable("t"));
     // Its derivative vanishes where c0 + c2 t² does.
     let powers = tangent.derivative(&"t".into()).numerator().in_powers_of(&"t".into());
     let square = match &powers[..] {

@@ -7,7 +7,7 @@ use crate::tex::tree::Node;
 const GREEK: &str = r"\alpha \beta \gamma \delta \epsilon \zeta \eta \theta \iota \kappa \lambda \mu \nu \xi \pi \rho \sigma \tau \upsilon \phi \chi \psi \omega \Omega";
 
 /// What is set over or around a name.
-const DRESSES: [&str; 4] = [r"\mathbf", r"\boldsymbol", r"\dot", r"\ddot"];
+const DRESSES: [&str; 5] = [r"\mathbf", r"\boldsymbol", r"\bar", r"\dot", r"\ddot"];
 
 impl Parser<'_> {
     /// A function of a name is a name of its own.

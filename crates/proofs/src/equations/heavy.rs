@@ -1,0 +1,269 @@
+//! What the names mean where the book gives a top's motion under its weight in closed form.
+
+use crate::number::{Derivation, Fraction, Polynomial, Relations};
+use crate::symbols::{Vector, attitude, diagonal, square, variables, vector};
+use crate::tex::{Scope, Value};
+use nalgebra::Quaternion;
+use num_traits::{One, Zero};
+use tumbling::attitude::{rate, rotation_matrix};
+use tumbling::dynamics::euler::angular_acceleration;
+use tumbling::dynamics::observe::energy;
+
+fn complex(re: &Fraction, im: &Fraction) -> Quaternion<Fraction> {
+    Quaternion::new(re.clone(), im.clone(), Fraction::zero(), Fraction::zero())
+}
+
+/// The torque, about the fixed point, of a weight that pulls against this direction of the body.
+fn torque(vertical: &Vector) -> Vector {
+    let [weight, arm] = variables(["W", "h"]);
+    Vector::new(Fraction::zero(), Fraction::zero(), arm).cross(&(vertical * -weight))
+}
+
+/// A quaternion's or a vector's components as complex numbers, with their rates.
+struct Complex {
+    alpha: [Fraction; 2],
+    beta: [Fraction; 2],
+    omega: [Fraction; 2],
+}
+
+impl Complex {
+    fn new(q: &Quaternion<Fraction>, spin: &Vector) -> Self {
+        let [x, y, z, w] = [0, 1, 2, 3].map(|n| q.coords[n].clone());
+        Self { alpha: [w, z], beta: [x, y], omega: [spin.x.clone(), spin.y.clone()] }
+    }
+
+    fn all(&self) -> [(&str, &[Fraction; 2]); 3] {
+        [(r"\alpha", &self.alpha), (r"\beta", &self.beta), (r"\omega", &self.omega)]
+    }
+
+    /// How fast the angles grow.
+    fn angles(&self, rates: &Self) -> [Fraction; 3] {
+        let angle = |(_, z): (&str, &[Fraction; 2]), (_, rate): (&str, &[Fraction; 2])| growth(z, rate);
+        let [alpha, beta, omega] = self.all();
+        let [first, second, third] = rates.all();
+        [angle(alpha, first), angle(beta, second), angle(omega, third)]
+    }
+}
+
+/// How fast the angle of a complex number grows.
+fn growth([re, im]: &[Fraction; 2], rate: &[Fraction; 2]) -> Fraction {
+    (re * &rate[1] - im * &rate[0]) / (re.pow(2) + im.pow(2))
+}
+
+/// Any attitude and spin of the top, and their rates by the library.
+pub(super) fn turning() -> Scope {
+    let (q, unit) = attitude();
+    let [i1, i3, o3, weight, arm] = variables(["I1", "I3", "omega3", "W", "h"]);
+    let (moments, omega) = (Vector::new(i1.clone(), i1.clone(), i3.clone()), vector("omega"));
+    let rotation = rotation_matrix(&q);
+    let vertical = rotation.row(2).transpose();
+    let (turned, spun) = (rate(&q, &omega), angular_acceleration(&moments, &omega, &torque(&vertical)));
+    let [x, y, z, w] = [0, 1, 2, 3].map(|n| turned.coords[n].clone());
+    let time = Derivation::new([("w", w), ("x", x), ("y", y), ("z", z)]);
+    let momentum = diagonal(&moments) * &omega;
+    let level = torque(&Vector::new(Fraction::zero(), Fraction::one(), Fraction::zero()));
+    let (height, two) = (rotation[(2, 2)].clone(), Fraction::from(2));
+    let doubled = &two * energy(&omega, &momentum) + &two * &weight * &arm * &height - &i3 * o3.pow(2);
+    let along = &momentum.z / &i1;
+    let axis = [rotation[(0, 2)].clone(), rotation[(1, 2)].clone()];
+    let (now, rates) = (Complex::new(&q, &omega), Complex::new(&turned, &spun));
+    // The steady turn of the body beyond that of three equal moments.
+    let added = (&o3 - &along) / &two;
+    let [first, second, third] = now.angles(&rates);
+    let scope = Scope::default()
+        .with_all([("g", &level.x * &two / &i1), ("e", doubled / &i1), (r"\dot{c}", time.of(&height))])
+        .with_all([("c", height), ("l", &(&rotation * &momentum).z / &i1), ("n", along)])
+        .with_all([("P", growth(&axis, &axis.clone().map(|x| time.of(&x)))), ("W", weight), ("h", arm)])
+        .with_all([(r"\dot{\phi}_1", first - &added), (r"\dot{\phi}_2", second + &added)])
+        .with_all([(r"\dot{\phi}_3", third + added * two), ("I_1", i1), ("I_3", i3)])
+        .with_all(["w", "x", "y", "z"].map(|name| (name, Fraction::variable(name))))
+        .with_each(r"\omega", &omega)
+        .with_each("v", &vertical)
+        .with("i", complex(&Fraction::zero(), &Fraction::one()))
+        .with("V", complex(&vertical.x, &vertical.y))
+        .under(unit);
+    let conjugate = |[re, im]: &[Fraction; 2]| complex(re, &-im.clone());
+    let scope = now.all().into_iter().fold(scope, |scope, (name, z)| {
+        scope.with(name, complex(&z[0], &z[1])).with(&format!(r"\bar{{{name}}}"), conjugate(z))
+    });
+    rates
+        .all()
+        .into_iter()
+        .fold(scope, |scope, (name, z)| scope.with(&format!(r"\dot{{{name}}}"), complex(&z[0], &z[1])))
+}
+
+/// The square of the rate of the height.
+fn cubic(height: &Fraction) -> Fraction {
+    let [n, g, l, e] = variables(["n", "g", "l", "e"]);
+    (Fraction::one() - height.pow(2)) * (e - g * height) - (l - n * height).pow(2)
+}
+
+fn near(height: &Fraction) -> Scope {
+    let [n, g, l, e, x] = variables(["n", "g", "l", "e", "x"]);
+    Scope::default().with(r"\dot{c}", Value::Root(cubic(height))).with_all([
+        ("n", n),
+        ("g", g),
+        ("l", l),
+        ("e", e),
+        ("x", x),
+    ])
+}
+
+/// That square by the height above the start, with the constants of the start.
+pub(super) fn from_the_start() -> Scope {
+    let [v1, v2, o1, o2, c0, x, n, g] = variables(["v1", "v2", "omega1", "omega2", "c0", "x", "n", "g"]);
+    let spin = o1.pow(2) + o2.pow(2);
+    let momentum = &n * &c0 + &v1 * &o1 + &v2 * &o2;
+    let put = |height: &Fraction| {
+        let square = cubic(height).substitute(&"l".into(), &momentum);
+        square.substitute(&"e".into(), &(&spin + &g * &c0))
+    };
+    let by_height = put(&x).derivative(&"x".into()).substitute(&"x".into(), &c0);
+    let Ok(level) = Relations::new(vec![("c0", Polynomial::one() - square("v1") - square("v2"))]) else {
+        return Scope::default();
+    };
+    Scope::default()
+        .with(r"\dot{c}", Value::Root(put(&(&c0 + &x))))
+        .with_all([(r"\dot{c}_0", &v1 * &o2 - &v2 * &o1), ("F", by_height), ("c_0", c0), ("x", x), ("n", n)])
+        .with_all([("g", g), ("v_1", v1), ("v_2", v2), (r"\omega_1", o1), (r"\omega_2", o2)])
+        .under(level)
+}
+
+/// The same by the depth below the top.
+pub(super) fn from_the_top() -> Scope {
+    near(&(Fraction::one() - Fraction::variable("x")))
+}
+
+/// The same by the height above the bottom.
+pub(super) fn from_the_bottom() -> Scope {
+    near(&(Fraction::variable("x") - Fraction::one()))
+}
+
+/// The roots by the lowest, the span to the third and the part of it that the second has; the constants by
+/// the products of the roots.
+fn roots() -> Result<(Scope, [Fraction; 5], Relations), crate::residue::Residue> {
+    let [low, span, part, g, plus, minus] = variables(["c1", "a", "m", "g", "plus", "minus"]);
+    let (two, one) = (Fraction::from(2), Fraction::one());
+    let (high, third) = (&low + &part * &span, &low + &span);
+    let product = |sign: i64| {
+        let [low, span, part, g] = ["c1", "a", "m", "g"].map(Polynomial::variable);
+        let from = |root: Polynomial| Polynomial::one() + root * Polynomial::from(sign);
+        g * from(low.clone()) * from(&low + &part * &span) * from(low + span) * Polynomial::from(sign)
+    };
+    let [sn, m] = ["sn", "m"].map(Polynomial::variable);
+    let relations = Relations::new(vec![
+        ("plus", product(1)),
+        ("minus", product(-1)),
+        ("cn", Polynomial::one() - sn.pow(2)),
+        ("dn", Polynomial::one() - m * sn.pow(2)),
+        (
+            "eta",
+            Polynomial::variable("g")
+                * Polynomial::variable("a")
+                * Polynomial::from(crate::BigRational::new(1.into(), 4.into())),
+        ),
+    ])?;
+    let (l, n) = ((&plus + &minus) / &two, (&plus - &minus) / &two);
+    let e = &g * (&low + &high + &third) - n.pow(2);
+    let scope = Scope::default()
+        .with_all([
+            ("l", l.clone()),
+            ("n", n.clone()),
+            ("e", e.clone()),
+            ("g", g),
+            ("c_1", low),
+            ("c_2", high),
+        ])
+        .with_all([("c_3", third), ("d_2", one), ("d_3", &e / Fraction::variable("g"))])
+        .with("k", Value::Root(part.clone()))
+        .with("k'", Value::Root(Fraction::one() - part))
+        .under(relations.clone());
+    let g = Fraction::variable("g");
+    Ok((scope, [l, n, e, g, Fraction::variable("eta")], relations))
+}
+
+/// Any height, and the cubic there.
+pub(super) fn any_height() -> Scope {
+    let Ok((scope, [l, n, e, _, _], _)) = roots() else { return Scope::default() };
+    let c = Fraction::variable("c");
+    let square = [("l", l), ("n", n), ("e", e)]
+        .into_iter()
+        .fold(cubic(&c), |square, (name, value)| square.substitute(&name.into(), &value));
+    scope.with(r"\dot{c}", Value::Root(square)).with("c", c)
+}
+
+/// The height in time, if the square of its rate is the cubic; nothing has a meaning if not.
+pub(super) fn swinging() -> Scope {
+    let Ok((scope, [l, n, e, _, eta], relations)) = roots() else { return Scope::default() };
+    let [low, span, m, sn] = variables(["c1", "a", "m", "sn"]);
+    let c = &low + &m * &span * sn.pow(2);
+    let rising = Derivation::elliptic(&eta).of(&c);
+    let square = [("l", l), ("n", n), ("e", e)]
+        .into_iter()
+        .fold(cubic(&c), |square, (name, value)| square.substitute(&name.into(), &value));
+    if !relations.reduce_fraction(&(rising.pow(2) - square)).is_zero() {
+        return Scope::default();
+    }
+    let scope = ["sn", "cn", "dn"].into_iter().fold(scope, |scope, name| {
+        let function = Fraction::variable(name);
+        scope
+            .with(&format!(r"\operatorname{{{name}}}(u)"), function.clone())
+            .with(&format!(r"\operatorname{{{name}}}(u_0)"), function)
+    });
+    scope.with_all([(r"\eta", eta), ("c_0", c.clone()), ("c", c)])
+}
+
+/// Squares of Jacobi's functions of a zero, with the complementary modulus, from that of its sn.
+fn squares(scope: Scope, index: &str, sn: &Fraction) -> Scope {
+    let root = |x: Fraction| Value::Root(x);
+    let complement = Fraction::one() - Fraction::variable("m");
+    scope
+        .with(&format!("S_{index}"), root(sn.clone()))
+        .with(&format!("C_{index}"), root(Fraction::one() - sn))
+        .with(&format!("D_{index}"), root(Fraction::one() - complement * sn))
+}
+
+/// Where the height is -1: there sn at an imaginary argument is i times a quotient of these functions.
+pub(super) fn lowest_zero() -> Scope {
+    let Ok((scope, ..)) = roots() else { return Scope::default() };
+    let [low, span, m] = variables(["c1", "a", "m"]);
+    let quotient = (Fraction::one() + low) / (m * span);
+    squares(scope, "1", &(&quotient / (Fraction::one() + &quotient)))
+}
+
+/// Where it is any height beyond the second root: a quarter period further sn is the inverse of the third.
+pub(super) fn other_zero() -> Scope {
+    let Ok((scope, ..)) = roots() else { return Scope::default() };
+    let [low, span, m, d] = variables(["c1", "a", "m", "d"]);
+    let third = &m * span / (&d - low);
+    squares(scope.with("d_j", d), "j", &((Fraction::one() - third) / (Fraction::one() - m)))
+}
+
+/// The theta functions' sums, four terms each: at a zero, and in hyperbolic functions.
+pub(super) fn sums() -> Scope {
+    let [q, other, s] = variables(["q", "q'", "s"]);
+    let mut scope = Scope::default();
+    let [mut above, mut below] = [Fraction::zero(), Fraction::zero()];
+    let [mut odd, mut even, mut down] = [Fraction::zero(), Fraction::one(), Fraction::zero()];
+    for m in 0..4_u32 {
+        let frequency = 2 * m + 1;
+        let sign = Fraction::from(if m % 2 == 0 { 1 } else { -1 });
+        let wave = |name: &str, of: u32| Fraction::variable(&format!("{name}{of}"));
+        above += q.pow(m * m + m) * Fraction::from(i64::from(frequency)) * wave("sigma", frequency);
+        below += q.pow(m * m + m) * wave("kappa", frequency);
+        odd += other.pow(m * m + m) * wave("H", frequency) * &sign;
+        down += other.pow(m * m + m) * wave("N", frequency);
+        if m > 0 {
+            even += other.pow(m * m) * wave("G", 2 * m) * sign * Fraction::from(2);
+            scope = scope.with(&format!("G_{}", 2 * m), wave("G", 2 * m));
+        }
+        for (name, symbol) in [(r"\sigma", "sigma"), (r"\kappa", "kappa"), ("H", "H"), ("N", "N")] {
+            scope = scope.with(&format!("{name}_{frequency}"), wave(symbol, frequency));
+        }
+    }
+    scope.with_all([(r"\rho_j", &s * above / below), ("s_j", s), ("q", q), ("q'", other)]).with_all([
+        ("A", odd),
+        ("B", even),
+        ("N", down),
+    ])
+}
