@@ -49,6 +49,14 @@ pub(super) const CHAPTERS: &[(&str, Expected)] = chapters! {
     ] {} {
         r"e^{\lambda t}": "the solution of x'' = rate² x; the rate is what is proven";
     }
+    "why-the-middle-one" [DIFFERENCE_OF_MOMENTS WOBBLE] {
+        r"-\sum m\mathbf{r}\times(\boldsymbol{\omega}\times(\boldsymbol{\omega}\times\mathbf{r}))=(I\boldsymbol{\omega})\times\boldsymbol{\omega}":
+            "of each point of a body" by "pulls-outward";
+        r"I_a\ddot{\alpha}=\omega^2(I_b-I)\alpha+\omega(I_a+I_b-I)\dot{\beta}":
+            "to first order in the tilts" by "tilts-in-the-turning-frame";
+        r"I_b\ddot{\beta}=\omega^2(I_a-I)\beta-\omega(I_a+I_b-I)\dot{\alpha}":
+            "to first order in the tilts" by "tilts-in-the-turning-frame";
+    } {}
     "three-pitfalls" [FROZEN_TENSOR MOMENTUM_FOR_SPIN] {} {}
     "dzhanibekov" [ENERGY_ELLIPSOID MOMENTUM_ELLIPSOID] {} {}
     "coin" [COIN_1 COIN_2 COIN_RATE COIN_COSINE COIN_SINE COIN_SPIN COIN_AXIS] {
