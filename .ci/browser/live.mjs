@@ -2,16 +2,18 @@
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { foreignLetters, withFonts } from "./fonts.mjs";
+import { coin, coinPlay } from "./widgets/coin.mjs";
 import { atTime, turnsAndPlays } from "./widgets/controls.mjs";
 import { frames } from "./widgets/hands.mjs";
 import { judge } from "./widgets/judge.mjs";
 import { pitfalls, pitfallsPlay } from "./widgets/pitfalls.mjs";
 import { steps } from "./widgets/steps.mjs";
 import { top, topPlay } from "./widgets/top.mjs";
-import { toss, tossPlay } from "./widgets/toss.mjs";
+import { toss, tossPlay, tosses, tossesPlay } from "./widgets/toss.mjs";
 import { tumble, tumblePlay } from "./widgets/tumble.mjs";
 import { trading, turning } from "./widgets/turning.mjs";
 import { twoArrows } from "./widgets/two-arrows.mjs";
+import { why, whyPlay } from "./widgets/why.mjs";
 import { yourBody } from "./widgets/your-body.mjs";
 import { yourBox } from "./widgets/your-box.mjs";
 
@@ -30,10 +32,10 @@ async function placed(folder, pages) {
   return all;
 }
 
-const TESTS = { toss, "two-arrows": twoArrows, "your-body": yourBody, "your-box": yourBox, top, tumble, judge, pitfalls, steps, trading, turning };
+const TESTS = { coin, toss, tosses, "two-arrows": twoArrows, "your-body": yourBody, "your-box": yourBox, top, tumble, judge, pitfalls, steps, trading, turning, why };
 
 const PLAYS = {
-  toss: tossPlay, top: topPlay, tumble: tumblePlay, pitfalls: pitfallsPlay,
+  coin: coinPlay, toss: tossPlay, tosses: tossesPlay, top: topPlay, tumble: tumblePlay, pitfalls: pitfallsPlay, why: whyPlay,
   ...Object.fromEntries(["trading", "turning"].map((widget) => [widget, (page, wants) => turnsAndPlays(page, wants, widget, atTime(page, widget))])),
 };
 

@@ -19,6 +19,7 @@ chapters! {
     "worked-example.md" worked_example
     "body-and-world.md" body_and_world
     "eulers-equations.md" eulers_equations
+    "why-the-middle-one.md" why_the_middle_one
     "three-pitfalls.md" three_pitfalls
     "coin.md" coin
     "dzhanibekov.md" dzhanibekov

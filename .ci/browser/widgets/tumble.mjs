@@ -73,7 +73,7 @@ export async function tumble(page, wants) {
   wants("it opens on the wing nut", (await page.inputValue("#tumble-body")) === "4");
   await set(page, "#tumble-body", 0);
   const text = (await page.textContent("main")).replace(/\s+/g, " ");
-  const [, push, strong, weak, tiny] = text.match(/After a push of ([\d.]+), it flips every ([\d.]+ s); after a push of [^,]*, every ([\d.]+ s)\..*?flips the box every (\d+ s)/) ?? [];
+  const [, push, strong, weak, tiny] = text.match(/After a (?:push|slip) of ([\d.]+), it flips every ([\d.]+ s); after a (?:push|slip) of [^,]*, every ([\d.]+ s)\..*?flips the box every (\d+ s)/) ?? [];
   for (const [given, time] of [[push, strong], ["1e-9", weak], ["5e-324", tiny]]) {
     await set(page, "#tumble-push-number", given);
     wants(`a push of ${given}: it shows ${await beat()}, the chapter ${time}`, (await beat()) === time);
@@ -280,7 +280,7 @@ export async function tumble(page, wants) {
   wants(`without a push it never flips: ${await all()}`, /never/.test(await beat()) && (await page.inputValue("#tumble-push-number")) === "0");
   await set(page, "#tumble-time", "1e6");
   wants(`nor in a million seconds: ${await all()}`, (await along()) === 10 && (await shown(page, "tumble", "flips")) === "0");
-  for (const [field, value, says] of [["spin", "", "The field for the spin has no number"], ["push", "", "The field for the push has no number"], ["time", "", "The field for the time has no number"], ["time", "1e300", "f64"], ["spin", "1e-320", "floating-point"], ["push", "1e308", "finite"]]) {
+  for (const [field, value, says] of [["spin", "", "The field for the spin has no number"], ["push", "", "The field for the slip has no number"], ["time", "", "The field for the time has no number"], ["time", "1e300", "f64"], ["spin", "1e-320", "floating-point"], ["push", "1e308", "finite"]]) {
     const selector = field === "time" ? "#tumble-time" : `#tumble-${field}-number`;
     await set(page, "#tumble-push-number", "0.01");
     await set(page, selector, value);

@@ -15,12 +15,13 @@ struct Still {
     live: &'static str,
 }
 
-const STILLS: [Still; 11] = [
+const STILLS: [Still; 14] = [
     Still {
         widget: "toss",
         figure: "three-tosses",
         live: "toss the book about each of its axes, and watch it",
     },
+    Still { widget: "tosses", figure: "three-tosses", live: "set the error of the hand, and toss" },
     Still { widget: "two-arrows", figure: "two-arrows", live: "turn the spin yourself, for six bodies" },
     Still { widget: "your-box", figure: "box-arrows", live: "choose the edges and the spin of the box" },
     Still {
@@ -41,6 +42,8 @@ const STILLS: [Still; 11] = [
         figure: "three-spins",
         live: "choose the spin, and watch the components exchange energy",
     },
+    Still { widget: "coin", figure: "coin", live: "let the plate wobble, and count its turns" },
+    Still { widget: "why", figure: "polhodes", live: "let the rods go, and watch what pulls at them" },
     Still { widget: "steps", figure: "four-steps", live: "choose a method and the length of a step" },
     Still {
         widget: "judge",

@@ -22,13 +22,16 @@ const CARRIED: [(&str, &str, &str); 1] =
     [("judge", "example", "crates/judge/data/rapier3d-f64-0.36.1--major.csv")];
 
 /// The modules of a widget that has others than one of its own name.
-const MODULES: [(&str, &[&str]); 6] = [
+const MODULES: [(&str, &[&str]); 9] = [
+    ("coin", &["tumble"]),
     ("pitfalls", &["pitfalls", "tumble"]),
     ("steps", &["steps", "tumble"]),
     ("toss", &["tumble"]),
+    ("tosses", &["tumble"]),
     ("trading", &["tumble"]),
     ("turning", &["tumble"]),
-    ("your-box", &["your-box", "tumble"]),
+    ("why", &["tumble"]),
+    ("your-box", &["your-body", "tumble"]),
 ];
 
 fn modules<'a>(widget: &'a &str) -> &'a [&'a str] {

@@ -292,14 +292,14 @@ tumblingLive.bodies ??= (() => {
 
     // ---- Time: it runs only when asked, and where less motion is preferred it goes by steps.
     /**
-     * `go(seconds)` moves on by so many seconds of the reader's and says whether it can; `step` is how many a step takes; `rested` is called
+     * `go(seconds)` moves on by so many seconds of the reader's and says whether it can; `step` is how many a step takes, `start` the button's name at rest; `rested` is called
      * when it has stopped, `late(often)` when half of some frames came late. Out of sight it rests.
      */
-    function clock(stage, play, { go, step, rested = () => {}, late = () => {}, pressed = () => {} }) {
+    function clock(stage, play, { go, step, start = "Play", rested = () => {}, late = () => {}, pressed = () => {} }) {
         const still = matchMedia("(prefers-reduced-motion: reduce)");
         let [playing, pending] = [false, 0];
         const name = () => {
-            play.textContent = still.matches ? "Step" : playing ? "Pause" : "Play";
+            play.textContent = still.matches ? "Step" : playing ? "Pause" : start;
         };
         function pause() {
             cancelAnimationFrame(pending);
@@ -362,5 +362,27 @@ tumblingLive.bodies ??= (() => {
         }
     }
 
-    return { dot, cross, unit, rows, through, upright, orbit, model, palette, paper, path, arrow, paint, arrows, clock, dragged };
+    /**
+     * A picture seen from `view.turn` around and `view.tilt` above, degrees, which a drag changes by half a degree for each pixel. A drag that
+     * begins where `grip.takes([x, y])` is grip's own, and no finger there scrolls the page: it has `moved` and `ended`.
+     */
+    function looks(element, view, redraw, grip) {
+        let own = false;
+        const at = ({ clientX, clientY }) => {
+            const box = element.getBoundingClientRect();
+            return [clientX - box.left, clientY - box.top];
+        };
+        if (grip) {
+            element.addEventListener("pointerdown", (event) => { own = grip.takes(at(event)); });
+            element.addEventListener("touchstart", (event) => { if (grip.takes(at(event.touches[0]))) event.preventDefault(); }, { passive: false });
+        }
+        dragged(element, (right, down, event) => {
+            if (own) return grip.moved(at(event));
+            view.turn += 0.5 * right;
+            view.tilt = Math.max(-80, Math.min(80, view.tilt + 0.5 * down));
+            redraw();
+        }, () => own && grip.ended());
+    }
+
+    return { dot, cross, unit, rows, through, upright, orbit, model, palette, paper, path, arrow, paint, arrows, clock, dragged, looks };
 })();

@@ -21,7 +21,7 @@ tumblingLive.widget("top", async (stage, from) => {
         asleep: [140, 1, 0, true, 1],
     };
     const KINDS = [
-        "is free", "stands upright, asleep: a push stays small", "stands upright, but a push would grow", "hangs down", "goes round steadily, at one lean",
+        "is free", "stands upright, asleep: a slip stays small", "stands upright, but a slip would grow", "hangs down", "goes round steadily, at one lean",
         "draws waves: it always goes round the same way", "draws cusps: it stands still where it is highest", "draws loops: it goes back where it is highest",
         "swings as a pendulum’s, without spin", "rises toward upright and falls back",
     ];

@@ -4,7 +4,7 @@
 tumblingLive.widget("trading", async (stage, from) => {
     const { load, module, fixed, sayer } = tumblingLive;
     const [exact] = await Promise.all([module("tumble"), load(`${from}live.solids.js`), load(`${from}live.bodies.js`)]);
-    const { dot, unit, rows, through, upright, orbit, model, palette, paper, path, paint, arrows, clock, dragged } = tumblingLive.bodies;
+    const { dot, unit, rows, through, upright, orbit, model, palette, paper, path, paint, arrows, clock, looks } = tumblingLive.bodies;
     const [play, start, scrub] = ["play", "start", "scrub"].map((id) => stage.querySelector(`#trading-${id}`));
     const canvas = (what) => stage.querySelector(`[data-draws=${what}]`);
     const shown = (what) => stage.querySelector(`[data-shows=${what}]`);
@@ -113,10 +113,6 @@ tumblingLive.widget("trading", async (stage, from) => {
         pause();
         say(begin());
     });
-    dragged(canvas("body"), (right, down) => {
-        state.turn += 0.5 * right;
-        state.tilt = Math.max(-80, Math.min(80, state.tilt + 0.5 * down));
-        body.draw();
-    });
+    looks(canvas("body"), state, body.draw);
     begin();
 });

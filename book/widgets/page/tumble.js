@@ -1,4 +1,4 @@
-// The tumble: a body spun about one of its axes, with a push; the module says where it is at any instant.
+// The tumble: a body spun about one of its axes, with a slip; the module says where it is at any instant.
 "use strict";
 
 tumblingLive.widget("tumble", async (stage, from) => {
@@ -47,7 +47,8 @@ tumblingLive.widget("tumble", async (stage, from) => {
     }
     const LABEL = 24; // px around the body for what names the arrows
     const sides = {};
-    const solid = sheet("body", (wide) => Math.round(wide < 480 ? 0.72 * wide : Math.min(0.5 * wide, 340)), (pen, width, height, canvas) => {
+    const square = (wide) => Math.round(wide < 480 ? 0.7 * wide : Math.min(0.5 * wide, 340));
+    const solid = sheet("body", square, (pen, width, height, canvas) => {
         const { setting, now } = state;
         const { body, world } = seen();
         const scale = Math.max(0.5 * Math.min(width, height) - LABEL, 1);
@@ -61,7 +62,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
     });
 
     // ---- The ellipsoid of energy, as the body lies, with its polhodes; or rolling on its plane.
-    sheet("polhode", (wide) => Math.round(wide < 480 ? 0.6 * wide : Math.min(0.5 * wide, 340)),
+    sheet("polhode", square,
         tumblingLive.tumblePolhode({ state, seen, colours, place, rolling, spot: stage.querySelector(".tumble-dot") }));
 
     // ---- The spin along the axis that it was spun about over time, and the flips predicted.
@@ -133,7 +134,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
         ownFields.hidden = of < 8;
         ownFields.querySelector("legend").textContent = of === 9 ? "Moments, kg m²" : "Edges, m";
         const given = of < 8 ? [0, 0, 0] : own.map(number);
-        const empty = [["spin", spinNumber], ["push", pushNumber], ...["first", "second", "third"].map((name, i) => [`${name} ${of === 9 ? "moment" : "edge"}`, own[i]])]
+        const empty = [["spin", spinNumber], ["slip", pushNumber], ...["first", "second", "third"].map((name, i) => [`${name} ${of === 9 ? "moment" : "edge"}`, own[i]])]
             .slice(0, of < 8 ? 2 : 5).find(([, field]) => Number.isNaN(number(field)));
         const found = empty ? null : exact.answer(0, of, number(spinNumber), number(pushNumber), state.flick ? 3 : Number(about.value), ...given, ...(state.flick?.omega ?? [0, 0, 0]));
         if (!found) {
@@ -282,10 +283,10 @@ tumblingLive.widget("tumble", async (stage, from) => {
         speed.setAttribute("aria-valuetext", times === 1 ? "as in life" : `${times} times as fast as in life`);
         spin.setAttribute("aria-valuetext", `${spinNumber.value} rad/s`);
         const pushed = number(pushNumber);
-        push.setAttribute("aria-valuetext", pushed === 0 ? "no push" : `a push of ${Number.isFinite(pushed) ? short(pushed) : "no number"} of the spin`);
+        push.setAttribute("aria-valuetext", pushed === 0 ? "no slip" : `a slip of ${Number.isFinite(pushed) ? short(pushed) : "no number"} of the spin`);
     }
+    /** What plays goes on playing, from the new start. */
     function change() {
-        pause();
         state.flick = null;
         caption();
         prepare();

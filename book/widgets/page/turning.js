@@ -4,7 +4,7 @@
 tumblingLive.widget("turning", async (stage, from) => {
     const { load, module, fixed, sayer } = tumblingLive;
     const [exact] = await Promise.all([module("tumble"), load(`${from}live.solids.js`), load(`${from}live.bodies.js`)]);
-    const { rows, through, upright, orbit, model, palette, paper, path, paint, clock, dragged } = tumblingLive.bodies;
+    const { rows, through, upright, orbit, model, palette, paper, path, paint, clock, looks } = tumblingLive.bodies;
     const [play, motion, scrub] = ["play", "motion", "scrub"].map((id) => stage.querySelector(`#turning-${id}`));
     const canvas = stage.querySelector("canvas");
     const shown = (what) => stage.querySelector(`[data-shows=${what}]`);
@@ -91,10 +91,6 @@ tumblingLive.widget("turning", async (stage, from) => {
         pause();
         say(begin());
     });
-    dragged(canvas, (right, down) => {
-        state.turn += 0.5 * right;
-        state.tilt = Math.max(-80, Math.min(80, state.tilt + 0.5 * down));
-        picture.draw();
-    });
+    looks(canvas, state, picture.draw);
     begin();
 });

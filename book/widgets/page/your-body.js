@@ -211,7 +211,7 @@ tumblingLive.widget("your-body", async (stage) => {
         const direction = (axis) => axis.map((x) => x.toFixed(3).replace("-0.000", "0.000").replace("-", "−")).join(", ");
         moments.forEach((moment, k) => { shown(`axis-${k + 1}`).textContent = `${digits(moment, 4)} kg m², along (${direction(axes[k])})`; });
         const never = { 1: "moments 2 and 3 are equal: it never flips", 2: "moments 1 and 2 are equal: it never flips", 3: "all moments are equal: any spin stays as it is" }[equal];
-        shown("growth").textContent = never ?? `unstable, it flips: a push grows e-fold in ${digits(1 / (growth * 2 * Math.PI))} turns, by a factor of ${digits(Math.exp(growth * 2 * Math.PI))} in each`;
+        shown("growth").textContent = never ?? `unstable, it flips: a slip grows e-fold in ${digits(1 / (growth * 2 * Math.PI))} turns, by a factor of ${digits(Math.exp(growth * 2 * Math.PI))} in each`;
         shown("circles").textContent = equal === 3 ? "the same" : [0, 2].filter((k) => circles[k / 2] > 0).map((k) => `axis ${k + 1}: stable, circled ${turns(circles[k / 2])}`).join("; ");
         const widest = PLANES.map((plane) => Math.max(...gaps(plane)));
         shown("gap").textContent = equal === 3 ? "none in any direction" : `${digits(Math.max(...widest))}°`;

@@ -3,7 +3,7 @@
 
 tumblingLive.widget("your-box", async (stage) => {
     const { module, fixed, short, draw, arrow, drawing, sayer } = tumblingLive;
-    const [box, motion] = await Promise.all([module("your-box"), module("tumble")]);
+    const [box, motion] = await Promise.all([module("your-body"), module("tumble")]);
     const svg = stage.querySelector("svg");
     const fields = ["a", "b", "c", "m", "x", "y", "z"].map((id) => stage.querySelector(`#your-box-${id}`));
     const wrong = stage.querySelector(".live-wrong");
@@ -106,7 +106,7 @@ tumblingLive.widget("your-box", async (stage) => {
 
     /** Shows what the module answers now; returns it in words. */
     function show() {
-        found = box.answer(0, ...fields.map((field) => (field.value === "" ? NaN : Number(field.value))));
+        found = box.answer(4, ...fields.map((field) => (field.value === "" ? NaN : Number(field.value))));
         if (found) last = { values: fields.map((field) => Number(field.value)), found };
         wrong.hidden = found !== null;
         svg.classList.toggle("live-dim", !found);

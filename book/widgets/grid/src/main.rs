@@ -110,7 +110,7 @@ fn your_body(ask: &mut Ask<'_>) -> io::Result<()> {
 
 fn your_box(ask: &mut Ask<'_>) -> io::Result<()> {
     let mut ask = |asked: &[f64]| {
-        ask("your-box", widget_your_box::answer, 0, asked, Some(|| widget_your_box::WHY.said()))
+        ask("your-body", widget_your_body::answer, 4, asked, Some(|| widget_your_body::WHY.said()))
     };
     let edges = [1e-200, 0.02, 1.0, 2.0, 3.0, 17.3, 1e100, 0.0, -1.0, f64::NAN];
     for (i, a) in edges.into_iter().enumerate() {
@@ -145,7 +145,7 @@ fn tumble(ask: &mut Ask<'_>) -> io::Result<()> {
     tumble(1, &[1.0])?;
     for body in 0..11 {
         for own in [[1.0, 2.0, 2.5], [3.0, 1.0, 1.0], [0.0, 1.0, 1.0], [1.0, f64::NAN, 1.0]] {
-            for what in [6, 7] {
+            for what in [6, 7, 12] {
                 tumble(what, &[f64::from(body), own[0], own[1], own[2]])?;
             }
         }
@@ -184,6 +184,7 @@ fn tumble(ask: &mut Ask<'_>) -> io::Result<()> {
                 tumble(1, &[2.5])?;
                 tumble(9, &[-1.0, 3.0, 7.0])?;
                 tumble(10, &[2.5])?;
+                tumble(11, &[2.5, 1.7])?;
                 tumble(3, &[1.0, 1.5, 24.0])?;
             }
         }

@@ -2,6 +2,7 @@
 
 mod beside;
 mod bodies;
+mod cross;
 mod parts;
 mod path;
 
@@ -53,6 +54,8 @@ const MOST_SAMPLES: f64 = 1000.0;
 /// 7. The moments and the centre of mass of a body, asked in the same way. See [`bodies::answer`].
 /// 9. The path of the spin of the prepared motion, in the body and in the world. See [`path::path`].
 /// 10. The tensor in the world, and how the spin changes, at an instant. See [`path::turned`].
+/// 11. The two crossed rods in a turning frame, at an instant. See [`cross::pulls`].
+/// 12. Their moments. See [`cross::moments`].
 pub fn answer(what: u32, row: &Numbers) -> usize {
     let [which, own @ ..] = row.take::<4>(0);
     let found = match what {
@@ -65,6 +68,8 @@ pub fn answer(what: u32, row: &Numbers) -> usize {
         8 => return beside::answer(2, row),
         9 => path::path(row.take(0), row),
         10 => path::turned(which, row),
+        11 => cross::pulls(row.take(0), row),
+        12 => return row.fill(cross::moments().as_slice()),
         _ => Ok(polhode(row.take(0), row)),
     };
     found.unwrap_or_else(|Why(words)| {

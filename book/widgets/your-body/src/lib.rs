@@ -7,7 +7,7 @@ use tumbling::dynamics::stability::rate_squared;
 use tumbling::exact::time_between_flips;
 use tumbling::number::Analytic;
 use tumbling::solid::{Ball, Capsule, Cone, Cuboid, Cylinder, Ellipsoid, Solid, ThinDisk, ThinPlate};
-use tumbling::{Error, ErrorKind, Inertia, PrincipalMoments};
+use tumbling::{Error, ErrorKind, Inertia, PrincipalMoments, Subject};
 
 /// Why there is no answer, in the library's own words but for its numbers.
 pub static WHY: Line = Line::new();
@@ -35,11 +35,14 @@ const POINTS: u32 = 96;
 /// 2. The gap, degrees, of spins between two axes (by their places) of a body with these moments: how many,
 ///    and for each the tangent of half its angle from the first.
 /// 3. A tensor (xx, yy, zz, xy, xz, yz) turned by roll, pitch and yaw, rad, as a link of a robot has it.
+/// 4. A box: its edges along x, y and z, m; its mass, kg; and its spin along them, rad/s. The answer: the
+///    moments about x, y and z; the momentum along them, kg m²/s; and the gap between the two, degrees.
 pub fn answer(what: u32, row: &Numbers) -> usize {
     let found = match what {
         0 => body(row).map(|found| row.fill(&found)),
         1 => Ok(path(row)),
         2 => gaps(row),
+        4 => return the_box(row),
         _ => link(row).map(|found| row.fill(&found)),
     };
     found.unwrap_or_else(|why| {
@@ -48,13 +51,17 @@ pub fn answer(what: u32, row: &Numbers) -> usize {
     })
 }
 
+const BEYOND: &str = ": its true value is beyond what a finite, nonzero floating-point number holds in full";
+
 fn words(why: &Error) -> [&'static str; 2] {
     let rule = match why.kind() {
         ErrorKind::NotFinite => ": it must be a finite number",
-        ErrorKind::OutOfBounds => ": it is too small for the others, zero or below",
-        ErrorKind::Unrepresentable => {
-            ": its true value is beyond what a finite, nonzero floating-point number holds in full"
+        ErrorKind::OutOfBounds if why.subject() == Subject::PrincipalMoment => {
+            ": it is too small for the others, zero or below"
         }
+        ErrorKind::OutOfBounds => ": it must be above zero",
+        ErrorKind::Unrepresentable => BEYOND,
+        ErrorKind::Undefined => " is the zero vector: it has no direction",
         ErrorKind::Impossible => {
             ": no body has this tensor; of the principal moments two add up to at least the third"
         }
@@ -186,6 +193,27 @@ fn gaps(row: &Numbers) -> Result<usize, Error> {
     Ok(count)
 }
 
+fn the_box(row: &Numbers) -> usize {
+    let omega = Vector3::from(row.take(4));
+    let why = match boxed(row.take(0), &omega) {
+        Ok((inertia, gap)) => {
+            let ([x, y, z], l) = (inertia.matrix().diagonal().into(), inertia.momentum(&omega));
+            if l.iter().all(|x| x.is_finite()) {
+                return row.fill(&[x, y, z, l.x, l.y, l.z, gap.to_degrees()]);
+            }
+            ["the momentum", BEYOND]
+        }
+        Err(why) => words(&why),
+    };
+    WHY.say(&why);
+    0
+}
+
+fn boxed([a, b, c, mass]: [f64; 4], omega: &Vector3<f64>) -> Result<(Inertia, f64), Error> {
+    let inertia = Cuboid::new(a, b, c)?.with_mass(mass)?.inertia();
+    Ok((inertia, inertia.angle_to_momentum(omega)?))
+}
+
 fn link(row: &Numbers) -> Result<[f64; 6], Error> {
     let inertia = Inertia::new(row.take(0), row.take(3))?;
     let angles: [f64; 3] = row.take(6);
@@ -263,5 +291,24 @@ mod tests {
         }
         assert!(asked(0, &[9.0, 0.0, 1.0, 2.0, 4.0, 0.0, 0.0, 0.0]).is_empty());
         assert!(WHY.said().contains("no body"), "{}", WHY.said());
+    }
+
+    #[test]
+    fn what_is_wrong_with_a_box_is_told_in_the_words_of_the_library() {
+        let edges = [1e-200, 1e-9, 0.02, 1.0, 17.3, 1e100, 1e200, 0.0, -1.0, f64::NAN];
+        let mut named = 0;
+        for a in edges {
+            for b in edges {
+                for mass in [0.0, 1e-320, 1.0, f64::INFINITY] {
+                    for spin in [[1.0, 1.0, 0.0], [0.0; 3], [1e-160, 3e160, 0.1], [f64::NAN, 0.0, 1.0]] {
+                        let Err(why) = boxed([a, b, 1.0, mass], &spin.into()) else { continue };
+                        let ([what, rule], whole) = (words(&why), why.to_string());
+                        assert!(whole.starts_with(what) && whole.ends_with(rule), "{whole}: {what}{rule}");
+                        named += 1;
+                    }
+                }
+            }
+        }
+        assert!(named > 500);
     }
 }

@@ -153,6 +153,7 @@ laws! {
     SUM_ABOUT_1 = law("I_1", &[body], "the diagonal of inertia::point_mass, of any points");
     SUM_ABOUT_2 = law("I_2", &[body], "the diagonal of inertia::point_mass, of any points");
     SUM_ABOUT_3 = law("I_3", &[body], "the diagonal of inertia::point_mass, of any points");
+    DIFFERENCE_OF_MOMENTS = law("I_1-I_2", &[body], "the diagonal of inertia::point_mass, of any points");
     THIRD_INEQUALITY = law("I_1+I_2-I_3", &[body], "the diagonal of inertia::point_mass, of any points");
     PARALLEL_AXES = law("I_{zz}", &[bodies::two_parts], "solid::combined of any two parts");
     COIN_1 = law(r"\dot{\omega}_1", &[tops::coin], "euler::angular_acceleration with two equal moments");

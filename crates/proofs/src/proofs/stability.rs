@@ -2,10 +2,13 @@
 
 use crate::number::Fraction;
 use crate::proof::{Outcome, positive, same, same_entries};
-use crate::symbols::{Vector, ordered_moments, vector};
-use num_traits::Zero;
-use tumbling::dynamics::euler::angular_acceleration;
+use crate::symbols::{Vector, ordered_moments, variables, vector};
+use nalgebra::Quaternion;
+use num_traits::{One, Zero};
+use tumbling::attitude::rotation_matrix;
+use tumbling::dynamics::euler::{angular_acceleration, tensor_times_acceleration};
 use tumbling::dynamics::stability::rate_squared;
+use tumbling::inertia::point_mass;
 
 proofs! {
     "stability" {
@@ -30,6 +33,13 @@ proofs! {
         "equal-moments": equal(rate_squared),
             "About either of two axes with equal moments the rate is zero: neither growth nor swing; about the third it swings.";
             but "w² added": equal(|w, i, a, b| rate_squared(w, i, a, b) + w.pow(2)),
+        "pulls-outward": outward(1),
+            "In a frame that turns with the body the centrifugal force on a point, -m w x (w x r), twists it by (I w) x w, the right-hand side of Euler's equations, for every point and spin; and twists and tensors add.";
+            but "forces toward the axis": outward(-1),
+        "tilts-in-the-turning-frame": tilts(1),
+            "In a frame that turns at the steady spin w about one axis, Euler's equations are, for small tilts a and b about the other two, I_a a'' = w² (I_b - I) a + w (I_a + I_b - I) b' and \
+            I_b b'' = w² (I_a - I) b - w (I_a + I_b - I) a'. The squares of their rates are -w², where the momentum seems to go round, and the library's rate squared.";
+            but "no Coriolis force": tilts(0),
     }
 }
 
@@ -93,4 +103,37 @@ fn equal(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Fraction) -
         positive("the swing about the lone axis", &-rate_about(&law, &moments, 2))?;
     }
     Ok(())
+}
+
+/// The twist of the force that points away from the axis, or, with `sign` -1, toward it.
+fn outward(sign: i64) -> Outcome {
+    let (m, r, w) = (Fraction::variable("m"), vector("r"), vector("omega"));
+    let force = -w.cross(&w.cross(&r)) * (m.clone() * Fraction::from(sign));
+    let right = tensor_times_acceleration(&point_mass(&m, &r), &w, &Vector::zeros());
+    same_entries("r x F", &r.cross(&force), &right)
+}
+
+/// With the third axis for the steady one; the Coriolis force is taken `coriolis` times.
+fn tilts(coriolis: i64) -> Outcome {
+    let [w, e, s] = variables(["omega", "e", "s"]);
+    let (i, tilt, rate) = (vector("I"), [1, 2].map(|k| Fraction::variable(&format!("t{k}"))), vector("r"));
+    let half = |x: &Fraction| e.clone() * x / Fraction::from(2);
+    let q = Quaternion::new(Fraction::one(), half(&tilt[0]), half(&tilt[1]), Fraction::zero());
+    let across = Vector::new(e.clone() * &rate.x, e.clone() * &rate.y, Fraction::zero());
+    let steady = Vector::new(Fraction::zero(), Fraction::zero(), w.clone());
+    let spin = rotation_matrix(&q).transpose() * steady + across;
+    // To first order in the tilts. The spin's rate is the tilts' second rates and what their first ones add.
+    let slope = |x: &Fraction| x.derivative(&"e".into()).substitute(&"e".into(), &Fraction::zero());
+    let [x, y, _] = angular_acceleration(&i, &spin, &Vector::zeros()).map(|x| slope(&x)).into();
+    let second = [x + w.clone() * &rate.y, y - w.clone() * &rate.x];
+    let pulls = [w.clone() * &w * (&i.y - &i.z), w.clone() * &w * (&i.x - &i.z)];
+    let aside = (&i.x + &i.y - &i.z) * &w * Fraction::from(coriolis);
+    let [a, b] = [&i.x * &second[0], &i.y * &second[1]];
+    same("I_a a''", &a, &(&pulls[0] * &tilt[0] + &aside * &rate.y))?;
+    same("I_b b''", &b, &(&pulls[1] * &tilt[1] - &aside * &rate.x))?;
+    let square = s.clone() * &s;
+    let [left, right] = [&i.x * &square - &pulls[0], &i.y * &square - &pulls[1]];
+    let determinant = left * right + aside.clone() * aside * &square;
+    let rates = (&square + w.clone() * &w) * (&square - rate_squared(&w, &i.z, &i.x, &i.y));
+    same("the rates", &determinant, &(rates * &i.x * &i.y))
 }

@@ -1,0 +1,121 @@
+// In the body the momentum lies on two surfaces: the sphere of its length and the ellipsoid of its energy. Drawn with the curve where they
+// meet, and with the point, which can be dragged over the ellipsoid.
+"use strict";
+
+/**
+ * `half` are the ellipsoid's half axes, `names` what each is called, and its colour. `get()` is what is shown: the momentum `at` its start and `now`, and the `curve`. A dragged point is
+ * `moved(to)`, in the same numbers; then it is `ended()`.
+ */
+tumblingLive.meeting = (canvas, colours, half, names, { get, moved, ended }) => {
+    const { dot, unit, orbit, paper, looks } = tumblingLive.bodies;
+    const view = { turn: 38, tilt: 24 };
+    const by = (a, b) => a.reduce((sum, x, k) => sum + x * b[k] / half[k] ** 2, 0);
+    const eyes = () => orbit([[0, 0, -1], [1, 0, 0], [0, -1, 0]], view.turn, view.tilt);
+    const LIGHT = unit([-0.45, 0.75, 0.6]);
+    const sheet = document.createElement("canvas");
+    let kept = "";
+
+    /** Both surfaces, point by point: the nearer one is seen. Painted anew only if they or the view have changed. */
+    function surfaces(length, eye, dots) {
+        const key = [length, view.turn, view.tilt, dots, colours.bg, colours.momentum].join();
+        if (key === kept) return;
+        kept = key;
+        [sheet.width, sheet.height] = [dots, dots];
+        const pen = sheet.getContext("2d");
+        const image = pen.createImageData(dots, dots);
+        const triple = (colour) => colour.match(/[\d.]+/g).map(Number);
+        const [shades, warm] = [colours.plain.map(triple), triple(colours.momentum)];
+        const light = [0, 1, 2].map((k) => LIGHT[0] * eye[0][k] + LIGHT[1] * eye[1][k] + LIGHT[2] * eye[2][k]);
+        const [A, uu, uv, vv, ut, vt] = [by(eye[2], eye[2]), by(eye[0], eye[0]), by(eye[0], eye[1]), by(eye[1], eye[1]), by(eye[0], eye[2]), by(eye[1], eye[2])];
+        const reach = 1.04 * Math.max(...half);
+        for (let row = 0; row < dots; row += 1) {
+            const v = reach * (1 - (2 * row + 1) / dots);
+            for (let column = 0; column < dots; column += 1) {
+                const u = reach * ((2 * column + 1) / dots - 1);
+                const b = u * ut + v * vt;
+                const inside = b * b - A * (u * u * uu + 2 * u * v * uv + v * v * vv - 1);
+                const round = length * length - u * u - v * v;
+                const [deep, near] = [inside > 0 ? (Math.sqrt(inside) - b) / A : -Infinity, round > 0 ? Math.sqrt(round) : -Infinity];
+                const z = Math.max(deep, near);
+                if (z === -Infinity) continue;
+                const p = [0, 1, 2].map((k) => u * eye[0][k] + v * eye[1][k] + z * eye[2][k]);
+                const out = near > deep ? p : p.map((x, k) => x / half[k] ** 2);
+                const shade = shades[Math.round(32 * Math.max(0, Math.min(1, 0.5 + 0.5 * dot(out, light) / Math.hypot(...out))))];
+                const part = near > deep ? 0.5 : 0;
+                image.data.set([...shade.map((x, k) => x + part * (warm[k] - x)), 255], 4 * (row * dots + column));
+            }
+        }
+        pen.putImageData(image, 0, 0);
+    }
+
+    const picture = paper(canvas, (width) => Math.round(Math.min(0.9 * width, 330)), (pen, width, height) => {
+        const { at, now, curve } = get();
+        if (!now) return;
+        const eye = eyes();
+        const side = Math.min(width, height);
+        const scale = side / 2 / (1.04 * Math.max(...half));
+        const on = (p) => [width / 2 + scale * dot(eye[0], p), height / 2 - scale * dot(eye[1], p)];
+        const faces = (p) => by(p, eye[2]) > 0;
+        surfaces(Math.hypot(...at), eye, Math.round(side * Math.min(devicePixelRatio || 1, 2)));
+        pen.drawImage(sheet, (width - side) / 2, (height - side) / 2, side, side);
+        pen.lineWidth = 2.6;
+        for (const front of [false, true]) {
+            pen.strokeStyle = colours.omega;
+            pen.globalAlpha = front ? 1 : 0.22;
+            for (const sign of [1, -1]) {
+                pen.beginPath();
+                curve.forEach((p, i) => {
+                    const [one, other] = [curve.at(i - 1), p].map((q) => q.map((x) => sign * x));
+                    if (faces(other) !== front) return;
+                    pen.moveTo(...on(one));
+                    pen.lineTo(...on(other));
+                });
+                pen.stroke();
+            }
+        }
+        names.forEach(([name, colour], k) => {
+            for (const sign of [1, -1]) {
+                const end = [0, 1, 2].map((i) => (i === k ? sign * half[k] : 0));
+                const [x, y] = on(end.map((part) => 1.06 * part));
+                pen.globalAlpha = faces(end) ? 1 : 0.25;
+                pen.fillStyle = colours[colour];
+                pen.beginPath();
+                pen.arc(...on(end), 4, 0, 2 * Math.PI);
+                pen.fill();
+                if (!faces(end)) continue;
+                pen.fillStyle = colours.fg;
+                pen.font = colours.font;
+                pen.textAlign = x > 0.6 * width ? "right" : x < 0.4 * width ? "left" : "center";
+                pen.fillText(name, x, y + (y > height / 2 ? 18 : -8));
+            }
+        });
+        pen.globalAlpha = faces(now) ? 1 : 0.4;
+        pen.fillStyle = colours.omega;
+        pen.strokeStyle = colours.bg;
+        pen.beginPath();
+        pen.arc(...on(now), 8, 0, 2 * Math.PI);
+        pen.fill();
+        pen.stroke();
+        pen.globalAlpha = 1;
+        canvas.shows = { spot: on(now), now, curve, length: Math.hypot(...at), scale, ...view };
+    });
+
+    /** The place of the ellipsoid that is seen there, or that of its rim that is nearest to it. */
+    function under([x, y]) {
+        const { scale } = canvas.shows;
+        const eye = eyes();
+        let flat = [0, 1, 2].map((k) => ((x - canvas.clientWidth / 2) * eye[0][k] - (y - canvas.clientHeight / 2) * eye[1][k]) / scale);
+        const A = by(eye[2], eye[2]);
+        const far = by(flat, flat) - by(flat, eye[2]) ** 2 / A;
+        if (far > 0.999) flat = flat.map((part) => part * Math.sqrt(0.999 / far));
+        const b = by(flat, eye[2]);
+        const deep = (Math.sqrt(b * b - A * (by(flat, flat) - 1)) - b) / A;
+        return flat.map((part, k) => part + deep * eye[2][k]);
+    }
+    looks(canvas, view, picture.draw, {
+        takes: ([x, y]) => Math.hypot(x - canvas.shows.spot[0], y - canvas.shows.spot[1]) < 26,
+        moved: (place) => moved(under(place)),
+        ended,
+    });
+    return picture;
+};
