@@ -58,7 +58,7 @@ pub(crate) struct Reader {
 }
 
 /// The languages that a block may be in.
-const LANGUAGES: [&str; 4] = ["rust", "sh", "text", "toml"];
+const LANGUAGES: [&str; 5] = ["python", "rust", "sh", "text", "toml"];
 
 impl Reader {
     /// Reads a chapter.

@@ -28,9 +28,9 @@ pub use judge::judge;
 pub use kit::{Answer, Story};
 pub use law::LawName;
 pub use laws::{Complaint, FlipCount, Gaps, Growth, Law, Point, Reset};
-pub use memory::{Precision, Row, judge_in_memory};
+pub use memory::{Description, Precision, Row, judge_described, judge_in_memory};
 pub use options::Options;
-pub use read::{FileMistake, Fit, Note};
+pub use read::{FileMistake, Fit, Kind, Note};
 pub use rule::{
     Advice, Alteration, Base, Confidence, Diagnosis, Explanation, Jump, Limits, PHYSICS_ENGINES,
     PhysicsEngine, Rule, Spin, Steps, Turn, When,

@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::judge::judge_rows;
 use crate::options::Options;
-use crate::read::{Exact, Printed, Raw, Said, Source};
+use crate::read::{Exact, Kind, Printed, Raw, Said, Source};
 use crate::thresholds::{MOST_DIGITS, ROWS_BEFORE_THE_END};
 use crate::verdict::Verdict;
 use nalgebra::{Quaternion, Vector3};
@@ -59,8 +59,21 @@ pub struct Row<T> {
     pub time: f64,
     /// The attitude as a quaternion w, x, y, z, body to world; `None` where the engine gives none.
     pub attitude: Option<[T; 4]>,
-    /// The spin in body axes, rad/s.
+    /// The spin in body axes, rad/s; or what else the [`Description`] says of the record.
     pub spin: [T; 3],
+}
+
+/// What is known of rows in memory besides their numbers, as a file's header and names of columns say it.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Description {
+    /// What the three numbers of a row are; of attitudes alone they are not read.
+    pub kind: Kind,
+    /// The engine's name.
+    pub engine: Option<String>,
+    /// The engine's step, s.
+    pub step: Option<f64>,
+    /// A torque that is constant in the world, N m.
+    pub torque: Option<Vector3<f64>>,
 }
 
 /// Judges rows in memory, of a body with these principal moments (kg m², about its axes x, y and z).
@@ -86,11 +99,41 @@ pub fn judge_in_memory<T: Precision>(
     rows: impl IntoIterator<Item = Row<T>>,
     options: &Options,
 ) -> Result<Verdict, Error> {
+    judge_described(moments, Description::default(), rows, options)
+}
+
+/// Judges rows in memory of which more is known, as [`judge_in_memory`].
+///
+/// ```
+/// use tumbling_judge::{Description, Kind, Options, Row, judge_described};
+/// // A quarter turn about x, and a spin that stands still in the world: about y there, about -z in the body.
+/// let (half, world) = (0.5_f64.sqrt(), Description { kind: Kind::SpinWorld, ..Description::default() });
+/// let row = |time: f64| Row { time, attitude: Some([half, half, 0.0, 0.0]), spin: [0.0, 2.0, 0.0] };
+/// let verdict = judge_described([1.0, 2.0, 3.0], world, [0.0, 0.1, 0.2].map(row), &Options::default())?;
+/// assert!((verdict.curve[0].spin - nalgebra::Vector3::new(0.0, 0.0, -2.0)).norm() < 1e-15);
+/// # Ok::<(), tumbling_judge::Error>(())
+/// ```
+///
+/// # Errors
+/// As [`judge_in_memory`]; also vectors in world axes, or attitudes alone, where the first row has no
+/// attitude.
+pub fn judge_described<T: Precision>(
+    moments: [f64; 3],
+    description: Description,
+    rows: impl IntoIterator<Item = Row<T>>,
+    options: &Options,
+) -> Result<Verdict, Error> {
     let mut rows = rows.into_iter().peekable();
     let first = rows.peek().ok_or(Error::NoRowsInMemory)?;
-    let moments = options.inertia.or_else(|| Some(moments.into()));
-    let said = Said { moments, ..Said::default() };
+    let Description { kind, engine, step, torque } = description;
     let attitudes = first.attitude.is_some();
+    if !attitudes && (kind.in_world() || kind == Kind::Attitude) {
+        let problem = "without an attitude a vector in world axes says nothing of the body".into();
+        return Err(Error::Row { row: 1, problem });
+    }
+    let moments = options.inertia.or_else(|| Some(moments.into()));
+    let torque = torque.filter(|torque| *torque != Vector3::zeros());
+    let said = Said { kind, engine, step, torque, moments, ..Said::default() };
     let mut rows = Memory { rows, attitudes, count: 0, last: f64::NEG_INFINITY, ended: None };
     judge_rows(&mut rows, said, options)
 }

@@ -18,7 +18,8 @@ mod state;
 mod units;
 
 pub(crate) use clock::Clock;
-pub(crate) use columns::{Columns, Kind, TimeColumn};
+pub use columns::Kind;
+pub(crate) use columns::{Columns, TimeColumn};
 pub(crate) use comment::Header;
 pub(crate) use derived::{Derived, Feed};
 pub(crate) use digits::{last_place, significant};

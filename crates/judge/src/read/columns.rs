@@ -47,15 +47,19 @@ impl TimeColumn {
     }
 }
 
-/// What the three numbers are that move.
+/// What the three numbers of a row are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) enum Kind {
+pub enum Kind {
+    /// The spin in body axes, rad/s.
     #[default]
     SpinBody,
+    /// The spin in world axes, rad/s.
     SpinWorld,
+    /// The momentum in body axes, kg m²/s.
     MomentumBody,
+    /// The momentum in world axes, kg m²/s.
     MomentumWorld,
-    /// None: attitudes alone.
+    /// Nothing: the record has attitudes alone.
     Attitude,
 }
 

@@ -9,8 +9,8 @@ use tumbling::exact::FreeMotion;
 use tumbling::number::Field;
 use tumbling::step::{Method, PositionStage, State, System};
 use tumbling_judge::{
-    Base, Confidence, Error, LawName, Options, Outcome, Precision, Row, Rule, Story, Verdict, assert_passes,
-    judge_in_memory,
+    Base, Confidence, Description, Error, Kind, LawName, Options, Outcome, Precision, Row, Rule, Story,
+    Verdict, assert_passes, judge, judge_described, judge_in_memory,
 };
 
 /// A library's method as an engine of some precision would have it, its state rounded after each step.
@@ -43,6 +43,33 @@ fn a_record_in_memory_is_judged_as_the_same_in_text() {
         let verdict = judge_in_memory(MOMENTS.into(), rows, &Options::default()).unwrap();
         assert_eq!(verdict.laws, in_text.laws);
         assert_eq!(verdict.diagnosis.unwrap().best, in_text.diagnosis.unwrap().best);
+    }
+}
+
+#[test]
+fn spins_in_the_world_and_attitudes_alone_are_judged_in_memory_as_in_text() {
+    let rows = exact(Vector3::new(0.4, 2.0, 1.5), 0.01, 500);
+    for (kind, names) in [(Kind::SpinWorld, "wxw,wyw,wzw"), (Kind::Attitude, "x,y,z")] {
+        let mut text = format!("# engine: Any\n# inertia: 1 2 3\nt,qw,qx,qy,qz,{names}\n");
+        let mut in_memory = Vec::new();
+        for (t, q, w) in &rows {
+            let world = rotation_matrix(q) * w;
+            let numbers = [*t, q.w, q.i, q.j, q.k, world.x, world.y, world.z];
+            text += &format!("{}\n", numbers.map(|x| format!("{x:e}")).join(","));
+            in_memory.push(Row { time: *t, attitude: Some([q.w, q.i, q.j, q.k]), spin: world.into() });
+        }
+        let in_text = judge(text.as_bytes(), &Options::default()).unwrap();
+        let description = Description { kind, engine: Some("Any".into()), ..Description::default() };
+        let moments = [1.0, 2.0, 3.0];
+        let verdict =
+            judge_described(moments, description.clone(), in_memory.clone(), &Options::default()).unwrap();
+        assert_eq!(verdict.laws, in_text.laws);
+        assert_eq!(verdict.record.engine, in_text.record.engine);
+        assert_eq!(verdict.record.missing, in_text.record.missing);
+        assert_eq!(verdict.diagnosis.unwrap().best, in_text.diagnosis.unwrap().best);
+        in_memory[0].attitude = None;
+        let refused = judge_described(moments, description, in_memory, &Options::default());
+        assert!(matches!(refused, Err(Error::Row { row: 1, .. })), "{refused:?}");
     }
 }
 

@@ -1,0 +1,136 @@
+//! Arrays in and out: any shape of times, rows of three or four, attitudes with the scalar first or last.
+
+use crate::error::{Answer, Refused};
+use nalgebra::{Matrix6, Quaternion, UnitQuaternion, Vector3};
+use numpy::{
+    AllowTypeChange, IntoPyArray, PyArrayDyn, PyArrayLikeDyn, PyArrayMethods, PyUntypedArrayMethods,
+};
+use pyo3::prelude::*;
+use std::borrow::Cow;
+
+/// What NumPy takes for numbers, whatever their type.
+pub type Numbers<'py> = PyArrayLikeDyn<'py, f64, AllowTypeChange>;
+pub type Array<'py> = Bound<'py, PyArrayDyn<f64>>;
+/// Attitudes and spins.
+pub type States<'py> = (Array<'py>, Array<'py>);
+
+/// In place where they stand one behind the other, else a copy.
+pub fn slice<'a>(numbers: &'a Numbers<'_>) -> Cow<'a, [f64]> {
+    match numbers.as_slice() {
+        Ok(there) => Cow::Borrowed(there),
+        Err(_) => Cow::Owned(numbers.as_array().iter().copied().collect()),
+    }
+}
+
+/// An array of this shape, which takes the numbers as they are.
+pub fn array<'py>(py: Python<'py>, numbers: Vec<f64>, shape: &[usize], last: &[usize]) -> Answer<Array<'py>> {
+    Ok(numbers.into_pyarray(py).reshape([shape, last].concat())?)
+}
+
+/// Rows of `N` numbers, and whether the array is one row alone.
+pub fn rows<const N: usize>(what: &str, numbers: &Numbers<'_>) -> Answer<(Vec<[f64; N]>, bool)> {
+    let shape = numbers.shape();
+    if !matches!(shape, [n] | [_, n] if *n == N) {
+        let sentence = format!("{what} has the shape {shape:?}: it must be ({N},) or (n, {N})");
+        return Err(Refused::new("Shape", what, sentence));
+    }
+    Ok((slice(numbers).as_chunks().0.to_vec(), shape.len() == 1))
+}
+
+/// One row of `N` numbers.
+pub fn row<const N: usize>(what: &str, numbers: &Numbers<'_>) -> Answer<[f64; N]> {
+    match rows(what, numbers)? {
+        (one, true) => Ok(one[0]),
+        _ => Err(Refused::new("Shape", what, format!("{what} has several rows: it must be ({N},)"))),
+    }
+}
+
+/// One row for each of `count` bodies, of which there may be one for all.
+pub fn each<T: Copy>(what: &str, rows: Vec<T>, count: usize) -> Answer<Vec<T>> {
+    match rows.len() {
+        1 => Ok(vec![rows[0]; count]),
+        n if n == count => Ok(rows),
+        n => Err(Refused::new("Shape", what, format!("{what} is of {n} bodies, and others are of {count}"))),
+    }
+}
+
+/// A quaternion as it is written: x, y, z, w, or the scalar first.
+#[derive(Clone, Copy)]
+pub struct Order {
+    pub scalar_first: bool,
+}
+
+impl Order {
+    pub fn read(self, q: [f64; 4]) -> UnitQuaternion<f64> {
+        let [w, x, y, z] = if self.scalar_first { q } else { [q[3], q[0], q[1], q[2]] };
+        UnitQuaternion::new_unchecked(Quaternion::new(w, x, y, z))
+    }
+
+    pub fn write(self, q: &Quaternion<f64>) -> [f64; 4] {
+        if self.scalar_first { [q.w, q.i, q.j, q.k] } else { [q.i, q.j, q.k, q.w] }
+    }
+
+    /// Attitudes: numbers in this order, or SciPy's `Rotation`, which names its own; the identity for none.
+    pub fn attitudes(self, given: Option<&Bound<'_, PyAny>>) -> Answer<(Vec<UnitQuaternion<f64>>, bool)> {
+        let Some(given) = given else { return Ok((vec![UnitQuaternion::identity()], true)) };
+        let (numbers, order) = if given.hasattr("as_quat")? {
+            (given.call_method0("as_quat")?.extract::<Numbers<'_>>()?, Self { scalar_first: false })
+        } else {
+            (given.extract::<Numbers<'_>>()?, self)
+        };
+        let (rows, alone) = rows("attitude", &numbers)?;
+        Ok((rows.into_iter().map(|q| order.read(q)).collect(), alone))
+    }
+
+    pub fn attitude(self, given: Option<&Bound<'_, PyAny>>) -> Answer<UnitQuaternion<f64>> {
+        match self.attitudes(given)? {
+            (one, true) => Ok(one[0]),
+            _ => Err(Refused::new("Shape", "attitude", "attitude is of several bodies: one is meant".into())),
+        }
+    }
+
+    /// The states at each time; the interpreter's lock is released meanwhile.
+    pub fn at_each<'py>(
+        self,
+        py: Python<'py>,
+        times: &Numbers<'py>,
+        mut state: impl FnMut(f64) -> Result<(UnitQuaternion<f64>, Vector3<f64>), tumbling::Error> + Send,
+    ) -> Answer<States<'py>> {
+        let (all, shape) = (slice(times), times.shape());
+        let (q, w) = py.detach(|| {
+            let (mut q, mut w) = (Vec::with_capacity(4 * all.len()), Vec::with_capacity(3 * all.len()));
+            for &t in all.iter() {
+                let (attitude, omega) = state(t)?;
+                q.extend(self.write(&attitude));
+                w.extend(omega.iter());
+            }
+            Ok::<_, tumbling::Error>((q, w))
+        })?;
+        Ok((array(py, q, shape, &[4])?, array(py, w, shape, &[3])?))
+    }
+}
+
+/// Row by row.
+pub fn put_matrix(into: &mut Vec<f64>, matrix: &Matrix6<f64>) {
+    into.extend(matrix.transpose().iter());
+}
+
+/// Room for numbers, if there is so much memory.
+pub fn room(what: &str, count: u64) -> Answer<Vec<f64>> {
+    let mut all = Vec::new();
+    match usize::try_from(count).map(|count| all.try_reserve_exact(count)) {
+        Ok(Ok(())) => Ok(all),
+        _ => {
+            let sentence = format!("{what} are {count} numbers: more than there is memory to hold");
+            Err(Refused::new("TooMany", what, sentence))
+        }
+    }
+}
+
+/// Times of flips, if memory holds them.
+pub fn listed<'py>(py: Python<'py>, times: impl Iterator<Item = f64>, count: u64) -> Answer<Array<'py>> {
+    let mut all = room("the times of flips", count)?;
+    all.extend(times);
+    let count = all.len();
+    array(py, all, &[count], &[])
+}

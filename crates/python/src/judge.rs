@@ -1,0 +1,184 @@
+//! The judge on arrays, and its verdict.
+
+use crate::arrays::{Numbers, Order, each, row, rows, slice};
+use crate::error::{Answer, Refused};
+use crate::inertia::Given;
+use crate::picture;
+use nalgebra::{Matrix3, Vector3};
+use numpy::PyUntypedArrayMethods;
+use pyo3::prelude::*;
+use std::collections::HashMap;
+use tumbling_judge::{Description, Kind, LawName, Options, Outcome, Row, judge_described};
+
+/// What the judge says of a record. `str()` is all of it in words, the outcome first; a notebook shows it
+/// with a picture of the spin.
+#[pyclass(frozen, module = "tumbling")]
+pub struct Verdict {
+    pub verdict: tumbling_judge::Verdict,
+}
+
+#[pymethods]
+impl Verdict {
+    /// Whether the record is sound and every law is kept within the threshold.
+    #[getter]
+    fn passed(&self) -> bool {
+        self.verdict.outcome == Outcome::Passed
+    }
+
+    /// 'passed', 'failed', 'nothing to judge' or 'too short to judge'.
+    #[getter]
+    fn outcome(&self) -> &'static str {
+        self.verdict.outcome.key()
+    }
+
+    /// The rule that made the steps; None where the judge does not name one for sure (`str()` has more).
+    #[getter]
+    fn rule(&self) -> Option<String> {
+        let diagnosis = self.verdict.diagnosis.as_ref()?;
+        diagnosis.confidence.names_a_rule().then(|| diagnosis.best.rule.name())
+    }
+
+    /// Engines that turn bodies by this rule.
+    #[getter]
+    fn engines(&self) -> Vec<String> {
+        let named = self.verdict.diagnosis.as_ref().filter(|found| found.confidence.names_a_rule());
+        named.map_or_else(Vec::new, |found| found.engines.iter().map(ToString::to_string).collect())
+    }
+
+    /// What to do, where something is to be done.
+    #[getter]
+    fn advice(&self) -> Option<String> {
+        self.verdict.diagnosis.as_ref().map(|diagnosis| diagnosis.advice.words.to_string())
+    }
+
+    /// All of it as text in JSON, the same as `tumbling-judge --json` prints.
+    fn json(&self) -> String {
+        format!("{:#}", self.verdict.json())
+    }
+
+    fn __str__(&self) -> String {
+        self.verdict.to_string()
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<Verdict: {}>", self.outcome())
+    }
+
+    fn _repr_html_(&self) -> String {
+        picture::page(&self.verdict)
+    }
+}
+
+/// The largest error allowed: of every law, or by the keys of the laws.
+#[derive(FromPyObject)]
+pub enum Threshold {
+    All(f64),
+    Each(HashMap<String, f64>),
+}
+
+fn options(threshold: Option<Threshold>, fit: Option<usize>) -> Answer<Options> {
+    let options = Options { fit, ..Options::default() };
+    match threshold {
+        None => Ok(options),
+        Some(Threshold::All(threshold)) => Ok(Options { threshold, ..options }),
+        Some(Threshold::Each(own)) => own.into_iter().try_fold(options, |options, (key, most)| {
+            let law = LawName::ALL.into_iter().find(|law| law.key() == key);
+            let keys = LawName::ALL.map(LawName::key).join(", ");
+            let unknown =
+                || Refused::new("Undefined", "the law", format!("`{key}` is no law: these are {keys}"));
+            Ok(options.with(law.ok_or_else(unknown)?, most))
+        }),
+    }
+}
+
+/// The moments about the body's axes, which must be its principal ones.
+fn moments(inertia: &Given) -> Answer<[f64; 3]> {
+    let m = inertia.0.matrix();
+    if m != Matrix3::from_diagonal(&m.diagonal()) {
+        let sentence =
+            "the judge takes a body along its principal axes: turn attitudes and spins by `Inertia.axes`";
+        return Err(Refused::new("Undefined", "the inertia tensor", sentence.into()));
+    }
+    Ok(m.diagonal().into())
+}
+
+/// Times as they are given, or the multiples of a step.
+fn times(t: &Numbers<'_>, count: usize) -> Answer<(Vec<f64>, Option<f64>)> {
+    let given = slice(t);
+    match t.shape() {
+        [] => Ok(((0..count).map(|i| i as f64 * given[0]).collect(), Some(given[0]))),
+        [n] if *n == count => Ok((given.into_owned(), None)),
+        shape => {
+            let sentence =
+                format!("t has the shape {shape:?}: it must be ({count},) as the rows are, or one step");
+            Err(Refused::new("Shape", "t", sentence))
+        }
+    }
+}
+
+/// What spins in this frame are.
+pub fn kind(frame: &str) -> Answer<Kind> {
+    match frame {
+        "world" => Ok(Kind::SpinWorld),
+        "body" => Ok(Kind::SpinBody),
+        _ => {
+            let sentence = format!("frame is '{frame}': it must be 'world' or 'body'");
+            Err(Refused::new("Undefined", "frame", sentence))
+        }
+    }
+}
+
+/// Judges how an engine turns a body that nothing touches, by arrays of what it did.
+///
+/// `t`: the times (n,), s, or the step as one number. `q`: attitudes (n, 4), body to world, x, y, z, w (with
+/// `scalar_first=True` w, x, y, z, as MuJoCo has them) or SciPy's `Rotation`. `w`: spins (n, 3), rad/s, in
+/// the axes that `frame` names, 'world' or 'body'. One of `q` and `w` may be missing; a spin in world axes
+/// needs `q`. `inertia`: the moments about the body's axes, kg m², which must be principal. Numbers of single
+/// precision are judged as such: give the arrays as they are.
+///
+/// `engine` names who made the record. `threshold` is the largest error allowed, of every law or as a dict by
+/// law ('energy', 'momentum', 'direction', 'unit', 'separatrix', 'phase', 'consistency'). `torque` is one
+/// that is constant in the world, N m. `fit` starts from the motion nearest to as many rows.
+///
+/// Raises `Error` for a record that cannot be judged: a number that is not finite, a time that does not
+/// increase.
+///
+/// >>> import numpy as np, tumbling
+/// >>> t = np.arange(300) / 60
+/// >>> q, w = tumbling.FreeMotion([1, 2, 3], spin=[0.5, 0.5, 10]).at(t)
+/// >>> assert tumbling.judge(t, q, w, inertia=[1, 2, 3], frame='body').passed
+/// >>> stuck = tumbling.judge(t, w=np.tile([0.5, 0.5, 10], (300, 1)), inertia=[1, 2, 3], frame='body')
+/// >>> assert stuck.outcome == 'failed' and stuck.rule == 'no gyroscopic term'
+#[pyfunction]
+#[pyo3(signature = (
+    t, q=None, w=None, *, inertia, frame="world", scalar_first=false, engine=None, torque=None,
+    threshold=None, fit=None
+))]
+pub fn judge(
+    py: Python<'_>,
+    t: Numbers<'_>,
+    q: Option<&Bound<'_, PyAny>>,
+    w: Option<Numbers<'_>>,
+    inertia: Given,
+    frame: &str,
+    scalar_first: bool,
+    engine: Option<String>,
+    torque: Option<Numbers<'_>>,
+    threshold: Option<Threshold>,
+    fit: Option<usize>,
+) -> Answer<Verdict> {
+    let attitudes = q.map(|q| Order { scalar_first }.attitudes(Some(q))).transpose()?.map(|q| q.0);
+    let spins = w.map(|w| rows::<3>("w", &w)).transpose()?.map(|w| w.0);
+    let count = attitudes.as_ref().map(Vec::len).or(spins.as_ref().map(Vec::len)).unwrap_or_default();
+    let (times, step) = times(&t, count)?;
+    let kind = if spins.is_some() { kind(frame)? } else { Kind::Attitude };
+    let spins = each("w", spins.unwrap_or_else(|| vec![[0.0; 3]]), count)?;
+    let torque = torque.map(|torque| row("torque", &torque)).transpose()?.map(Vector3::from);
+    let (moments, options) = (moments(&inertia)?, options(threshold, fit)?);
+    let rows = times.into_iter().zip(spins).enumerate().map(|(i, (time, spin))| {
+        let attitude = attitudes.as_ref().map(|all| [all[i].w, all[i].i, all[i].j, all[i].k]);
+        Row { time, attitude, spin }
+    });
+    let description = Description { kind, engine, step, torque };
+    Ok(Verdict { verdict: py.detach(|| judge_described(moments, description, rows, &options))? })
+}

@@ -1,0 +1,24 @@
+//! The library and its judge for Python. Nothing is computed here.
+#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+
+mod arrays;
+mod batch;
+mod error;
+mod inertia;
+mod judge;
+mod motion;
+mod picture;
+mod stepper;
+mod story;
+mod top;
+mod torque;
+
+/// What stands in the package `tumbling`.
+#[pyo3::pymodule]
+mod _tumbling {
+    #[pymodule_export]
+    use super::{
+        batch::Batch, error::Error, inertia::Inertia, judge::Verdict, judge::judge, motion::FreeMotion,
+        stepper::Stepper, story::Story, top::LagrangeTop, torque::Torque,
+    };
+}

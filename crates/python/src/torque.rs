@@ -1,0 +1,97 @@
+//! Torques by what makes them.
+
+use crate::arrays::{Numbers, row};
+use crate::error::Answer;
+use nalgebra::Vector3;
+use pyo3::prelude::*;
+
+/// A torque on a body, by what makes it; a `Batch` or a `Stepper` checks its numbers.
+///
+/// >>> import tumbling
+/// >>> weight = tumbling.Torque.gravity(arm=[0, 0, 0.1], weight=9.81)
+/// >>> thruster = tumbling.Torque.in_body([0, 0, 2]).during(0.5, 0.8)
+#[pyclass(frozen, module = "tumbling")]
+pub struct Torque {
+    pub torque: tumbling::step::Torque<f64>,
+}
+
+type Law = tumbling::step::Torque<f64>;
+
+fn vector(what: &str, numbers: &Numbers<'_>) -> Answer<Vector3<f64>> {
+    Ok(row(what, numbers)?.into())
+}
+
+impl From<Law> for Torque {
+    fn from(torque: Law) -> Self {
+        Self { torque }
+    }
+}
+
+/// The torques of a list.
+pub fn laws(torques: Vec<Bound<'_, Torque>>) -> Vec<Law> {
+    torques.iter().map(|torque| torque.get().torque.clone()).collect()
+}
+
+#[pymethods]
+impl Torque {
+    /// Constant along the body's axes, N m: a thruster.
+    #[staticmethod]
+    fn in_body(torque: Numbers<'_>) -> Answer<Self> {
+        Ok(Law::InBody(vector("torque", &torque)?).into())
+    }
+
+    /// Constant along the world's axes, N m.
+    #[staticmethod]
+    fn in_world(torque: Numbers<'_>) -> Answer<Self> {
+        Ok(Law::InWorld(vector("torque", &torque)?).into())
+    }
+
+    /// The weight (N, along the world's -z) of a top whose centre of mass is at `arm` (m, body axes) from the
+    /// fixed point, about which its inertia must be.
+    #[staticmethod]
+    fn gravity(arm: Numbers<'_>, weight: f64) -> Answer<Self> {
+        Ok(Law::gravity(&vector("arm", &arm)?, weight).into())
+    }
+
+    /// `arm` (body axes) x `field` (world axes), N m: a magnetic moment (A m²) in a field (T); a spring that
+    /// turns the arm to the field, with the product of their lengths for stiffness (N m/rad).
+    #[staticmethod]
+    fn aligning(arm: Numbers<'_>, field: Numbers<'_>) -> Answer<Self> {
+        Ok(Law::Aligning { arm: vector("arm", &arm)?, field: vector("field", &field)? }.into())
+    }
+
+    /// The gravity gradient in a circular orbit: `toward` points to the attracting body at time 0 (world
+    /// axes, of length 1), `orbit` is the orbit's rate about its normal (world axes, rad/s).
+    #[staticmethod]
+    fn gravity_gradient(toward: Numbers<'_>, orbit: Numbers<'_>) -> Answer<Self> {
+        Ok(Law::gravity_gradient(&vector("toward", &toward)?, &vector("orbit", &orbit)?).into())
+    }
+
+    /// Viscous drag, N m s about each principal axis: the torque is minus the coefficients times the spin.
+    #[staticmethod]
+    fn damping(coefficients: Numbers<'_>) -> Answer<Self> {
+        Ok(Law::Damping(vector("coefficients", &coefficients)?).into())
+    }
+
+    /// Dissipation inside a body that is not quite rigid, in s/(kg m²): it keeps the momentum's length.
+    #[staticmethod]
+    fn dissipation(strength: f64) -> Self {
+        Law::Dissipation(strength).into()
+    }
+
+    /// `amplitude` (N m, body axes) times the cosine of `rate` (rad/s) times the time plus `phase` (rad).
+    #[staticmethod]
+    #[pyo3(signature = (amplitude, rate, phase=0.0))]
+    fn periodic(amplitude: Numbers<'_>, rate: f64, phase: f64) -> Answer<Self> {
+        Ok(Law::Periodic { amplitude: vector("amplitude", &amplitude)?, rate, phase }.into())
+    }
+
+    /// This torque from the time `start` to the time `end` (s), and none before and after.
+    fn during(&self, start: f64, end: f64) -> Self {
+        Law::during(start, end, self.torque.clone()).into()
+    }
+
+    fn __repr__(&self) -> String {
+        format!("Torque({:?})", self.torque)
+    }
+}

@@ -1,0 +1,135 @@
+"""The judge: a record of MuJoCo made on the spot, single precision, frames, the kit's stories."""
+
+import json
+
+import mujoco
+import numpy as np
+import pytest
+import tumbling
+from scipy.spatial.transform import Rotation
+
+MOMENTS, SPIN, DT = [1.0, 2.0, 2.5], [2.0, 4.0, -2.0], 1 / 60
+
+
+def of_mujoco(integrator, moments=MOMENTS, spin=SPIN, rows=600):
+    inertia = " ".join(map(str, moments))
+    model = mujoco.MjModel.from_xml_string(
+        f"""<mujoco><option gravity="0 0 0" timestep="{DT!r}" integrator="{integrator}"/><worldbody><body>
+        <freejoint/><inertial pos="0 0 0" mass="1" diaginertia="{inertia}"/></body></worldbody></mujoco>"""
+    )
+    data = mujoco.MjData(model)
+    data.qvel[3:6] = spin
+    t, q, w = np.empty(rows), np.empty((rows, 4)), np.empty((rows, 3))
+    for row in range(rows):
+        t[row], q[row], w[row] = data.time, data.qpos[3:7], data.qvel[3:6]
+        mujoco.mj_step(model, data)
+    return t, q, w
+
+
+@pytest.mark.parametrize("integrator", ["Euler", "implicitfast", "RK4"])
+def test_a_record_of_mujoco_is_judged_to_be_mujocos_rule(integrator):
+    t, q, w = of_mujoco(integrator)
+    verdict = tumbling.judge(t, q, w, inertia=MOMENTS, frame="body", scalar_first=True, engine="MuJoCo")
+    assert any(f"MuJoCo 4" in engine for engine in verdict.engines), verdict
+    assert verdict.passed == (integrator == "RK4")
+
+
+def test_spins_in_the_world_are_those_in_the_body_turned():
+    t, q, w = of_mujoco("Euler")
+    turned = Rotation.from_quat(q, scalar_first=True)
+    there = tumbling.judge(t, turned, turned.apply(w), inertia=MOMENTS, frame="world")
+    here = tumbling.judge(t, turned, w, inertia=MOMENTS, frame="body")
+    mistaken = tumbling.judge(t, turned, w, inertia=MOMENTS, frame="world")
+    assert there.rule == here.rule and there.rule is not None
+    assert "world" in json.loads(mistaken.json())["file_mistakes"][0]
+
+
+def test_single_precision_is_judged_as_single_precision():
+    step = lambda state, dt: tumbling.FreeMotion(MOMENTS, state[1], unit(state[0])).at(dt)
+    unit = lambda q: np.float64(q) / np.linalg.norm(np.float64(q))
+    q, w, rows = np.float32([0, 0, 0, 1]), np.float32(SPIN), []
+    for row in range(400):
+        rows.append((q, w))
+        q, w = (np.float32(x) for x in step((q, w), DT))
+    q, w = (np.array(x) for x in zip(*rows))
+    assert q.dtype == w.dtype == np.float32
+    data = json.loads(tumbling.judge(DT, q, w, inertia=MOMENTS, frame="body").json())
+    assert data["rounding"] == np.finfo(np.float32).eps and data["diagnosis"]["single"]
+    assert data["diagnosis"]["confidence"] == "to rounding" and data["outcome"] == "passed"
+    t = np.arange(400) * DT
+    exact = tumbling.judge(t, *tumbling.FreeMotion(MOMENTS, SPIN).at(t), inertia=MOMENTS, frame="body")
+    assert json.loads(exact.json())["rounding"] == np.finfo(np.float64).eps
+
+
+def test_a_verdict_is_an_object_with_words_json_and_a_picture():
+    t, q, w = of_mujoco("Euler")
+    verdict = tumbling.judge(t, q, w, inertia=tumbling.Inertia(MOMENTS), frame="body", scalar_first=True)
+    data = json.loads(verdict.json())
+    assert data["outcome"] == verdict.outcome == "failed" and not verdict.passed
+    assert str(verdict).upper().startswith(data["report"][0]["title"].upper()) and verdict.advice
+    assert data["diagnosis"]["best"]["rule"] == verdict.rule
+    page = verdict._repr_html_()
+    assert page.count("<polyline") == 6 and "<table>" in page and "NaN" not in page
+    for section in data["report"]:
+        assert section["title"] in page
+
+
+def test_thresholds_are_those_of_the_laws():
+    t, q, w = of_mujoco("RK4")
+    judged = lambda threshold: tumbling.judge(t, q, w, inertia=MOMENTS, frame="body", scalar_first=True, threshold=threshold)
+    assert judged(None).passed and judged(0.5).passed and judged({"energy": 0.1}).passed
+    assert judged({"energy": 1e-15}).outcome == "failed"
+    with pytest.raises(tumbling.Error, match="enrgy"):
+        judged({"enrgy": 1})
+
+
+def test_what_cannot_be_judged_says_where():
+    t, q, w = of_mujoco("Euler", rows=50)
+    judged = lambda t=t, q=q, w=w, **more: tumbling.judge(t, q, w, **{"inertia": MOMENTS, "frame": "body"} | more)
+    for call, words in [
+        (lambda: judged(t=t[::-1]), "time does not increase"),
+        (lambda: judged(t=t[:-1]), "(50,)"),
+        (lambda: judged(w=w[:-1]), "of 49"),
+        (lambda: judged(w=np.where(np.arange(3) == 1, np.nan, w)), "NaN"),
+        (lambda: judged(q=None, frame="world"), "without an attitude"),
+        (lambda: judged(frame="bdy"), "'world' or 'body'"),
+        (lambda: judged(inertia=[[2, 0.1, 0], [0.1, 2, 0], [0, 0, 3]]), "principal axes"),
+        (lambda: judged(inertia=[1, 2, 3.5]), "3.5"),
+    ]:
+        with pytest.raises(tumbling.Error, match=words.replace("(", r"\(").replace(")", r"\)")):
+            call()
+    assert tumbling.judge(DT, q, inertia=MOMENTS, scalar_first=True).outcome == "failed"  # attitudes alone
+    assert tumbling.judge(t, w=w, inertia=MOMENTS, frame="body").rule is not None  # spins alone
+
+
+def test_the_exact_motion_passes_each_story(tumbling_story):
+    """In either frame and either order."""
+    step = lambda state, dt: tumbling.FreeMotion(tumbling_story.moments, state[1], unit(state[0])).at(dt)
+    unit = lambda q: q / np.linalg.norm(q)
+    verdict = tumbling_story.run(step, dt=1 / 30)
+    # Of a ball the spin is constant, and nothing can be wrong with it.
+    assert verdict.passed or tumbling_story.name == "sphere-5", verdict
+
+
+@pytest.mark.tumbling_stories("turned-5", "box-5")
+def test_a_step_in_the_worlds_axes_and_single_precision_is_run(tumbling_story):
+    def step(state, dt):
+        q, w = state
+        assert q.dtype == w.dtype == np.float32
+        turn = Rotation.from_quat(q, scalar_first=True)
+        motion = tumbling.FreeMotion(tumbling_story.moments, turn.inv().apply(w), turn, scalar_first=True)
+        q, w = motion.at(dt)
+        return np.float32(q), np.float32(Rotation.from_quat(q, scalar_first=True).apply(w))
+
+    verdict = tumbling_story.run(step, dt=DT, frame="world", scalar_first=True, dtype=np.float32)
+    assert verdict.passed, verdict
+
+
+@pytest.mark.tumbling_stories("box-5")
+def test_a_spin_that_stands_still_fails(tumbling_story):
+    def step(state, dt):
+        q, w = state
+        return (Rotation.from_quat(q) * Rotation.from_rotvec(w * dt)).as_quat(), w
+
+    verdict = tumbling_story.run(step, dt=DT)
+    assert not verdict.passed and verdict.rule == "no gyroscopic term"
