@@ -1,7 +1,7 @@
 (* Any number of points: no moment of inertia exceeds the sum of the other two. *)
-Require Import Tumbling.tactics.
-From Coq Require Import List Psatz.
+From Coq Require Import Reals List Lra Psatz.
 Import ListNotations.
+Open Scope R_scope.
 
 (* A point: its mass and where it is. *)
 Record point := { m : R; x : R; y : R; z : R }.

@@ -1,7 +1,7 @@
 (* The free body in continuous time: what stays, which axes are stable, and which is not. *)
-Require Import Tumbling.tactics.
+From Coq Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Coq Require Import Psatz.
+Open Scope R_scope.
 
 (* Euler's equations of a free body with principal moments I1, I2, I3. *)
 Definition motion (I1 I2 I3 : R) (w1 w2 w3 : R -> R) : Prop :=

@@ -1,7 +1,7 @@
 (* What whole methods keep or lose in a step of any size, for every body. *)
-Require Import Tumbling.tactics.
-From Coq Require Import List Psatz.
+From Coq Require Import Reals List Lra Psatz Nsatz.
 Import ListNotations.
+Open Scope R_scope.
 
 (* The implicit midpoint rule, L' - L = h M x (J M) with M half of L + L', keeps the length of the momentum and
    the energy, for every symmetric J. *)

@@ -10,9 +10,11 @@ mod statement;
 mod theorem;
 mod witness;
 
+use crate::number::expression::{Expression, Node};
 use crate::proof::{Outcome, Proof, Residue};
 use crate::proofs::{is_of_an_order, proofs};
 use crate::record::{Assertion, Claim, Entry, recorded};
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use theorem::Theorem;
 
@@ -132,12 +134,22 @@ fn claims(entries: &[Entry]) -> Vec<Claim> {
     entries.iter().filter_map(claim).collect()
 }
 
-/// Whether a claim is about more than numbers, and no equation of the same on both sides but for the order of
-/// its terms and factors.
+/// Whether a claim is about more than numbers, no equation of the same on both sides but for the order of its
+/// terms and factors, and not that one product of letters is not zero.
 fn has_content(claim: &Claim) -> bool {
     let [left, right] = [&claim.left, &claim.right].map(|side| side.expression());
     let numbers = left.as_number().is_some() && right.as_number().is_some();
-    !numbers && (matches!(claim.kind, Assertion::Above) || shape::of(&left) != shape::of(&right))
+    let product = !claim.holds && right.as_number().is_some() && !adds(&left);
+    !numbers && !product && (matches!(claim.kind, Assertion::Above) || shape::of(&left) != shape::of(&right))
+}
+
+/// Whether it has a sum in it.
+fn adds(x: &Expression) -> bool {
+    let mut found = false;
+    x.each(&mut BTreeSet::new(), &mut |part| {
+        found |= matches!(part.node(), Node::Sum(..) | Node::Difference(..));
+    });
+    found
 }
 
 /// Text as a comment of Coq may hold it.

@@ -37,9 +37,9 @@ mod turning;
 
 use crate::proof::Proof;
 
-/// Whether a proof is that of a method's order, which adds up long series and claims nothing of letters.
+/// Whether a proof is that two steps agree through a power of the step, with series too long for Coq.
 pub(crate) fn is_of_an_order(proof: &Proof) -> bool {
-    methods::PROOFS.iter().any(|method| method.name == proof.name)
+    methods::PROOFS.iter().chain(order::PROOFS).any(|other| other.name == proof.name)
 }
 
 /// Every proof.

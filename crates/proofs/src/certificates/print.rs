@@ -77,9 +77,10 @@ impl Printer {
             if named {
                 // What was computed twice has one name.
                 let text = printer.print(part);
-                let name = format!("t_{}", printer.definitions.len() + 1);
-                let name = known.entry(text.clone()).or_insert(name).clone();
-                if printer.names.insert(part.address(), name.clone()).is_none() && known.len() > printer.definitions.len() {
+                let count = printer.definitions.len();
+                let name = known.entry(text.clone()).or_insert_with(|| format!("t_{}", count + 1)).clone();
+                printer.names.insert(part.address(), name.clone());
+                if known.len() > count {
                     printer.definitions.push(Definition { name, text, expression: part.clone() });
                 }
             }

@@ -30,7 +30,7 @@ fn shape(x: &Expression, known: &mut HashMap<usize, Shape>) -> Shape {
         Node::Variable(symbol) => (false, hashed(symbol.name())),
         Node::Negative(a) => {
             let (minus, shape) = shape(a, known);
-            (!minus, shape)
+            (!minus && shape != zero.1, shape)
         }
         Node::Sum(..) | Node::Difference(..) => {
             let mut terms = Vec::new();
@@ -52,7 +52,7 @@ fn shape(x: &Expression, known: &mut HashMap<usize, Shape>) -> Shape {
                 sign ^= minus != negated;
             });
             factors.sort_unstable();
-            (sign, hashed(("*", factors)))
+            if factors.contains(&zero.1) { zero } else { (sign, hashed(("*", factors))) }
         }
         Node::Quotient(a, b) => {
             let ((minus, above), (other, below)) = (shape(a, known), shape(b, known));
@@ -104,6 +104,7 @@ mod tests {
             assert!(same(&(&a * &b + &a), &(&a + &b * &a)));
             assert!(same(&(&a * -(&b - &a)), &((&a - &b) * &a)));
             assert!(same(&(&zero / &a), &zero));
+            assert!(same(&-(&(&zero / &a) * &b), &zero));
             assert!(
                 same(&(&a * -(&b * &a)), &(&a * -(&a * &b))) && same(&(&a * -(&b * &a)), &-(&a * &b * &a))
             );

@@ -4,7 +4,7 @@ use super::print::{Printer, number};
 use super::statement::Statement;
 use super::witness::{Value, find};
 use crate::number::{Fraction, Rational, Symbol};
-use crate::record::{Assertion, Claim};
+use crate::record::Claim;
 use num_traits::Zero;
 use std::fmt;
 
@@ -56,14 +56,9 @@ impl Theorem {
             named("D", nonzero.len()).join(" "),
         ];
         let mut proof = vec![format!("intros {}.", introduced.join(" "))];
-        match &claim.kind {
-            Assertion::Equal(_) => proof.push("rational.".to_owned()),
-            Assertion::Above => {
-                let above = |d| format!("assert (0 < {}) by (unnamed; positive).", s.printer.print(d));
-                proof.extend(s.signed.iter().map(above));
-                proof.push("rational.".to_owned());
-            }
-        }
+        let above = |d| format!("assert (0 < {}) by (unnamed; positive).", s.printer.print(d));
+        proof.extend(s.signed.iter().map(above));
+        proof.push("rational.".to_owned());
         Some(Self { name: name.to_owned(), words: claim.words.clone(), says, proof })
     }
 
