@@ -61,7 +61,7 @@ tumblingLive.judgeVerdict = (() => {
 
     /** The verdict in a line: the outcome, and what there is to say of it. */
     function line({ report: [{ title, lines }] }) {
-        return [title, `: ${lines[0]}`];
+        return [title, `: ${lines.slice(0, 2).join(" ")}`];
     }
 
     return { show, line, put };

@@ -99,8 +99,8 @@ impl Recorded {
         let step = rows.header.step.unwrap_or(1.0);
         let mut read = Vec::new();
         while let Some(Raw { line, t, attitude, vector, .. }) = rows.advance()? {
-            let problem = || "the row has no attitude".to_owned();
-            let attitude = attitude.ok_or_else(|| Error::Line { line, problem: problem() })?;
+            let none = || Error::Line { line, problem: "the row has no attitude".into() };
+            let attitude = attitude.ok_or_else(none)?;
             let step = (t / step).round() as usize;
             read.push(RecordedRow { step, attitude, omega: vector });
         }

@@ -46,7 +46,7 @@ pub enum Complaint {
         off: f64,
     },
     /// Every step is made by a rule that no body goes by.
-    WrongRule(Rule),
+    WrongRule(Box<Rule>),
     /// The phase ran away from the exact one.
     WrongPace {
         /// How far, in periods of the spin.

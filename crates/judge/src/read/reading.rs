@@ -49,13 +49,10 @@ pub enum FileMistake {
 }
 
 impl FileMistake {
-    /// What is wrong, and what to do; of a record with attitudes or without.
+    /// What is wrong, and what to do.
     #[must_use]
-    pub fn words(self, attitude: bool) -> String {
+    pub fn words(self) -> String {
         match self {
-            Self::LeftHandedSpin if !attitude => "the gyroscopic term has the wrong sign; or the spin turns by the left hand (left-handed \
-                                                  axes): then write it with the opposite sign"
-                .into(),
             Self::Frame => "the vector is not in the axes its name says: a spin in world axes where body axes are named (`wx`), or \
                             the other way round. Name the columns `wxw,wyw,wzw` for the world, `wx,wy,wz` for the body"
                 .into(),

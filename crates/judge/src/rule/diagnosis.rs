@@ -226,8 +226,10 @@ pub(crate) fn diagnose(
         (ranked, confidence, drifts) = ranked.by_drift(subject, sample, whole.run.as_ref());
     }
     // A rule that keeps a law does not make every step of a record that breaks it.
-    if confidence == Confidence::ToRounding && whole.broken.iter().any(|law| ranked.best.rule.keeps(*law)) {
-        confidence = if floor.single { Confidence::FewDigits } else { Confidence::MostSteps };
+    let kept = |law: &LawName| ranked.best.rule == Rule::EXACT || ranked.best.rule.keeps(*law);
+    if confidence == Confidence::ToRounding && whole.broken.iter().any(kept) {
+        let few = floor.single || floor.few;
+        confidence = if few { Confidence::FewDigits } else { Confidence::MostSteps };
     }
     let Ranked { best, alike, second } = ranked;
     let header = known.said.engine.as_deref().unwrap_or_default();

@@ -41,10 +41,15 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
     let term = times_the_term(subject, &few);
     let mut all = Vec::new();
     for base in Base::all() {
-        all.extend(damped(subject, &few, base, When::Before, rounding));
-        let after = damped(subject, &few, base, When::After, rounding);
-        // Without attitudes these two are one.
-        all.extend(after.into_iter().chain(after.filter(|_| with_attitude).map(turned)));
+        // Without attitudes it is all one whether the spin is damped before or after the turn.
+        let after = [When::After, When::Turned];
+        for whens in [&[When::Before][..], &after[..1 + usize::from(with_attitude)]] {
+            let fitted = damped(subject, &few, base, whens[0], rounding);
+            let rule = |(factor, rate)| {
+                whens.iter().map(move |&when| base.but(Alteration::Damped { factor, rate, when }))
+            };
+            all.extend(fitted.into_iter().flat_map(rule));
+        }
         let is_still = matches!(base, Base::Method(Method::ConstantSpin, _));
         if !is_still && term.is_finite() {
             let rule = |times: &SVector<f64, 1>| base.but(Alteration::Term(times.x));
@@ -141,21 +146,12 @@ fn inside(numbers: SVector<f64, 5>) -> SVector<f64, 5> {
     [all[(0, 0)], all[(1, 1)], all[(1, 2)], all[(2, 0)], all[(0, 1)]].into()
 }
 
-/// The factor by which each step lessens the spin that the base makes.
-fn damped(subject: &Subject, pairs: &[Pair], base: Base, when: When, rounding: f64) -> Option<Rule> {
-    let h = pairs.first()?.h;
-    let rule = |factor: f64| base.but(Alteration::Damped { factor, rate: rate(factor, h), when });
+/// The factor by which each step lessens the spin that the base makes, and what that is a second.
+fn damped(subject: &Subject, pairs: &[Pair], base: Base, when: When, rounding: f64) -> Option<(f64, f64)> {
+    let rule = |factor: f64| base.but(Alteration::Damped { factor, rate: 0.0, when });
     let factor = least([1.0].into(), |factor| misses(subject, pairs, &rule(factor.x)), |factor| factor)?.x;
     let below = 1.0 - DAMPED.max(DAMPED_ROUNDINGS * rounding);
-    (factor > 0.0 && factor < below).then(|| rule(factor))
-}
-
-/// A damping after the term as one after the turn.
-fn turned(mut rule: Rule) -> Rule {
-    if let Some(Alteration::Damped { when, .. }) = &mut rule.alteration {
-        *when = When::Turned;
-    }
-    rule
+    (factor > 0.0 && factor < below).then_some((factor, rate(factor, pairs.first()?.h)))
 }
 
 /// What is lost a second, 1/s: of the ways in which engines damp the one with a round number, if there is

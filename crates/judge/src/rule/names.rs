@@ -153,13 +153,6 @@ pub(crate) fn first_named(best: &Rule, alike: &[Rule], own: Option<&PhysicsEngin
     let known = alike.iter().filter(|rule| !rule.engines().is_empty());
     let mut rules: Vec<Rule> = std::iter::once(best).chain(known).copied().collect();
     rules.sort_by_key(|rule| own.is_some_and(|own| rule.steps_of(own).is_none()));
-    // With limits that the record does not reach it is the rule without them.
-    let mut seen = Vec::new();
-    rules.retain(|rule| {
-        let new = rule.method().is_none_or(|method| !seen.contains(&method));
-        seen.extend(rule.method());
-        new
-    });
     rules.truncate(RULES_NAMED);
     rules
 }

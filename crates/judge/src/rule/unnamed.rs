@@ -27,18 +27,15 @@ pub(super) fn unnamed(
     if error.is_some() {
         return (Ranked { second: ranked.second, ..alone(exact) }, Confidence::Accurate, error);
     }
-    let interpolated = are_interpolated(pairs, floor);
-    (ranked, if interpolated { Confidence::Interpolated } else { Confidence::NoneFits }, None)
+    let straight = are_interpolated(pairs, floor);
+    (ranked, if straight { Confidence::Interpolated } else { Confidence::NoneFits }, None)
 }
 
 /// The exact motion with one number altered that explains the record best, and how many times as well as the
 /// exact motion alone.
 fn altered<'a>(found: &'a [Explanation], exact: &Explanation) -> (Option<&'a Explanation>, f64) {
-    let one = |x: &&Explanation| {
-        let alteration = x.rule.alteration;
-        x.rule.base == Base::Exact
-            && matches!(alteration, Some(Alteration::Damped { .. } | Alteration::Term(_)))
-    };
+    let is_one = |altered| matches!(altered, Some(Alteration::Damped { .. } | Alteration::Term(_)));
+    let one = |x: &&Explanation| x.rule.base == Base::Exact && is_one(x.rule.alteration);
     let times = |x: &Explanation| (exact.median / x.median).min(exact.percentile_95 / x.percentile_95);
     let best = found.iter().filter(one).max_by(|a, b| times(a).total_cmp(&times(b)));
     (best, best.map_or(0.0, times))

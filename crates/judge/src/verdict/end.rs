@@ -1,7 +1,7 @@
 //! The end of a trial: what its laws and steps come to, as one verdict.
 
 use crate::law::LawName;
-use crate::laws::{Complaint, FlipCount, Growth, Law, Trial};
+use crate::laws::{Complaint, FlipCount, Law, Trial};
 use crate::options::Options;
 use crate::read::{Fit, Kind};
 use crate::rule::{Run, Subject, Whole, diagnose};
@@ -38,12 +38,10 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, fit: Option<Fit>, options
     let outcome = end.outcome(complaints.is_empty());
     if let Some(named) = diagnosis.as_ref().filter(|found| found.confidence.names_a_rule()) {
         // What the rule does not keep is no rounding where it is more than that of the numbers.
-        let free_of = |law: &Law| {
-            let of_rule = matches!(law.name, LawName::Energy | LawName::Momentum);
-            of_rule && !named.best.rule.keeps(law.name) && law.most > LAW_ROUNDINGS[0] * floor
-        };
-        let graded = trial.laws.kept(|law| Some(0.0).filter(|_| law.is_conserved()));
-        for law in laws.iter_mut().filter(|law| law.growth == Growth::Rounding && free_of(law)) {
+        let graded = trial.laws.kept(|_| Some(0.0));
+        let of_rule =
+            |name| matches!(name, LawName::Energy | LawName::Momentum) && !named.best.rule.keeps(name);
+        for law in laws.iter_mut().filter(|law| of_rule(law.name) && law.most > LAW_ROUNDINGS[0] * floor) {
             law.growth = graded.iter().find(|x| x.name == law.name).map_or(law.growth, |x| x.growth);
         }
     }

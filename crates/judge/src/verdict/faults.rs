@@ -24,7 +24,7 @@ pub(crate) fn spin_faults(flips: &FlipCount) -> impl Iterator<Item = Complaint> 
 pub(crate) fn wrong_rule(diagnosis: &Diagnosis) -> Option<Complaint> {
     let all_wrong = std::iter::once(&diagnosis.best.rule).chain(&diagnosis.alike).all(is_wrong);
     let wrong = diagnosis.confidence == Confidence::ToRounding && all_wrong;
-    wrong.then_some(Complaint::WrongRule(diagnosis.best.rule))
+    wrong.then(|| Complaint::WrongRule(Box::new(diagnosis.best.rule)))
 }
 
 /// Whether shorter steps do not lead to the motion of the body.

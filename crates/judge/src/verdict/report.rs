@@ -2,6 +2,7 @@
 
 use crate::law::LawName;
 use crate::laws::{Gaps, Law, Reset};
+use crate::read::FileMistake;
 use crate::rule::{Diagnosis, readable};
 use crate::verdict::{Outcome, Verdict, plain_number, sentence};
 use serde::Serialize;
@@ -34,10 +35,10 @@ impl Verdict {
         let short = self.outcome == Outcome::TooShort;
         let shown = self.diagnosis.as_ref().filter(|found| !short || found.confidence.names_a_rule());
         let head = shown.map(Diagnosis::head).unwrap_or_default();
-        let mistakes = self.file_mistakes.iter().map(|mistake| mistake.words(self.record.has_attitude));
+        let mistakes = self.mistakes();
         let (failed, reasons) =
             (self.outcome == Outcome::Failed && !head.is_empty(), sentences(self.reasons()));
-        let first = if failed { sentences(mistakes.collect()) } else { reasons.clone() };
+        let first = if failed { sentences(mistakes) } else { reasons.clone() };
         let mut all = vec![section(self.outcome.words(), first.into_iter().chain(head))];
         all.extend(failed.then(|| section("Why", reasons)));
         all.extend(shown.map(|found| section("Diagnosis", found.details())));
@@ -45,6 +46,20 @@ impl Verdict {
         all.extend(self.of_record());
         all.extend(self.of_file());
         all
+    }
+
+    /// The mistakes of the file in words.
+    pub(crate) fn mistakes(&self) -> Vec<String> {
+        let words = |mistake: &FileMistake| match (mistake, self.record.has_attitude) {
+            (FileMistake::LeftHandedSpin, false) => {
+                format!(
+                    "{}; or the step has the gyroscopic term with the wrong sign: spins alone do not distinguish the two",
+                    mistake.words()
+                )
+            }
+            _ => mistake.words(),
+        };
+        self.file_mistakes.iter().map(words).collect()
     }
 
     /// Every reason for the outcome.

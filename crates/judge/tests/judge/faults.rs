@@ -58,10 +58,11 @@ fn a_gyroscopic_term_of_half_the_size_or_of_the_wrong_sign_fails_by_name() {
             let momentum = Method::SemiImplicitEuler.step(&body, start, times * H).unwrap().momentum;
             State { attitude: product(&start.attitude, &turn(&(body.omega(&momentum) * H))), momentum }
         });
-        let found = sure(&judged(&csv(&rows)));
+        let text = csv(&rows);
+        let found = sure(&judged(&text));
         assert_eq!(found.name(), words.to_owned() + Method::SemiImplicitEuler.info().name);
         // A spin alone is that of the other hand too.
-        let spins = csv(&rows).lines().map(|line| match line.split(',').collect::<Vec<_>>()[..] {
+        let spins = text.lines().map(|line| match line.split(',').collect::<Vec<_>>()[..] {
             [t, _, _, _, _, x, y, z] => format!("{t},{x},{y},{z}\n"),
             _ => format!("{line}\n"),
         });

@@ -8,7 +8,7 @@ use tumbling::attitude::product;
 use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, State, System};
-use tumbling_judge::{Confidence, LawName, Note, Options, Outcome, PHYSICS_ENGINES, Verdict, judge};
+use tumbling_judge::{Confidence, LawName, Note, Options, Outcome, Verdict, judge};
 
 const SPIN: Vector3<f64> = Vector3::new(1.0, 2.0, 1.5);
 
