@@ -1,8 +1,10 @@
 //! Building the pages.
 
 use crate::command::docs;
-use crate::preprocess::Preprocess;
+use crate::preprocess::{Preprocess, indexed};
 use crate::say;
+use crate::site::files::{self, write_changed};
+use crate::site::places::escaped;
 use crate::site::share::{self, Site};
 use crate::site::{log, paths};
 use mdbook_driver::MDBook;
@@ -57,7 +59,10 @@ fn index_of_words(pages: &Path) -> Result<(), String> {
     });
     match (from.as_slice(), to.as_slice()) {
         ([from], [to]) => {
-            fs::copy(from, to).map(|_| ()).map_err(|e| format!("cannot write {}: {e}", to.display()))
+            // No result shows the words by which it is found.
+            let bare = |text: String, words: &String| text.replace(&format!("{} ", escaped(words)), "");
+            let text = indexed::words(paths::book())?.values().fold(files::text(from)?, bare);
+            write_changed(to, text.as_bytes()).map(|_| ())
         }
         _ => Err(format!("{} and {} indices of the search, not one and one", from.len(), to.len())),
     }
