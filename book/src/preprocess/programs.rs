@@ -102,7 +102,7 @@ mod tests {
             assert_eq!(folded(text), text);
         }
         let shown = "```rust,shown\nlet a = 1;\n```\n";
-        assert_eq!(folded(shown), format!("<div class=\"program\">\n\n{shown}\n</div>\n\n"));
+        assert_eq!(folded(shown), format!("<div class=\"program\">\n\n{shown}\n</div>\n\n\n"));
         let after = "<details>\n<summary>Hint</summary>\n\n</details>\n\n```rust\nlet a = 1;\n```\n";
         assert!(folded(after).contains("Checked by 1 line of"), "{}", folded(after));
     }

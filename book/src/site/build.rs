@@ -135,10 +135,11 @@ mod tests {
         let index =
             files.filter(|file| file.to_string_lossy().contains("searchindex")).map(fs::read_to_string);
         let index = index.map(Result::unwrap).collect::<String>();
-        for words in ["R I R^T", "tennis racket", "separatrix", "gyroscopic", "coin"] {
+        for words in ["tennis racket", "separatrix", "gyroscopic", "coin"] {
             assert!(index.contains(words), "{words}");
         }
-        for words in ["With JavaScript", "assert_eq", "use nalgebra", "Checked by"] {
+        // The last ones are of `search.toml`, by which a page is found and which no result shows.
+        for words in ["With JavaScript", "assert_eq", "use nalgebra", "Checked by", "R I R^T, R I RT"] {
             assert!(!index.contains(words), "{words}");
         }
         assert!(
