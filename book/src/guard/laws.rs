@@ -86,8 +86,7 @@ pub(super) fn of(chapter: &str) -> Expected {
     static ALL: OnceLock<Vec<(&str, Expected)>> = OnceLock::new();
     let text = || files::text(&paths::book().join("equations.toml")).unwrap_or_default();
     let all = ALL.get_or_init(|| {
-        let lists =
-            LISTS.get_or_init(|| toml::from_str(&text()).unwrap_or_default());
+        let lists = LISTS.get_or_init(|| toml::from_str(&text()).unwrap_or_default());
         let of = |&(name, laws)| {
             (
                 name,

@@ -35,7 +35,9 @@ pub(super) fn replace(source: &Source<'_>, all: &[Exercise]) -> Result<String, S
 
 /// The tasks, one after the other.
 fn section(exercises: &[&Exercise]) -> String {
-    let mut out = String::from("Each has a file of its own, and a command that checks it: [how to run them](about.md#exercises).\n");
+    let mut out = String::from(
+        "Each has a file of its own, and a command that checks it: [how to run them](about.md#exercises).\n",
+    );
     for exercise in exercises {
         let (_, number) = exercise.place();
         let name = &exercise.name;
@@ -84,7 +86,7 @@ mod tests {
             assert_eq!(out.contains(&exercise.command()), mine, "{}", exercise.name);
             assert_eq!(out.contains(exercise.solution().trim_end()), mine, "{}", exercise.name);
         }
-        assert!(out.starts_with("# A\n\n## Exercises\n\nEach of these") && !out.contains("{{#"));
+        assert!(out.starts_with("# A\n\n## Exercises\n\nEach has a file") && !out.contains("{{#"));
         let here: Vec<_> =
             tumbling_exercises::all().unwrap().into_iter().filter(|e| e.place().0 == "two-arrows").collect();
         for exercise in &here {

@@ -1,8 +1,9 @@
 //! The chapters as the index of the search reads them.
 //!
 //! mdBook indexes every word of a page: programs, the description and the numbers in a drawing, and the
-//! controls of a widget too. So the index is made of chapters without these, and with the words in
-//! `search.toml`, by which a reader would look for a page.
+//! controls of a widget too. So the index is made of chapters without these and without the answers of
+//! questions, and with the words in `search.toml`, by which a reader would look for a page and which no
+//! result shows.
 
 use super::programs;
 use crate::site::places::escaped;
@@ -27,7 +28,7 @@ pub(super) fn reduce(book: &mut Book, root: &Path) -> Result<(), String> {
     book.for_each_mut(|item| {
         let BookItem::Chapter(chapter) = item else { return };
         let name = chapter.source_path.as_deref().and_then(Path::file_stem).and_then(|name| name.to_str());
-        let text = programs::without(&without(&chapter.content));
+        let text = unanswered(&programs::without(&without(&chapter.content)));
         chapter.content = match name.and_then(|name| sought.remove(name)) {
             Some(words) => with_words(&text, &words),
             None => text,
@@ -55,8 +56,21 @@ fn without(text: &str) -> String {
     out
 }
 
+/// A chapter without the answers of its questions: the last paragraph of each box.
+fn unanswered(text: &str) -> String {
+    let mut answer = false;
+    let asked = text.lines().filter(|line| {
+        answer = line.starts_with('>') && (answer || (line.starts_with("> *") && !line.starts_with("> **")));
+        !answer
+    });
+    asked.fold(String::new(), |out, line| out + line + "\n")
+}
+
 /// The words of each page, where there are any.
-fn words(root: &Path) -> Result<BTreeMap<String, String>, String> {
+///
+/// # Errors
+/// What is wrong with that file.
+pub(crate) fn words(root: &Path) -> Result<BTreeMap<String, String>, String> {
     match fs::read_to_string(root.join("search.toml")) {
         Ok(text) => toml::from_str(&text).map_err(|e| format!("book/search.toml: {e}")),
         Err(e) if e.kind() == std::io::ErrorKind::NotFound => Ok(BTreeMap::new()),
@@ -83,6 +97,15 @@ mod tests {
         let bare = without(PAGE);
         assert!(!bare.contains("hidden") && !bare.contains("controls"), "{bare}");
         assert!(["One.", "Two", "Three."].iter().all(|word| bare.contains(word)), "{bare}");
+    }
+
+    #[test]
+    fn the_answer_of_a_question_is_no_word_of_the_index() {
+        let asked = "> **Predict.** Which?\n>\n> - One\n>\n";
+        assert_eq!(
+            unanswered(&format!("{asked}> *One*: for\n> it is.\n\n*Two.*\n")),
+            format!("{asked}\n*Two.*\n")
+        );
     }
 
     #[test]

@@ -8,7 +8,7 @@ mod check;
 mod edits;
 mod exercises;
 mod figure;
-mod indexed;
+pub(crate) mod indexed;
 mod maths;
 mod palette;
 mod programs;

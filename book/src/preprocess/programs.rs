@@ -16,10 +16,14 @@ pub(super) fn replace(text: &str, pieces: &[Piece<'_>], edits: &mut Edits) {
                     .saturating_sub(html.matches("</details>").count());
             }
             Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(language)))
-                if depth == 0 && folds == 0 && language.starts_with("rust") && !language.contains("shown") =>
+                if depth == 0 && folds == 0 && language.starts_with("rust") =>
             {
                 let block = &text[range.clone()];
-                edits.replace(range.clone(), fold("fold program", &summary(block), block));
+                let made = match language.ends_with(",shown") {
+                    true => format!("<div class=\"program\">\n\n{}\n\n</div>\n\n", block.trim_end()),
+                    false => fold("fold program", &summary(block), block),
+                };
+                edits.replace(range.clone(), made);
             }
             _ => {}
         }
@@ -93,11 +97,12 @@ mod tests {
         for text in [
             "<details class=\"fold\">\n<summary>Hint</summary>\n\n```rust\nlet a = 1;\n```\n\n</details>\n",
             "```sh\ncargo test\n```\n",
-            "```rust,shown\nlet a = 1;\n```\n",
             "- one\n\n  ```rust\n  let a = 1;\n  ```\n",
         ] {
             assert_eq!(folded(text), text);
         }
+        let shown = "```rust,shown\nlet a = 1;\n```\n";
+        assert_eq!(folded(shown), format!("<div class=\"program\">\n\n{shown}\n</div>\n\n\n"));
         let after = "<details>\n<summary>Hint</summary>\n\n</details>\n\n```rust\nlet a = 1;\n```\n";
         assert!(folded(after).contains("Checked by 1 line of"), "{}", folded(after));
     }

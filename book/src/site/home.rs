@@ -28,7 +28,8 @@ pub(crate) fn replace(text: &str) -> Result<String, String> {
 fn listed(citation: &str) -> String {
     let value = |key: &str| citation.lines().find_map(|line| line.strip_prefix(key));
     let shown = |value: &str| if value.starts_with("http") { format!("<{value}>") } else { value.to_owned() };
-    let line = |(key, name): (&str, &str)| Some(format!("- {name}: {}\n", shown(value(key)?.trim_matches('"'))));
+    let line =
+        |(key, name): (&str, &str)| Some(format!("- {name}: {}\n", shown(value(key)?.trim_matches('"'))));
     FIELDS.into_iter().filter_map(line).collect()
 }
 
