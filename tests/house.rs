@@ -203,3 +203,26 @@ fn every_named_number_of_the_closed_form_is_recomputed_in_a_test() {
     assert!(names.len() > 20 && CHOSEN.iter().all(|name| names.contains(*name)), "{names:?}");
     assert_eq!(missing, [""; 0]);
 }
+
+/// What no `mod` names is compiled by nobody, tests too.
+#[test]
+fn every_file_is_a_module_or_a_program_of_its_own() {
+    let mut paths = Vec::new();
+    for folder in ["src", "tests", "crates"] {
+        sources(&root().join(folder), &mut paths);
+    }
+    let text: String = paths.iter().map(|path| fs::read_to_string(path).unwrap()).collect();
+    let modules: BTreeSet<&str> = text
+        .lines()
+        .filter_map(|line| {
+            line.trim_start().trim_start_matches("pub ").split_once("mod ")?.1.split(';').next()
+        })
+        .collect();
+    for path in paths {
+        let stem = path.file_stem().unwrap().to_str().unwrap();
+        let folder = path.parent().unwrap().file_name().unwrap().to_str().unwrap();
+        let alone = ["tests", "examples", "benches", "bin"].contains(&folder);
+        let known = ["lib", "main", "mod", "build"].contains(&stem) || modules.contains(stem);
+        assert!(alone || known, "{}", path.display());
+    }
+}

@@ -108,10 +108,8 @@ impl Engine {
     ) -> (Quaternion<T>, Vector3<T>) {
         let rotation = attitude::rotation_matrix(attitude);
         let omega = self.omega_world(&rotation, tensor, inverse, carried);
-        (
-            attitude::rate(attitude, &(rotation.transpose() * omega)),
-            self.carried_rate(tensor, inverse, carried),
-        )
+        let turn = attitude::rate(attitude, &(rotation.transpose() * omega));
+        (turn, self.carried_rate(tensor, inverse, carried))
     }
 
     /// The world vector that this engine carries for `body`: its momentum, or its spin.

@@ -129,7 +129,14 @@ impl<T: Field> System<T> {
 }
 
 impl<T: Analytic> System<T> {
-    /// The sum of all torques in body axes, N m, `time` seconds after the start of a step.
+    /// The sum of all torques in body axes, N m, at the start of a step.
+    #[must_use]
+    #[inline]
+    pub fn torque(&self, motion: &State<T>) -> Vector3<T> {
+        self.torque_after(motion, &T::zero())
+    }
+
+    /// The sum of all torques `time` seconds after the start of a step.
     #[inline]
     pub(crate) fn torque_after(&self, motion: &State<T>, time: &T) -> Vector3<T> {
         if self.is_free() { Vector3::from_fn(|_, _| T::zero()) } else { self.driven(motion, time) }

@@ -83,17 +83,17 @@ pub fn list<'de, D: Deserializer<'de>, const N: usize>(
     Ok(Some(Spanned::new(found.span(), whole(found.into_inner(), "numbers").map_err(D::Error::custom)?)))
 }
 
+type Field<T, E> = Result<Option<Spanned<T>>, E>;
+
 /// Lists of just this number of numbers each.
-fn lists<'de, D: Deserializer<'de>, const N: usize>(
-    from: D,
-) -> Result<Option<Spanned<Vec<[f64; N]>>>, D::Error> {
+fn lists<'de, D: Deserializer<'de>, const N: usize>(from: D) -> Field<Vec<[f64; N]>, D::Error> {
     let found = Spanned::<Vec<Vec<f64>>>::deserialize(from)?;
     let span = found.span();
     let all: Result<_, _> = found.into_inner().into_iter().map(|row| whole(row, "numbers")).collect();
     Ok(Some(Spanned::new(span, all.map_err(D::Error::custom)?)))
 }
 
-fn vertices<'de, D: Deserializer<'de>>(from: D) -> Result<Option<Spanned<[[f64; 3]; 4]>>, D::Error> {
+fn vertices<'de, D: Deserializer<'de>>(from: D) -> Field<[[f64; 3]; 4], D::Error> {
     let Some(found) = lists(from)? else { return Ok(None) };
     let span = found.span();
     let four = whole(found.into_inner(), "lists of 3 numbers each").map_err(D::Error::custom)?;

@@ -135,13 +135,11 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
         let end_rate = run.system.rate_after(&end, &Run::number(run.time + h));
         let size =
             largest(&[largest(end_rate.attitude.coords.as_slice()), largest(end_rate.momentum.as_slice())]);
-        let error = largest(&[self.error(run, &end, h), stretched]) / run.tolerance;
+        let mut error = largest(&[self.error(run, &end, h), stretched]) / run.tolerance;
         let decay = self.decay(&near, &end, &end_rate, h);
-        let error = if decay > DECAYED && error <= 1.0 {
-            self.relative(run, &difference(&end, &near), &end, h) / run.tolerance
-        } else {
-            error
-        };
+        if decay > DECAYED && error <= 1.0 {
+            error = self.relative(run, &difference(&end, &near), &end, h) / run.tolerance;
+        }
         // A stage that left the range: the step was far too long.
         let error = if error.is_nan() || !size.is_finite() { f64::INFINITY } else { error };
         // As usual: aim a little below the tolerance, and keep the change of the step within bounds.

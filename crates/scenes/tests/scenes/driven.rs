@@ -177,7 +177,8 @@ fn a_driven_scene_of_which_nothing_is_requested_computes_nothing() {
     let body = InitialState::spinning(Vector3::new(1.0, 2.0, 2.5), Vector3::new(3.0, 5.0, 2.0));
     let scene = one(body, damped.clone(), Times::every(0.1, 100.0), Outputs::NOTHING, 1e-9);
     let plan = scene.plan(0).unwrap();
-    let spin = one(body, damped.clone(), Times::every(0.1, 100.0), SPIN, 1e-9).plan(0).unwrap();
+    let spinning = one(body, damped.clone(), Times::every(0.1, 100.0), SPIN, 1e-9);
+    let spin = spinning.plan(0).unwrap();
     assert!(plan.strategy() == Strategy::Nothing && plan.driven().is_none(), "{}", plan.explain());
     assert!(plan.cost().once < 0.1 * spin.cost().once, "{} {}", plan.explain(), spin.explain());
     // And the attitude, not requested, refines no step.

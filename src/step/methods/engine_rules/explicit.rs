@@ -8,7 +8,7 @@ use nalgebra::Vector3;
 
 /// The momentum after the torques alone, at their value at the start.
 fn pushed<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Vector3<T> {
-    &start.momentum + system.torque_after(start, &T::zero()).map(|x| x * h.clone())
+    &start.momentum + system.torque(start).map(|x| x * h.clone())
 }
 
 pub(crate) fn constant_spin<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {

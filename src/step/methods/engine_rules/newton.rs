@@ -35,7 +35,7 @@ pub(crate) fn one_newton<T: Analytic>(system: &System<T>, start: &State<T>, h: &
     let gyroscopic = start.momentum.cross(&system.omega(&start.momentum));
     let none = Vector3::from_fn(|_, _| T::zero());
     let turned = solved(system, start, h, &gyroscopic.map(|x| x * h.clone()), &none);
-    let pushed = system.omega(&system.torque_after(start, &T::zero())).map(|x| x * h.clone());
+    let pushed = system.omega(&system.torque(start)).map(|x| x * h.clone());
     ended(system, start, h, &(turned + pushed))
 }
 
