@@ -48,6 +48,8 @@
             seen.observe(box);
         }
     }
+    // A page without a program in sight fetches their font when a fold opens: then lines grow wider, and no box its size.
+    document.fonts.addEventListener("loadingdone", () => document.querySelectorAll("[data-kind]").forEach(mark));
 
     // mdBook turns pages by the arrow keys; inside a box that scrolls they are the box's.
     document.addEventListener("keydown", (event) => {

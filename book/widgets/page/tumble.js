@@ -283,6 +283,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
         speed.setAttribute("aria-valuetext", times === 1 ? "as in life" : `${times} times as fast as in life`);
         spin.setAttribute("aria-valuetext", `${spinNumber.value} rad/s`);
         const pushed = number(pushNumber);
+        shown("slip").textContent = Number.isFinite(pushed) ? short(pushed) : "none";
         push.setAttribute("aria-valuetext", pushed === 0 ? "no slip" : `a slip of ${Number.isFinite(pushed) ? short(pushed) : "no number"} of the spin`);
     }
     /** What plays goes on playing, from the new start. */
