@@ -69,9 +69,11 @@ impl FreeMotion {
     fn state_transition<'py>(&self, py: Python<'py>, times: Numbers<'py>) -> Answer<Array<'py>> {
         let (all, mut found) = (slice(&times), Vec::new());
         py.detach(|| {
-            all.iter().try_for_each(|&t| Ok(put_matrix(&mut found, &self.motion.state_transition(t)?)))
-        })
-        .map_err(|error: tumbling::Error| error)?;
+            for &t in all.iter() {
+                put_matrix(&mut found, &self.motion.state_transition(t)?);
+            }
+            Ok::<_, tumbling::Error>(())
+        })?;
         array(py, found, times.shape(), &[6, 6])
     }
 
@@ -87,12 +89,12 @@ impl FreeMotion {
     fn sensitivities<'py>(&self, py: Python<'py>, times: Numbers<'py>) -> Answer<States<'py>> {
         let (all, mut by_start, mut by_tensor) = (slice(&times), Vec::new(), Vec::new());
         py.detach(|| {
-            all.iter().try_for_each(|&t| {
+            for &t in all.iter() {
                 let (start, tensor) = self.motion.sensitivities(t)?;
                 put_matrix(&mut by_start, &start);
                 put_matrix(&mut by_tensor, &tensor);
-                Ok::<_, tumbling::Error>(())
-            })
+            }
+            Ok::<_, tumbling::Error>(())
         })?;
         let shape = times.shape();
         Ok((array(py, by_start, shape, &[6, 6])?, array(py, by_tensor, shape, &[6, 6])?))
