@@ -12,9 +12,11 @@ pub(crate) mod functions;
 mod lane;
 pub(crate) mod power_of_two;
 pub(crate) mod quadrature;
+mod real;
 
-pub use lane::Lane;
-pub(crate) use lane::{Gather, gather_fields, power_of_two as lane_power_of_two, splat};
+pub(crate) use lane::{Gather, gather_fields, splat};
+pub use lane::{Lane, Series};
+pub use real::Real;
 
 use core::any::Any;
 use core::ops::Neg;

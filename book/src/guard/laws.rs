@@ -67,11 +67,14 @@ pub(super) const CHAPTERS: &[(&str, Expected)] = chapters! {
         CLOSED_ENERGY CLOSED_MOMENTUM CLOSED_DISCRIMINANT CLOSED_WITHOUT_C CLOSED_WITHOUT_X CLOSED_P CLOSED_Q
         CLOSED_ELLIPSE CLOSED_CIRCLED CLOSED_MODULUS CLOSED_COMPLEMENT CLOSED_AX CLOSED_AM CLOSED_AC
         CLOSED_BALANCE CLOSED_RATE CLOSED_RATE_SQUARED CLOSED_X CLOSED_M CLOSED_C CLOSED_SN CLOSED_CN
-        CLOSED_DN CLOSED_PHASE_ERROR CLOSED_SIZE_ERROR THETA_3 THETA_4 THETA_2 THETA_1 CLOSED_SHARE
+        CLOSED_DN CLOSED_PHASE_ERROR CLOSED_SIZE_ERROR THETA_3 THETA_4 THETA_2 THETA_1
+        SN_BY_THETAS CN_BY_THETAS DN_BY_THETAS CLOSED_SHARE
         CLOSED_BETA CLOSED_GAMMA CLOSED_DELTA CLOSED_TURNING ZERO_H1 ZERO_L1 ZERO_H2 ZERO_L2 ZERO_H3 ZERO_L3
         DIRECT_A1 DIRECT_A2 ZERO_C1 ZERO_D1 ZERO_C2 ZERO_D2 DIRECT_B1 DIRECT_B2 CLOSED_TILT CLOSED_DRIFT
         ZERO_TURNING COMPLEMENTARY_THETA_1 COMPLEMENTARY_THETA_2 COMPLEMENTARY_THETA_3 COMPLEMENTARY_THETA_4
-        COMPLEMENTARY_N_2 COMPLEMENTARY_N_3 COMPLEMENTARY_N_4 COMPLEMENTARY_A1 COMPLEMENTARY_A2
+        COMPLEMENTARY_N_2 COMPLEMENTARY_N_3 COMPLEMENTARY_N_4
+        SN_NEAR_THE_FLIP CN_NEAR_THE_FLIP DN_NEAR_THE_FLIP
+        SN_NEAR_THE_SADDLE CN_NEAR_THE_SADDLE DN_NEAR_THE_SADDLE COMPLEMENTARY_A1 COMPLEMENTARY_A2
         COMPLEMENTARY_B1 COMPLEMENTARY_B2 CLOSED_TURNING_AT_THE_SADDLE CLOSED_DRIFT_AT_THE_SADDLE CLOSED_FLIP
         CLOSED_TWIST COIN_RATE CLOSED_AX CLOSED_AC CLOSED_COMPLEMENT_SQUARED CLOSED_R CLOSED_S CLOSED_T
         VARIATION CARLSON_FIRST CARLSON_SECOND
@@ -87,27 +90,10 @@ pub(super) const CHAPTERS: &[(&str, Expected)] = chapters! {
         r"K-u_0=\operatorname{cn}(u_0)R_F(k'^2\operatorname{sn}(u_0)^2,k'^2,\operatorname{dn}(u_0)^2)":
             "the same from the other end" by "legendre-by-carlson";
         r"z=\frac{\pi u}{2K}": "the scale of the argument in theta functions of this nome, quoted";
-        r"\operatorname{sn}=\frac{n_3\theta_1\sin z}{n_2\theta_4}":
-            "of the infinite sums: the squares, and the rate up to a constant" by "jacobi-by-thetas";
-        r"\operatorname{cn}=\frac{n_4\theta_2\cos z}{n_2\theta_4}":
-            "of the infinite sums: the squares, and the rate up to a constant" by "jacobi-by-thetas";
-        r"\operatorname{dn}=\frac{n_4\theta_3}{n_3\theta_4}":
-            "of the infinite sums: the squares, and the rate up to a constant" by "jacobi-by-thetas";
         r"y=\beta R_F(\gamma^2,\delta^2,1)": "the same integral of the zero" by "legendre-by-carlson";
         r"\operatorname{log}(f)=-\frac{\pi y}{K}": "names an exponential of the zero";
         r"g=\frac{q}{f}": "names its partner";
         r"x=\frac{\pi u}{2K'}": "the same by the imaginary transformation, quoted";
-        r"\operatorname{sn}=\frac{m_3\theta'_1}{m_4\theta'_2}":
-            "the same at an imaginary argument, the transformation quoted" by "jacobi-by-thetas";
-        r"\operatorname{cn}=\frac{2em_2\theta'_4}{m_4\theta'_2}":
-            "the same at an imaginary argument, the transformation quoted" by "jacobi-by-thetas";
-        r"\operatorname{dn}=\frac{2em_2\theta'_3}{m_3\theta'_2}":
-            "the same at an imaginary argument, the transformation quoted" by "jacobi-by-thetas";
-        r"\operatorname{sn}=\frac{m_3\theta'_4}{m_4\theta'_3}": "the sums' signs over a half period; no factor" by "half-periods";
-        r"\operatorname{cn}=\frac{k'm_3^2\theta'_1}{2em_4m_2\theta'_3}":
-            "the sums' signs over a half period; no factor" by "half-periods";
-        r"\operatorname{dn}=\frac{k'm_3\theta'_2}{2em_2\theta'_3}":
-            "the sums' signs over a half period; no factor" by "half-periods";
         r"\phi=\frac{\pi y}{4K'}": "names half of the zero's argument, at the scale that is quoted";
         r"u=u_0+\eta t-2NK": "takes whole half periods off; that the period is 4 K is quoted";
         r"F=\tfrac{1}{6}\operatorname{sn}(u)^3R_D(\operatorname{cn}(u)^2,1,\operatorname{dn}(u)^2)":

@@ -19,7 +19,7 @@ impl Rooted for Rational {
     }
 }
 
-/// Of a number that has no root in fractions, a variable of that name, `root(3)`: what is asked of it holds
+/// Of a number that has no root in fractions, a variable of that name, `root(3)`: what is proven of it holds
 /// under the relation `root(3)^2 = 3`.
 impl Rooted for Fraction {
     fn square_root(&self) -> Option<Self> {
