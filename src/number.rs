@@ -3,8 +3,8 @@
 //! The laws are written once, over [`Ring`] (add, subtract, multiply) wherever they are polynomials and over
 //! [`Field`] where a division is honest. Every type that can do the arithmetic is one: `f64` and `f32`, exact
 //! rationals, dual numbers, or a number that counts what a formula costs. Whatever
-//! branches on a size or takes a root is written for `f64` alone, elsewhere, or over [`Lane`]: several `f64`
-//! at once.
+//! branches on a size or takes a root is written for `f64` alone, elsewhere, or over [`Lane`], several `f64`
+//! at once, and [`Real`], which enclosures of real numbers are too.
 
 pub(crate) mod double_double;
 pub(crate) mod extended;

@@ -8,8 +8,6 @@ use crate::exact::cayley_klein::{ComplementaryPair, Pair};
 use crate::exact::elliptic::{ComplementarySeries, Decay};
 use crate::number::double_double::DoubleDouble;
 use crate::number::{Gather, Lane, Real, gather_fields, splat};
-#[cfg(not(feature = "std"))]
-use num_traits::Float as _;
 
 /// How Jacobi's argument runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
