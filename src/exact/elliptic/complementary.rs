@@ -164,12 +164,17 @@ impl<T: Series> Parts<T> {
 }
 
 impl<T: Lane> ComplementarySeries<T> {
+    /// The four sums at this argument.
+    #[inline(always)]
+    pub(super) fn sums_of(&self, x: &Decay<T>) -> [T; 4] {
+        self.sums(x.square, x.short_of_one, x.rising * x.rising)
+    }
+
     /// `sn`, `cn`, `dn` where `x` is the argument times `pi/(2K')`, up to half the quarter period; or, at a
     /// `saddle`, what is left of it to the quarter period.
     #[inline(always)]
     pub(crate) fn values(&self, x: &Decay<T>, saddle: T::Mask) -> [T; 3] {
-        let sums = self.sums(x.square, x.short_of_one, x.rising * x.rising);
-        let [flip, at_saddle] = self.parts(x.root, sums);
+        let [flip, at_saddle] = self.parts(x.root, self.sums_of(x));
         let one = |yes: T, no: T| T::select(saddle, yes, no);
         let three = |yes: [T; 3], no: [T; 3]| [0, 1, 2].map(|n| T::select(saddle, yes[n], no[n]));
         Parts {

@@ -268,8 +268,8 @@ fn at_the_border_no_sum_leaves_out_more_than_a_part_of_a_rounding() {
     }
     for row in rows("complementary") {
         let (root, x) = (input(&row[0]), input(&row[1]));
-        let series = ComplementarySeries::new(root * root, 1.0, 0);
-        compare("complementary sum", &series.sums(&Decay::new(x, 0.0, root)), &list(&row[2]), None);
+        let series = ComplementarySeries::new(root * root, 1.0, 1.0);
+        compare("complementary sum", &series.sums_of(&Decay::new(x, 0.0, root)), &list(&row[2]), None);
         compare("near", &series.near_flip, &list(&row[3]), None);
         compare("far", &series.near_saddle, &list(&row[4]), None);
     }
@@ -285,7 +285,7 @@ fn at_the_border_no_sum_leaves_out_more_than_a_part_of_a_rounding() {
         let pair = ComplementaryPair::of_shape(root, &shape(depth));
         let Pair { a: [w, x], b: [y, z] } = pair.raw(e, root / e, 1.0, 1.0);
         compare("complementary pair", &[w, x, y, z], &list(&row[3]), Some(1.0));
-        let (angle, turning) = pair.angle_and_turning_at_saddle();
+        let (angle, turning) = (pair.angle_at_saddle(), pair.turning_at_saddle());
         compare("angle at the saddle", &[angle], &[row[4].clone()], Some(1.0));
         compare("turning at the saddle", &[turning], &[row[5].clone()], Some(1.0));
     }

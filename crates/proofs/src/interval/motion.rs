@@ -1,7 +1,7 @@
 //! The free motion of a body, enclosed: the library's own closed form, run on intervals.
 //!
 //! All of it, from moments and spin to spin and attitude, is the code that runs on floats
-//! ([`ClosedForm`](tumbling::exact::series::ClosedForm)), with the sums' rests taken in.
+//! ([`ClosedForm`]), with the sums' rests taken in.
 
 use super::real::Enclosed;
 use super::{Interval, whole};
@@ -95,8 +95,8 @@ impl FreeMotion {
     /// use nalgebra::Vector3;
     /// use tumbling_proofs::{Interval, given, interval::motion::FreeMotion};
     /// let moments: Vector3<Interval> = Vector3::new(given!(1), given!(2), given!(3));
-    /// let motion = FreeMotion::new(&moments, &Vector3::new(given!(0), given!(1), given!(0.1))).unwrap();
-    /// let (spin, attitude) = motion.at(given!(1000000000)); // some hundred million flips later
+    /// let motion = FreeMotion::new(&moments, &Vector3::new(given!(0.5), given!(1), given!(2))).unwrap();
+    /// let (spin, attitude) = motion.at(given!(1000000000)); // 646 million flips later
     /// assert!(spin.y.width() < 1e-14 && attitude.coords.w.width() < 1e-5);
     /// ```
     #[must_use]
