@@ -3,8 +3,8 @@
 //! The laws are written once, over [`Ring`] (add, subtract, multiply) wherever they are polynomials and over
 //! [`Field`] where a division is honest. Every type that can do the arithmetic is one: `f64` and `f32`, exact
 //! rationals, dual numbers, or a number that counts what a formula costs. Whatever
-//! branches on a size or takes a root is written for `f64` alone, elsewhere, or over [`Lane`]: several `f64`
-//! at once.
+//! branches on a size or takes a root is written for `f64` alone, elsewhere, or over [`Lane`], several `f64`
+//! at once, and [`Real`], which enclosures of real numbers are too.
 
 pub(crate) mod double_double;
 pub(crate) mod extended;
@@ -12,9 +12,11 @@ pub(crate) mod functions;
 mod lane;
 pub(crate) mod power_of_two;
 pub(crate) mod quadrature;
+mod real;
 
-pub use lane::Lane;
-pub(crate) use lane::{Gather, gather_fields, power_of_two as lane_power_of_two, splat};
+pub(crate) use lane::{Gather, gather_fields, splat};
+pub use lane::{Lane, Series};
+pub use real::Real;
 
 use core::any::Any;
 use core::ops::Neg;

@@ -15,8 +15,9 @@
 //! length is found by making the quaternion one of length 1; nothing has to be integrated, no angle unwound.
 
 use crate::number::double_double::DoubleDouble;
-use crate::number::functions::{atan2, exp_and_exp_m1, hypot, powi, sin_cos};
-use crate::number::{Gather, Lane, gather_fields, splat};
+use crate::number::functions::powi;
+use crate::number::{Gather, Lane, Real, Series, gather_fields, splat};
+use core::array::from_fn;
 
 /// `a + b j`, not of length 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -76,26 +77,41 @@ impl<T: Lane> Pair<T> {
 }
 
 /// What both forms are made from.
-pub(crate) struct Shape {
+pub(crate) struct Shape<T = f64> {
     /// Whether the across, the middle and the circled axis follow each other in cyclic order, `s = 1`, and
     /// whether the spin along the circled one is positive.
     pub(crate) cyclic: bool,
     pub(crate) forward: bool,
     /// `|b/a|` at the saddle, where the spin's across component vanishes.
-    pub(crate) tilt: f64,
+    pub(crate) tilt: T,
     /// Where the zero lies: `2B = pi y/K` in sines and cosines, `pi y/(4K')` in hyperbolic functions.
-    pub(crate) depth: f64,
+    pub(crate) depth: T,
 }
 
-impl Shape {
-    fn sense(&self) -> f64 {
-        if self.cyclic { 1.0 } else { -1.0 }
+impl<T: Real> Shape<T> {
+    fn sense(&self) -> T {
+        splat(if self.cyclic { 1.0 } else { -1.0 })
+    }
+
+    /// What `b` is times, from both numbers at the saddle.
+    fn amplitude(&self, a: T, b: T) -> T {
+        // (C24)
+        let amplitude = self.tilt * a / b;
+        if self.forward { amplitude } else { -amplitude }
     }
 }
 
-/// The two theta functions in sines and cosines, as polynomials in `cos 2z`.
+/// The attitude's two theta functions as sums in the nome, in sines and cosines: as polynomials in `cos 2z`.
+///
+/// ```
+/// use tumbling::exact::series::DirectPair;
+/// // Where the zero is at no depth, a is theta_4 of the nome squared: 1 - 2q² + 2q⁸ at z = 0, for q of 0.1.
+/// let pair = DirectPair::new(0.1, [1.0, 0.0], 0.1, 1.0);
+/// let [a_1, ..] = pair.sums([1.0, 0.0], [0.0, 1.0]);
+/// assert!((a_1 - 0.980_000_02_f64).abs() < 1e-15);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct DirectPair<T = f64> {
+pub struct DirectPair<T = f64> {
     a_real: [T; 4],
     a_imaginary: [T; 3],
     b_along_sin: [T; 3],
@@ -105,46 +121,97 @@ pub(crate) struct DirectPair<T = f64> {
 
 gather_fields!(DirectPair { a_real, a_imaginary, b_along_sin, b_along_cos, sense });
 
-impl DirectPair {
-    /// `q` is the nome and `shape.depth = pi y/K`, twice the imaginary shift.
-    pub(crate) fn new(q: f64, shape: &Shape) -> Self {
-        let (fall, less) = exp_and_exp_m1(-shape.depth);
-        // q exp(2B) is at most 1; where both underflow, what it multiplies is nothing.
-        let rise = if q == 0.0 { 0.0 } else { (q / fall).min(1.0) };
-        let s = shape.sense();
-        let (q2, q6, q8) = (q * q, powi(q, 6), powi(q, 8));
-        let (q15, q18) = (powi(q, 15), powi(q, 18));
+impl<T: Series> DirectPair<T> {
+    /// `2 q^(2n²) cosh 2nB` and the sine: from the nome, `exp(-2B)`, and the nome times `exp(2B)`.
+    pub fn waves(q: &T, fall: &T, rise: &T) -> [[T; 3]; 2] {
+        let power = |k| powi(q.clone(), k);
+        let fall = |k| powi(fall.clone(), k);
+        let rise = |k| powi(rise.clone(), k);
         // (C22)
-        // 2 q^(2n²) cosh 2nB and sinh.
-        let up = [q * rise, q6 * rise * rise, q15 * powi(rise, 3)];
-        let down = [q2 * fall, q8 * fall * fall, q18 * powi(fall, 3)];
-        let cosh = [0, 1, 2].map(|n| up[n] + down[n]);
-        let sinh = [0, 1, 2].map(|n| s * (up[n] - down[n]));
-        // (C22)
-        let a_real = [1.0 - cosh[1], -cosh[0] + 3.0 * cosh[2], 2.0 * cosh[1], -4.0 * cosh[2]];
-        let a_imaginary = [-sinh[0] + sinh[2], 2.0 * sinh[1], -4.0 * sinh[2]];
+        let up = [q.clone() * rise(1), power(6) * rise(1) * rise(1), power(15) * rise(3)];
+        let down = [q.clone() * q.clone() * fall(1), power(8) * fall(1) * fall(1), power(18) * fall(3)];
+        sums_and_differences(up, down)
+    }
+
+    /// `2 exp(-B) q^(2n(n+1)) cosh (2n+1)B` and the sine, from the same and `exp(-2B) - 1`.
+    pub fn odd_waves(q: &T, [fall, less]: [&T; 2], rise: &T) -> [[T; 3]; 2] {
+        let power = |k| powi(q.clone(), k);
+        let (f, r) = (|| fall.clone(), || rise.clone());
         // (C23)
-        // 2 exp(-B) q^(2n(n+1)) cosh (2n+1)B and sinh.
-        let (q3, q4, q10, q12) = (powi(q, 3), powi(q, 4), powi(q, 10), powi(q, 12));
-        let c = [1.0 + fall, q3 * rise + q4 * fall * fall, q10 * rise * rise + q12 * powi(fall, 3)];
-        let d = [-less, q3 * rise - q4 * fall * fall, q10 * rise * rise - q12 * powi(fall, 3)];
-        let b_along_sin = [c[0] - c[1] - c[2], -2.0 * c[1] + 2.0 * c[2], 4.0 * c[2]];
-        let b_along_cos = [d[0] + d[1] - d[2], -2.0 * d[1] - 2.0 * d[2], 4.0 * d[2]].map(|x| -s * x);
-        let mut pair = Self { a_real, a_imaginary, b_along_sin, b_along_cos, sense: s };
-        let at_middle = pair.raw(1.0, 0.0);
-        // (C24)
-        let amplitude = shape.tilt * at_middle.a[0] / hypot(at_middle.b[0], at_middle.b[1]);
-        let amplitude = if shape.forward { amplitude } else { -amplitude };
-        pair.b_along_sin = pair.b_along_sin.map(|x| x * amplitude);
-        pair.b_along_cos = pair.b_along_cos.map(|x| x * amplitude);
-        pair
+        let up = [power(3) * r(), power(10) * r() * r()];
+        let down = [power(4) * f() * f(), power(12) * powi(f(), 3)];
+        let [[c1, c2], [d1, d2]] = sums_and_differences(up, down);
+        [[T::one() + f(), c1, c2], [-less.clone(), d1, d2]]
+    }
+
+    /// From the nome, `exp(-2B)` with what it is more than 1, the nome times `exp(2B)`, and the sense: 1
+    /// where the across, the middle and the circled axis follow each other in cyclic order, otherwise -1.
+    pub fn new(q: T, [fall, less]: [T; 2], rise: T, sense: T) -> Self {
+        let n = T::integer;
+        let [[h1, h2, h3], sinh] = Self::waves(&q, &fall, &rise);
+        let [l1, l2, l3] = sinh.map(|x| sense.clone() * x);
+        // The next terms, of which the first have four waves and the others seven.
+        let rest = || n(16) * powi(q.clone(), 28);
+        let odd_rest = || n(16) * powi(q.clone(), 21);
+        // (C22)
+        let a_real = [(n(1) - h2.clone()).up_to(rest), -h1 + n(3) * h3.clone(), n(2) * h2, -n(4) * h3];
+        let a_imaginary = [(-l1 + l3.clone()).up_to(rest), n(2) * l2, -n(4) * l3];
+        // (C23)
+        let [[c0, c1, c2], [d0, d1, d2]] = Self::odd_waves(&q, [&fall, &less], &rise);
+        let b_along_sin =
+            [(c0 - c1.clone() - c2.clone()).up_to(odd_rest), -n(2) * c1 + n(2) * c2.clone(), n(4) * c2];
+        let along_cos =
+            [(d0 + d1.clone() - d2.clone()).up_to(odd_rest), -n(2) * d1 - n(2) * d2.clone(), n(4) * d2];
+        let b_along_cos = along_cos.map(|x| -sense.clone() * x);
+        Self { a_real, a_imaginary, b_along_sin, b_along_cos, sense }
+    }
+
+    /// The real and the imaginary part of `a`, and those of `b` where the sense is 1 (otherwise `b` is `-i`
+    /// times them), from cosine and sine of `2z`, and sine and cosine of `z`.
+    #[inline(always)]
+    pub fn sums(&self, [cos_2z, sin_2z]: [T; 2], [sin, cos]: [T; 2]) -> [T; 4] {
+        let c = || cos_2z.clone();
+        let cubic = |[p, q, r, s]: [T; 4]| (p + q * c()) + (c() * c()) * (r + s * c());
+        let square = |[p, q, r]: [T; 3]| p + c() * (q + c() * r);
+        [
+            cubic(self.a_real.clone()),
+            sin_2z * square(self.a_imaginary.clone()),
+            sin * square(self.b_along_sin.clone()),
+            cos * square(self.b_along_cos.clone()),
+        ]
     }
 
     /// How fast the angle of `a` turns with `z` where `z` is zero.
-    pub(crate) fn turning_at_zero(&self) -> f64 {
-        let sum = |p: &[f64]| p.iter().sum::<f64>();
+    pub fn turning_at_zero(&self) -> T {
+        let sum = |p: &[T]| p.iter().fold(T::zero(), |sum, x| sum + x.clone());
         // (C25)
-        2.0 * sum(&self.a_imaginary) / sum(&self.a_real)
+        T::integer(2) * sum(&self.a_imaginary) / sum(&self.a_real)
+    }
+}
+
+/// Twice hyperbolic cosines and sines, of rising and falling exponentials.
+fn sums_and_differences<T: Series, const N: usize>(up: [T; N], down: [T; N]) -> [[T; N]; 2] {
+    let both = |sign: bool| {
+        from_fn(|n| {
+            let (up, down) = (up[n].clone(), down[n].clone());
+            if sign { up + down } else { up - down }
+        })
+    };
+    [both(true), both(false)]
+}
+
+impl<T: Real> DirectPair<T> {
+    /// `q` is the nome and `shape.depth = pi y/K`, twice the imaginary shift.
+    pub(crate) fn of_shape(q: T, shape: &Shape<T>) -> Self {
+        let (fall, less) = (-shape.depth).exp_and_exp_m1();
+        // q exp(2B) is at most 1; where both underflow, what it multiplies is nothing.
+        let rise = if q == T::zero() { T::zero() } else { (q / fall).at_most_one() };
+        let mut pair = Self::new(q, [fall, less], rise, shape.sense());
+        let at_middle = pair.raw(T::one(), T::zero());
+        let amplitude = shape.amplitude(at_middle.a[0], at_middle.b[0].hypot(at_middle.b[1]));
+        pair.b_along_sin = pair.b_along_sin.map(|x| x * amplitude);
+        pair.b_along_cos = pair.b_along_cos.map(|x| x * amplitude);
+        pair
     }
 }
 
@@ -152,15 +219,9 @@ impl<T: Lane> DirectPair<T> {
     /// From sine and cosine of `z`.
     #[inline(always)]
     pub(crate) fn raw(&self, sin: T, cos: T) -> Pair<T> {
-        let c = (cos - sin) * (cos + sin);
-        let cubic = |p: &[T; 4]| (p[0] + p[1] * c) + (c * c) * (p[2] + p[3] * c);
-        let square = |p: &[T; 3]| p[0] + c * (p[1] + c * p[2]);
-        let real = sin * square(&self.b_along_sin);
-        let imaginary = cos * square(&self.b_along_cos);
-        Pair {
-            a: [cubic(&self.a_real), sin * 2.0 * cos * square(&self.a_imaginary)],
-            b: in_sense(self.sense, real, imaginary),
-        }
+        let doubled = [(cos - sin) * (cos + sin), sin * 2.0 * cos];
+        let [a, turned, real, imaginary] = self.sums(doubled, [sin, cos]);
+        Pair { a: [a, turned], b: in_sense(self.sense, real, imaginary) }
     }
 }
 
@@ -171,10 +232,18 @@ fn in_sense<T: Lane>(sense: T, real: T, imaginary: T) -> [T; 2] {
     [T::select(cyclic, real, imaginary), T::select(cyclic, imaginary, -real)]
 }
 
-/// The two theta functions in hyperbolic functions, after the imaginary transformation: sums in
+/// The same two theta functions in hyperbolic functions, after the imaginary transformation: sums in
 /// `e = exp(-x)` and `r = p² exp(x)`, where `x` is Jacobi's argument times `pi/(2K')`.
+///
+/// ```
+/// use tumbling::exact::series::ComplementaryPair;
+/// // At the saddle e and r are p; where the zero is at no depth, a is 1 + 2p + 2p⁴ there, for p of 0.1.
+/// let pair = ComplementaryPair::new(0.1, ComplementaryPair::waves(0.0_f64, 1.0), 1.0);
+/// let [a_1, ..] = pair.sums(0.1, 0.1);
+/// assert!((a_1 - 1.200_2_f64).abs() < 1e-8);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct ComplementaryPair<T = f64> {
+pub struct ComplementaryPair<T = f64> {
     /// The nome `p = exp(-pi K/(2K'))`, that is the value of both `e` and `r` at the saddle.
     nome: T,
     rising: [[T; 5]; 2],
@@ -185,55 +254,119 @@ pub(crate) struct ComplementaryPair<T = f64> {
 
 gather_fields!(ComplementaryPair { nome, rising, falling, amplitude, sense });
 
-impl ComplementaryPair {
-    /// `shape.depth = pi y/(4K')`.
-    pub(crate) fn new(nome: f64, shape: &Shape) -> Self {
-        let p = nome;
-        // Sines and cosines of the odd multiples, each from the two before.
-        let (sin, cos) = sin_cos(shape.depth);
-        let twice = 2.0 * (cos - sin) * (cos + sin);
-        let (mut s, mut c) = ([-sin, sin, 0.0, 0.0, 0.0, 0.0], [cos, cos, 0.0, 0.0, 0.0, 0.0]);
-        for n in 2..6 {
-            (s[n], c[n]) = (twice * s[n - 1] - s[n - 2], twice * c[n - 1] - c[n - 2]);
-        }
-        let (s, c) = (&s[1..], &c[1..]);
-        // (C32)
-        let up = [1.0, 1.0, powi(p, 2), powi(p, 6), powi(p, 12)];
-        let down = [1.0, powi(p, 2), powi(p, 6), powi(p, 12)];
-        let mut pair = Self {
-            nome,
-            rising: [[0, 1, 2, 3, 4].map(|n| up[n] * c[n]), [0, 1, 2, 3, 4].map(|n| up[n] * s[n])],
-            falling: [[0, 1, 2, 3].map(|n| down[n] * c[n]), [0, 1, 2, 3].map(|n| down[n] * s[n])],
-            amplitude: 1.0,
-            sense: shape.sense(),
+impl<T: Series> ComplementaryPair<T> {
+    /// Cosines and sines of the first five odd multiples, each from the two before.
+    pub fn waves(sin: T, cos: T) -> [[T; 5]; 2] {
+        let n = T::integer;
+        let twice = n(2) * (cos.clone() - sin.clone()) * (cos.clone() + sin.clone());
+        let multiples = |first: [T; 2]| {
+            let [mut before, mut last] = first;
+            from_fn(|k| {
+                if k > 0 {
+                    let next = twice.clone() * last.clone() - before.clone();
+                    (before, last) = (last.clone(), next);
+                }
+                last.clone()
+            })
         };
-        let middle = pair.raw(nome, 1.0, 1.0, 1.0);
-        let length = |x: [f64; 2]| hypot(x[0], x[1]);
-        let amplitude = shape.tilt * length(middle.a) / length(middle.b);
-        pair.amplitude = if shape.forward { amplitude } else { -amplitude };
+        [multiples([cos.clone(), cos]), multiples([-sin.clone(), sin])]
+    }
+
+    /// From the nome, those cosines and sines, and the sense: 1 where the across, the middle and the circled
+    /// axis follow each other in cyclic order, otherwise -1.
+    pub fn new(nome: T, waves: [[T; 5]; 2], sense: T) -> Self {
+        let power = |k| powi(nome.clone(), k);
+        // (C32)
+        let up = [T::one(), T::one(), power(2), power(6), power(12)];
+        let rising = waves.each_ref().map(|w| from_fn(|n| up[n].clone() * w[n].clone()));
+        let falling = waves.each_ref().map(|w| from_fn(|n| up[n + 1].clone() * w[n].clone()));
+        Self { rising, falling, amplitude: T::one(), sense, nome }
+    }
+
+    /// The real and the imaginary part of `a`, and those of `b` where the sense is 1 (otherwise `b` is `-i`
+    /// times them), on the near side of the flip, from `e` and `r`.
+    #[inline(always)]
+    pub fn sums(&self, e: T, r: T) -> [T; 4] {
+        let (r2, e2) = (r.clone() * r.clone(), e.clone() * e.clone());
+        // The next are the nome to the twentieth times the fifth powers, with waves of size 1.
+        let rest = || {
+            let fifth = powi(r.clone(), 5) + powi(e.clone(), 5);
+            T::integer(2) * powi(self.nome.clone(), 20) * fifth
+        };
+        // Sums with equal signs, and alternating.
+        let up = |p: &[T; 5]| {
+            let p = |k: usize| p[k].clone();
+            let even = p(0) + r2.clone() * (p(2) + r2.clone() * p(4));
+            let odd = r.clone() * (p(1) + r2.clone() * p(3));
+            (even.clone() + odd.clone(), even - odd)
+        };
+        let down = |p: &[T; 4]| {
+            let p = |k: usize| p[k].clone();
+            let (even, odd) =
+                (e.clone() * (p(0) + e2.clone() * p(2)), e2.clone() * (p(1) + e2.clone() * p(3)));
+            (even.clone() + odd.clone(), even - odd)
+        };
+        let [(cos_up, cos_up_alternating), (sin_up, sin_up_alternating)] = self.rising.each_ref().map(up);
+        let [(cos_down, cos_down_alternating), (sin_down, sin_down_alternating)] =
+            self.falling.each_ref().map(down);
+        let sense = || self.sense.clone();
+        [
+            (cos_up + cos_down).up_to(rest),
+            sense() * (sin_down - sin_up).up_to(rest),
+            (cos_up_alternating - cos_down_alternating).up_to(rest),
+            -sense() * (sin_up_alternating + sin_down_alternating).up_to(rest),
+        ]
+    }
+
+    /// At the saddle, where `e = r = p`: `a`, and its change with `x`.
+    pub fn at_saddle(&self) -> [[T; 2]; 2] {
+        let (p, p2) = (|| self.nome.clone(), || self.nome.clone() * self.nome.clone());
+        let p = [T::one(), p(), p2(), p() * p2(), p2() * p2()];
+        let rest = || T::integer(16) * powi(self.nome.clone(), 25);
+        let sum = |wave: usize, weigh: bool| {
+            let weight = |n: u32| if weigh { T::integer(n) } else { T::one() };
+            let mut total = [T::zero(), T::zero()];
+            for (n, (term, power)) in (0..).zip(self.rising[wave].iter().zip(&p)) {
+                total[0] += weight(n) * term.clone() * power.clone();
+            }
+            for (n, (term, power)) in (1..).zip(self.falling[wave].iter().zip(&p[1..])) {
+                let falling = weight(n) * term.clone() * power.clone();
+                total[1] += if weigh { -falling } else { falling };
+            }
+            total.map(|x| x.up_to(rest))
+        };
+        [false, true].map(|weigh| {
+            let ([c0, c1], [s0, s1]) = (sum(0, weigh), sum(1, weigh));
+            [c0 + c1, self.sense.clone() * (s1 - s0)]
+        })
+    }
+
+    /// How fast the angle of `a` turns with `x` at the saddle.
+    pub fn turning_at_saddle(&self) -> T {
+        let [[re, im], [d_re, d_im]] = self.at_saddle();
+        let square = re.clone() * re.clone() + im.clone() * im.clone();
+        // (C34)
+        (re * d_im - im * d_re) / square
+    }
+}
+
+impl<T: Real> ComplementaryPair<T> {
+    /// `shape.depth = pi y/(4K')`.
+    pub(crate) fn of_shape(nome: T, shape: &Shape<T>) -> Self {
+        let (sin, cos) = shape.depth.sin_cos();
+        let mut pair = Self::new(nome, Self::waves(sin, cos), shape.sense());
+        let one = T::one();
+        let middle = pair.raw(nome, one, one, one);
+        let length = |x: [T; 2]| x[0].hypot(x[1]);
+        pair.amplitude = shape.amplitude(length(middle.a), length(middle.b));
         pair
     }
 
-    /// At the saddle, where `e = r = p`: the angle of `a`, and how fast it turns with `x`.
-    pub(crate) fn angle_and_turning_at_saddle(&self) -> (f64, f64) {
-        let (p, p2) = (self.nome, self.nome * self.nome);
-        let p = [1.0, p, p2, p * p2, p2 * p2];
-        let sum = |wave: usize, weigh: bool| {
-            let mut total = [0.0; 2];
-            for (n, (term, power)) in self.rising[wave].iter().zip(p).enumerate() {
-                total[0] += if weigh { n as f64 } else { 1.0 } * term * power;
-            }
-            for (n, (term, power)) in (1..).zip(self.falling[wave].iter().zip(&p[1..])) {
-                total[1] += if weigh { -f64::from(n) } else { 1.0 } * term * power;
-            }
-            total
-        };
-        let (c, s, dc, ds) = (sum(0, false), sum(1, false), sum(0, true), sum(1, true));
-        let a = [c[0] + c[1], self.sense * (s[1] - s[0])];
-        let change = [dc[0] + dc[1], self.sense * (ds[1] - ds[0])];
-        let turning = (a[0] * change[1] - a[1] * change[0]) / (a[0] * a[0] + a[1] * a[1]);
+    /// The angle of `a` at the saddle.
+    pub(crate) fn angle_at_saddle(&self) -> T {
+        let [[re, im], _] = self.at_saddle();
         // (C33)
-        (atan2(a[1], a[0]), turning)
+        im.atan2(re)
     }
 }
 
@@ -242,28 +375,11 @@ impl<T: Lane> ComplementaryPair<T> {
     /// turns.
     #[inline(always)]
     pub(crate) fn raw(&self, e: T, rise: T, sign: T, turn: T) -> Pair<T> {
-        let r = self.nome * rise;
-        let r2 = r * r;
-        // Sums with equal signs, and alternating.
-        let up = |p: &[T; 5]| {
-            let even = p[0] + r2 * (p[2] + r2 * p[4]);
-            let odd = r * (p[1] + r2 * p[3]);
-            (even + odd, even - odd)
-        };
-        let e2 = e * e;
-        let down = |p: &[T; 4]| {
-            let (even, odd) = (e * (p[0] + e2 * p[2]), e2 * (p[1] + e2 * p[3]));
-            (even + odd, even - odd)
-        };
-        let [(cos_up, cos_up_alternating), (sin_up, sin_up_alternating)] =
-            [up(&self.rising[0]), up(&self.rising[1])];
-        let [(cos_down, cos_down_alternating), (sin_down, sin_down_alternating)] =
-            [down(&self.falling[0]), down(&self.falling[1])];
-        let real = turn * self.amplitude * sign * (cos_up_alternating - cos_down_alternating);
-        let imaginary = -turn * self.amplitude * self.sense * (sin_up_alternating + sin_down_alternating);
+        let [a, turned, real, imaginary] = self.sums(e, self.nome * rise);
+        let amplitude = turn * self.amplitude;
         Pair {
-            a: [cos_up + cos_down, sign * self.sense * (sin_down - sin_up)],
-            b: in_sense(self.sense, real, imaginary),
+            a: [a, sign * turned],
+            b: in_sense(self.sense, amplitude * sign * real, amplitude * imaginary),
         }
     }
 }

@@ -13,9 +13,10 @@ mod direct;
 mod trig;
 
 pub(crate) use carlson::{rd, rf_of_roots};
-pub(crate) use complementary::{ComplementarySeries, Decay};
+pub(crate) use complementary::Decay;
+pub use complementary::{ComplementarySeries, Parts};
 pub(crate) use complete::{quarter_period, quarter_period_from_root};
-pub(crate) use direct::DirectSeries;
+pub use direct::DirectSeries;
 pub(crate) use trig::sin_cos_of_turns;
 
 /// Below this ratio of the quarter periods `K'/K` the complementary nome is the smaller, and its series

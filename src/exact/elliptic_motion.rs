@@ -17,52 +17,53 @@ use super::kernel::Kernel;
 use crate::inertia::Axis;
 use crate::number::double_double::DoubleDouble;
 use crate::number::functions::atan2;
+use crate::number::{Real, splat};
 use core::f64::consts::PI;
 use nalgebra::{Quaternion, Vector3};
 
 /// All that an instant needs, in units where the largest spin is near 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct EllipticMotion {
+pub(crate) struct EllipticMotion<T = f64> {
     /// Body indices of the axis across, the middle, the axis circled.
     pub(super) axes: [usize; 3],
     /// Amplitudes of the spin along them, with their signs.
-    amplitudes: [f64; 3],
+    amplitudes: [T; 3],
     /// Two powers of two for each component of the body that take it to rad/s, where the spin is not well
     /// within the range of `f64`; together one would not do.
-    unscale: Option<[[f64; 2]; 3]>,
+    unscale: Option<[[T; 2]; 3]>,
     /// The largest component that the spin ever has, rad/s.
-    pub(super) greatest: f64,
-    form: Form,
-    constants: Constants,
+    pub(super) greatest: T,
+    form: Form<T>,
+    constants: Constants<T>,
 }
 
 /// The series by which the motion is summed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Form {
+enum Form<T = f64> {
     /// In the nome.
-    Direct { spin: DirectSpin, attitude: DirectAttitude },
+    Direct { spin: DirectSpin<T>, attitude: DirectAttitude<T> },
     /// In the complementary nome, which is zero on the separatrix: that motion does not return.
-    Complementary { spin: ComplementarySpin, attitude: ComplementaryAttitude },
+    Complementary { spin: ComplementarySpin<T>, attitude: ComplementaryAttitude<T> },
 }
 
 /// What belongs to the whole motion rather than to an instant, in the same units.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Constants {
+struct Constants<T = f64> {
     about: Axis,
-    modulus: f64,
-    complement: f64,
+    modulus: T,
+    complement: T,
     /// The complement times `2^shift`, and the powers of two taken into the three components: `[shift +
     /// lift, lift, shift]`. One of the two is 0.
-    scaled_complement: f64,
+    scaled_complement: T,
     lifts: [i32; 3],
     /// With its sign, per unit of time.
-    rate: DoubleDouble,
+    rate: DoubleDouble<T>,
     /// `K`, infinite on the separatrix.
-    quarter: DoubleDouble,
+    quarter: DoubleDouble<T>,
     /// Jacobi's argument at the start, from the nearest flip.
-    argument: DoubleDouble,
+    argument: DoubleDouble<T>,
     /// The greatest share of the momentum along each of the three axes.
-    shares: [f64; 3],
+    shares: [T; 3],
 }
 
 impl EllipticMotion {
@@ -76,19 +77,13 @@ impl EllipticMotion {
         }
     }
 
-    /// Not on the separatrix.
-    fn returns(&self) -> bool {
-        self.constants.quarter.hi().is_finite()
-    }
-
     pub(crate) fn modulus(&self) -> f64 {
         self.constants.modulus
     }
 
     /// Half the spin's period, in scaled time.
     pub(crate) fn half_period(&self) -> Option<f64> {
-        let Constants { rate, quarter, .. } = self.constants;
-        self.returns().then(|| (quarter * 2.0 / rate.abs()).hi())
+        self.returns().then(|| self.span_of_half_period())
     }
 
     pub(crate) fn clock(&self) -> Clock {
@@ -145,9 +140,29 @@ impl EllipticMotion {
             _ => None,
         }
     }
+}
+
+impl<T: Real> EllipticMotion<T> {
+    /// Not on the separatrix.
+    fn returns(&self) -> bool {
+        self.constants.quarter.hi().finite()
+    }
+
+    /// The same where the motion returns.
+    pub(crate) fn span_of_half_period(&self) -> T {
+        let Constants { rate, quarter, .. } = self.constants;
+        (quarter * splat::<T>(2.0) / rate.abs()).hi()
+    }
+
+    /// Half periods until scaled time `time`, from the flip nearest to the start, where the motion returns.
+    pub(crate) fn half_periods_since_flip(&self, time: T) -> T {
+        let Constants { rate, quarter, argument, .. } = self.constants;
+        // (C36)
+        ((rate * time).plus(argument) / (quarter * splat::<T>(2.0))).hi()
+    }
 
     /// The spin at scaled time `time`.
-    pub(crate) fn omega(&self, time: f64) -> Vector3<f64> {
+    pub(crate) fn omega(&self, time: T) -> Vector3<T> {
         self.unscaled(match &self.form {
             Form::Direct { spin, .. } => spin.omega(&spin.phase(time)),
             Form::Complementary { spin, .. } => spin.omega(&spin.reduction.argument(time)),
@@ -155,7 +170,7 @@ impl EllipticMotion {
     }
 
     /// The turn since the start at scaled time `time`.
-    pub(crate) fn attitude(&self, time: f64) -> Quaternion<f64> {
+    pub(crate) fn attitude(&self, time: T) -> Quaternion<T> {
         match &self.form {
             Form::Direct { spin, attitude } => spin.turn(attitude, &spin.phase(time), time),
             Form::Complementary { spin, attitude } => {
@@ -165,7 +180,7 @@ impl EllipticMotion {
     }
 
     /// Spin and turn since the start at scaled time `time`.
-    pub(crate) fn at(&self, time: f64) -> (Vector3<f64>, Quaternion<f64>) {
+    pub(crate) fn at(&self, time: T) -> (Vector3<T>, Quaternion<T>) {
         let (omega, turn) = match &self.form {
             Form::Direct { spin, attitude } => both(spin, attitude, spin.phase(time), time),
             Form::Complementary { spin, attitude } => {
@@ -177,18 +192,18 @@ impl EllipticMotion {
 
     /// In rad/s where the amplitudes are not.
     #[inline(always)]
-    fn unscaled(&self, omega: Vector3<f64>) -> Vector3<f64> {
+    fn unscaled(&self, omega: Vector3<T>) -> Vector3<T> {
         let Some(unscale) = &self.unscale else { return omega };
         Vector3::from_fn(|k, _| omega[k] * unscale[k][0] * unscale[k][1])
     }
 }
 
 #[inline(always)]
-fn both<K: Kernel<f64>>(
+fn both<T: Real, K: Kernel<T>>(
     spin: &K,
     attitude: &K::Attitude,
     phase: K::Phase,
-    time: f64,
-) -> (Vector3<f64>, Quaternion<f64>) {
+    time: T,
+) -> (Vector3<T>, Quaternion<T>) {
     (spin.omega(&phase), spin.turn(attitude, &phase, time))
 }

@@ -30,13 +30,11 @@ pub(super) struct FirstAxis<T = f64> {
 
 gather_fields!(FirstAxis { index });
 
-impl FirstAxis {
-    pub(super) fn new(axis: usize) -> Self {
-        Self { index: [0.0, 1.0, 2.0][axis % 3] }
-    }
-}
-
 impl<T: Lane> FirstAxis<T> {
+    pub(super) fn new(axis: usize) -> Self {
+        Self { index: splat([0.0, 1.0, 2.0][axis % 3]) }
+    }
+
     /// Components given from the first axis on, in the order of the body.
     #[inline(always)]
     pub(super) fn arranged(&self, [first, second, third]: [T; 3]) -> [T; 3] {

@@ -6,12 +6,13 @@ use crate::error::{Error, Refusal, Subject, finite_vector};
 use crate::inertia::PrincipalMoments;
 use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::times_power_of_two;
+use crate::number::{Real, splat};
 use nalgebra::Vector3;
 
 /// `K`, a quarter of the period in Jacobi's argument; infinite on the separatrix.
-pub(super) fn quarter_period(motion: &Asymmetric) -> DoubleDouble {
+pub(super) fn quarter_period<T: Real>(motion: &Asymmetric<T>) -> DoubleDouble<T> {
     if motion.separatrix {
-        return DoubleDouble::from(f64::INFINITY);
+        return DoubleDouble::from(splat::<T>(f64::INFINITY));
     }
     quarter_period_from_root(motion.complement(0), motion.root_of_complement())
 }

@@ -4,8 +4,7 @@
 //! and momentum near a principal axis, the inverse of a needle's tensor, the phase after a billion flips.
 //! The error-free sum and product are Knuth's and Dekker's, see [Dek71](crate::references).
 
-use crate::number::power_of_two::times_power_of_two;
-use crate::number::{Gather, Lane, gather_fields, splat};
+use crate::number::{Gather, Lane, Real, gather_fields, splat};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The unevaluated sum `hi + lo`, with `|lo|` at most half a unit in the last place of `hi`.
@@ -22,29 +21,33 @@ impl DoubleDouble {
     pub(crate) const ONE: Self = Self { hi: 1.0, lo: 0.0 };
     /// The circle's constant to 107 bits.
     pub(crate) const PI: Self = Self { hi: core::f64::consts::PI, lo: 1.224_646_799_147_353_2e-16 };
+}
+
+impl<T: Real> DoubleDouble<T> {
+    /// The circle's constant.
+    pub(crate) fn pi() -> Self {
+        let [hi, lo] = T::pi_in_two();
+        Self { hi, lo }
+    }
 
     /// The square root of a number that is not negative, to about 104 bits.
     pub(crate) fn sqrt(self) -> Self {
-        let root = self.hi.sqrt();
-        if root == 0.0 || !root.is_finite() {
-            return Self::from(root);
+        let root = self.hi.sqrt().near();
+        if root == T::zero() || !root.finite() {
+            return Self::from(self.hi().sqrt());
         }
-        quick_two_sum(root, self.less_near(Self::product(root, root)) / (2.0 * root))
-    }
-
-    /// `self - other` in one number, where the two agree to some units in the last place: then the high parts
-    /// differ without error.
-    fn less_near(self, other: Self) -> f64 {
-        (self.hi - other.hi) + (self.lo - other.lo)
+        let rest = self.less_near(Self::product(root, root)) / (root + self.hi().sqrt());
+        quick_two_sum(root, rest)
     }
 
     /// `self * 2^exponent`.
     pub(crate) fn scaled(self, exponent: i32) -> Self {
-        Self { hi: times_power_of_two(self.hi, exponent), lo: times_power_of_two(self.lo, exponent) }
+        Self { hi: self.hi.times_power_of_two(exponent), lo: self.lo.times_power_of_two(exponent) }
     }
 
+    /// Without its sign, which must be known.
     pub(crate) fn abs(self) -> Self {
-        if self.hi < 0.0 { -self } else { self }
+        if self.hi.lt(splat(0.0)) { -self } else { self }
     }
 }
 
@@ -57,13 +60,13 @@ impl<T: Lane> DoubleDouble<T> {
     /// The nearest single number.
     #[inline(always)]
     pub(crate) fn hi(self) -> T {
-        self.hi
+        T::in_one(self.hi, self.lo)[0]
     }
 
     /// What the nearest single number leaves out.
     #[inline(always)]
     pub(crate) fn lo(self) -> T {
-        self.lo
+        T::in_one(self.hi, self.lo)[1]
     }
 
     /// `a + b` without error.
@@ -75,8 +78,14 @@ impl<T: Lane> DoubleDouble<T> {
     /// `a b` without error (but for underflow).
     #[inline(always)]
     pub(crate) fn product(a: T, b: T) -> Self {
-        let hi = a * b;
-        Self { hi, lo: a.two_product_error(b, hi) }
+        let [hi, lo] = a.product_in_two(b);
+        Self { hi, lo }
+    }
+
+    /// `self - other` in one number, where the two agree to some units in the last place: then the high parts
+    /// differ without error.
+    fn less_near(self, other: Self) -> T {
+        (self.hi - other.hi) + (self.lo - other.lo)
     }
 
     /// The sum to all the digits of the larger part and a little less than twice that of the rest: half the
@@ -85,6 +94,11 @@ impl<T: Lane> DoubleDouble<T> {
     pub(crate) fn plus(self, other: Self) -> Self {
         let sum = two_sum(self.hi, other.hi);
         Self { hi: sum.hi, lo: sum.lo + (self.lo + other.lo) }
+    }
+
+    /// As a sum of which the terms left out amount to `rest` at most.
+    pub(crate) fn up_to(self, rest: impl FnOnce() -> T) -> Self {
+        Self { lo: self.lo.up_to(rest), ..self }
     }
 
     /// With both parts multiplied by 1 or -1.
@@ -108,31 +122,29 @@ impl<T: Lane> DoubleDouble<T> {
         let left = (self.hi - whole) + self.lo;
         // The low part can carry it just past the half.
         let more = left.round_ties_even();
-        let finite = left.abs().lt(splat::<T>(f64::INFINITY));
+        let finite = left.finite();
         (T::select(finite, whole + more, splat::<T>(0.0)), T::select(finite, left - more, splat::<T>(0.0)))
     }
 }
 
-impl From<f64> for DoubleDouble {
-    fn from(hi: f64) -> Self {
-        Self { hi, lo: 0.0 }
+impl<T: Lane> From<T> for DoubleDouble<T> {
+    fn from(hi: T) -> Self {
+        Self { hi, lo: T::zero() }
     }
 }
 
 /// `a + b` without error.
 #[inline(always)]
 fn two_sum<T: Lane>(a: T, b: T) -> DoubleDouble<T> {
-    let hi = a + b;
-    let part = hi - a;
-    let lo = (a - (hi - part)) + (b - part);
+    let [hi, lo] = a.sum_in_two(b);
     DoubleDouble { hi, lo }
 }
 
 /// `a + b` without error, where `|a| >= |b|` or `a` is zero.
 #[inline(always)]
 fn quick_two_sum<T: Lane>(a: T, b: T) -> DoubleDouble<T> {
-    let hi = a + b;
-    DoubleDouble { hi, lo: b - (hi - a) }
+    let [hi, lo] = a.quick_sum_in_two(b);
+    DoubleDouble { hi, lo }
 }
 
 impl<T: Lane> Add for DoubleDouble<T> {
@@ -163,9 +175,9 @@ impl<T: Lane> Sub for DoubleDouble<T> {
 impl<T: Lane> Mul for DoubleDouble<T> {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        let hi = self.hi * other.hi;
-        let lo = self.hi.two_product_error(other.hi, hi);
-        quick_two_sum(hi, lo + (self.hi * other.lo + self.lo * other.hi))
+        let [hi, lo] = self.hi.product_in_two(other.hi);
+        let lo = lo + (self.hi * other.lo + self.lo * other.hi);
+        quick_two_sum(hi, lo.up_to(|| self.lo * other.lo))
     }
 }
 
@@ -173,19 +185,19 @@ impl<T: Lane> Mul<T> for DoubleDouble<T> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: T) -> Self {
-        let hi = self.hi * other;
-        quick_two_sum(hi, self.hi.two_product_error(other, hi) + self.lo * other)
+        let [hi, lo] = self.hi.product_in_two(other);
+        quick_two_sum(hi, lo + self.lo * other)
     }
 }
 
-impl Div for DoubleDouble {
+impl<T: Real> Div for DoubleDouble<T> {
     type Output = Self;
     fn div(self, other: Self) -> Self {
-        let first = self.hi / other.hi;
-        if !first.is_finite() {
+        let first = (self.hi / other.hi).near();
+        if !first.finite() {
             return Self::from(first);
         }
-        quick_two_sum(first, self.less_near(other * first) / other.hi)
+        quick_two_sum(first, self.less_near(other * first) / other.hi())
     }
 }
 

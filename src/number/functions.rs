@@ -12,12 +12,14 @@
 
 mod arc;
 mod exponential;
+mod lanes;
 mod reduction;
 mod root;
 mod trigonometric;
 
 pub(crate) use arc::atan2;
 pub(crate) use exponential::{cosh, exp, exp_and_exp_m1, sinh};
+pub(crate) use lanes::{decay, sin_cos_near_zero};
 pub(crate) use root::{hypot, powi};
 pub(crate) use trigonometric::{cos_sinc_of_root, sin_cos};
 

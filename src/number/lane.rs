@@ -1,6 +1,7 @@
-//! Several numbers worked on at once.
+//! Several numbers worked on at once, and numbers known between bounds.
 
 use super::Field;
+use core::f64::consts::TAU;
 use core::fmt::Debug;
 use core::ops::{Add, Mul, Sub};
 use nalgebra::{Quaternion, Vector3};
@@ -12,6 +13,25 @@ use num_traits::Float;
     any(target_arch = "wasm32", target_arch = "aarch64", target_feature = "sse4.1")
 )))]
 const LARGE: f64 = 4_503_599_627_370_496.0;
+
+/// A field whose numbers can be sums of infinite series, of which the terms that matter are summed.
+pub trait Series: Field {
+    /// This sum, of which the terms left out amount to `rest` at most. `f64` and exact numbers keep the sum:
+    /// for the first the rest is below rounding, for the second the sum is the formula itself. An enclosure
+    /// takes the rest in.
+    ///
+    /// ```
+    /// use tumbling::number::Series;
+    /// assert_eq!(1.0_f64.up_to(|| unreachable!("never computed for an f64")), 1.0);
+    /// ```
+    #[must_use]
+    #[inline(always)]
+    fn up_to(self, _rest: impl FnOnce() -> Self) -> Self {
+        self
+    }
+}
+
+impl Series for f64 {}
 
 /// Several `f64` that go through the same arithmetic at once, each for itself: a processor's vector register.
 /// `f64` is the case of one lane.
@@ -26,6 +46,10 @@ const LARGE: f64 = 4_503_599_627_370_496.0;
 ///
 /// The functions for an index of a lane are called with those below [`WIDTH`](Self::WIDTH) only.
 ///
+/// The methods with a body are where `f64` rounds, or stops a series. An enclosure of a real number replaces
+/// them: with no lanes but itself, it answers `lt` and `sign` for a number in its middle, and either answer
+/// is then right for all that lie in it.
+///
 /// ```
 /// use tumbling::number::Lane;
 /// // Written once, for any number of bodies at once.
@@ -36,7 +60,7 @@ const LARGE: f64 = 4_503_599_627_370_496.0;
 /// assert_eq!(swapped(2.0, 1.0), [1.0, 2.0]);
 /// ```
 pub trait Lane:
-    Field + Copy + Add<f64, Output = Self> + Sub<f64, Output = Self> + Mul<f64, Output = Self>
+    Series + Copy + Add<f64, Output = Self> + Sub<f64, Output = Self> + Mul<f64, Output = Self>
 {
     /// Yes or no in each lane.
     type Mask: Copy + Debug;
@@ -85,6 +109,74 @@ pub trait Lane:
     /// left off.
     #[must_use]
     fn two_product_error(self, other: Self, product: Self) -> Self;
+
+    /// `self + other` in two parts, the second what rounding left off the first: without error.
+    #[must_use]
+    #[inline(always)]
+    fn sum_in_two(self, other: Self) -> [Self; 2] {
+        let high = self + other;
+        let part = high - self;
+        [high, (self - (high - part)) + (other - part)]
+    }
+
+    /// The same where `self` is not the smaller of the two, or is zero.
+    #[must_use]
+    #[inline(always)]
+    fn quick_sum_in_two(self, other: Self) -> [Self; 2] {
+        let high = self + other;
+        [high, other - (high - self)]
+    }
+
+    /// `self * other` in two parts: without error (but for underflow).
+    #[must_use]
+    #[inline(always)]
+    fn product_in_two(self, other: Self) -> [Self; 2] {
+        let high = self * other;
+        [high, self.two_product_error(other, high)]
+    }
+
+    /// A number in two parts as the nearest single one and the rest.
+    #[must_use]
+    #[inline(always)]
+    fn in_one(high: Self, low: Self) -> [Self; 2] {
+        [high, low]
+    }
+
+    /// The number that a quotient or a root is improved from.
+    #[must_use]
+    #[inline(always)]
+    fn near(self) -> Self {
+        self
+    }
+
+    /// Whether it is neither infinite nor NaN.
+    #[must_use]
+    #[inline(always)]
+    fn finite(self) -> Self::Mask {
+        self.abs().lt(splat(f64::INFINITY))
+    }
+
+    /// A number that only rounding can bring below zero.
+    #[must_use]
+    #[inline(always)]
+    fn not_below_zero(self) -> Self {
+        let zero = splat::<Self>(0.0);
+        Self::select(zero.lt(self), self, zero)
+    }
+
+    /// Sine and cosine of this part of a turn, at most an eighth.
+    #[must_use]
+    #[inline(always)]
+    fn sin_cos_of_part(self) -> (Self, Self) {
+        crate::number::functions::sin_cos_near_zero(self * TAU)
+    }
+
+    /// `exp(-x)` and `exp(-x) - 1` of `x = self + rest >= 0`.
+    #[must_use]
+    #[inline(always)]
+    fn decay(self, rest: Self) -> [Self; 2] {
+        crate::number::functions::decay(self, rest)
+    }
 }
 
 /// One number in every lane.

@@ -1,5 +1,5 @@
-//! Equations in TeX, each proven of what its names mean: what functions of the library give, or, of the
-//! closed form, formulas and sums that are written here a second time.
+//! Equations in TeX, each proven of what its names mean: what functions of the library give, the sums of its
+//! closed form too, or, of that form's constants, formulas that are written here a second time.
 //!
 //! [`read`] takes the pieces of maths of a text, and the [laws](Law) that it is [`Expected`] to state.
 //! Whatever states something must be one of these laws, and is then proven as it stands there, in TeX; or one

@@ -23,6 +23,7 @@ pub mod frozen;
 mod functions;
 pub mod geometry;
 pub mod motion;
+mod real;
 #[cfg(test)]
 mod tests;
 

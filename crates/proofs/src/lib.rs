@@ -15,10 +15,11 @@
 //! assert_eq!(omega.dot(&torque_free).to_string(), "0");
 //! ```
 //!
-//! [`proofs()`] lists them all. Two kinds say less. The closed form of the library computes in floats alone:
-//! its formulas are written here a second time, and what they make is put into the library's laws. And the
-//! laws that a stepping method keeps are proven of its equations, written here a second time; of its own
-//! step, of which the order is proven, they are tested from two starts in exact fractions.
+//! [`proofs()`] lists them all. Two kinds say less. Of the closed form the library's own sums run on symbols,
+//! and all of it on intervals; but the formulas of its constants, which have roots, are written here a second
+//! time, and what they make is put into the library's laws. And the laws that a stepping method keeps are
+//! proven of its equations, written here a second time; of its own step, of which the order is proven, they
+//! are tested from two starts in exact fractions.
 //!
 //! A proof is about the formula in exact arithmetic: it says nothing of rounding, of overflow, or of what is
 //! computed with branches and roots, which other tests must watch.

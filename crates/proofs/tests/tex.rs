@@ -1,6 +1,7 @@
 //! TeX is read as it is meant, and what could be read in two ways is refused.
 
 use proptest::prelude::*;
+use tumbling_proofs::equations::laws;
 use tumbling_proofs::symbols::{attitude, diagonal, symmetric, vector};
 use tumbling_proofs::tex::{Scope, Statement, parse};
 use tumbling_proofs::{Fraction, Polynomial};
@@ -293,4 +294,28 @@ fn tex_like() -> impl Strategy<Value = String> {
         "é",
     ];
     prop::collection::vec(prop::sample::select(pieces), 0..16).prop_map(|pieces| pieces.join(" "))
+}
+
+/// The quotients of (C16), (C29) and (C30), whose factors belong to the law: with another one it is refused.
+#[test]
+fn jacobis_functions_are_the_quotients_of_the_librarys_sums() {
+    for (law, tex, factor) in [
+        (laws::SN_BY_THETAS, r"\operatorname{sn} = \frac{n_3\,\theta_1 \sin z}{n_2\,\theta_4}", "n_3"),
+        (laws::DN_BY_THETAS, r"\operatorname{dn} = \frac{n_4\,\theta_3}{n_3\,\theta_4}", "n_4"),
+        (laws::CN_NEAR_THE_FLIP, r"\operatorname{cn} = \frac{2\,e\,m_2\,\theta'_4}{m_4\,\theta'_2}", "2"),
+        (laws::SN_NEAR_THE_SADDLE, r"\operatorname{sn} = \frac{m_3\,\theta'_4}{m_4\,\theta'_3}", "m_3"),
+        (
+            laws::CN_NEAR_THE_SADDLE,
+            r"\operatorname{cn} = \frac{k'\,m_3^2\,\theta'_1}{2\,e\,m_4\,m_2\,\theta'_3}",
+            "m_4",
+        ),
+        (
+            laws::DN_NEAR_THE_SADDLE,
+            r"\operatorname{dn} = \frac{k'\,m_3\,\theta'_2}{2\,e\,m_2\,\theta'_3}",
+            "k'",
+        ),
+    ] {
+        assert_eq!(law.holds(tex), Ok(()));
+        assert!(law.holds(&tex.replacen(factor, "3", 1)).is_err(), "{tex}");
+    }
 }

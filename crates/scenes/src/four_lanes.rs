@@ -6,7 +6,7 @@
 use num_traits::{One, Zero};
 use std::array::from_fn;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
-use tumbling::number::Lane;
+use tumbling::number::{Lane, Series};
 use wide::f64x4;
 
 /// Four numbers side by side: a vector register where the program is built for a machine that has them (`-C
@@ -72,6 +72,8 @@ const UNIT: f64 = 6_755_399_441_055_744.0;
 /// Between these (or zero), a product and all its parts are within the range.
 const SMALL: f64 = 1e-120;
 const LARGE: f64 = 1e120;
+
+impl Series for FourLanes {}
 
 impl Lane for FourLanes {
     type Mask = f64x4;

@@ -1,5 +1,6 @@
 //! Carlson's symmetric integrals of the first and second kind [Car95](crate::references), by duplication.
 
+use crate::number::{Field, Real, splat};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
@@ -9,38 +10,50 @@ const NEAR: [f64; 2] = [3e-3, 5e-3];
 /// `R_F(x², y², z²)` for three numbers not below zero, at most one of them zero (two zeros give infinity).
 ///
 /// Takes the roots, so that 1e-200 and its like come through: the first duplication uses them as they are.
-pub(crate) fn rf_of_roots(x: f64, y: f64, z: f64) -> f64 {
+pub(crate) fn rf_of_roots<T: Real>(x: T, y: T, z: T) -> T {
     let shared = x * y + y * z + z * x;
-    if shared == 0.0 {
-        return f64::INFINITY;
+    if shared == T::zero() {
+        return splat(f64::INFINITY);
     }
-    let mut v = [x, y, z].map(|a| 0.25 * (a * a + shared));
+    let mean = |v: &[T; 3]| (v[0] + v[1] + v[2]) / splat(3.0);
+    let mut v = [x, y, z].map(|a| (a * a + shared) * 0.25);
     // Each step divides the differences by four, from where the numbers are of one size; from numbers
     // hundreds of orders apart, ten steps lead there.
     for _ in 0..40 {
-        let mean = (v[0] + v[1] + v[2]) / 3.0;
-        let spread = v.iter().map(|a| (a - mean).abs()).fold(0.0, f64::max);
-        if spread <= NEAR[0] * mean {
+        let mean = mean(&v);
+        if v.iter().all(|a| (*a - mean).abs() <= mean * NEAR[0]) {
             break;
         }
         // (C46)
-        let [a, b, c] = v.map(f64::sqrt);
+        let [a, b, c] = v.map(T::sqrt);
         let shared = a * b + b * c + c * a;
-        v = v.map(|a| 0.25 * (a + shared));
+        v = v.map(|a| (a + shared) * 0.25);
     }
-    let mean = (v[0] + v[1] + v[2]) / 3.0;
-    let [a, b] = [0, 1].map(|i| 1.0 - v[i] / mean);
+    let mean = mean(&v);
+    let [a, b] = [0, 1].map(|i| splat::<T>(1.0) - v[i] / mean);
     let c = -a - b;
     let (e2, e3) = (a * b - c * c, a * b * c);
-    (1.0 + first_series(e2, e3)) / mean.sqrt()
+    let sum = (first_series(e2, e3) + 1.0).up_to(|| first_rest(a.abs() + b.abs()));
+    sum / mean.sqrt()
+}
+
+/// What the series of the first kind leaves out at most, of numbers whose distances from their mean are at
+/// most this one: the term of order `n` is below a fifth of its power.
+fn first_rest<T: Real>(most: T) -> T {
+    let square = most * most;
+    let fourth = square * square;
+    if most < splat(0.5) { fourth * fourth * 0.4 } else { splat(f64::INFINITY) }
 }
 
 /// The series of [Car95](crate::references) to the terms of seventh order, without its first term.
-fn first_series(e2: f64, e3: f64) -> f64 {
+fn first_series<T: Field>(e2: T, e3: T) -> T {
+    let (n, e2, e3) = (T::integer, || e2.clone(), || e3.clone());
     // (C47)
-    -e2 / 10.0 + e3 / 14.0 + e2 * e2 / 24.0 - 3.0 * e2 * e3 / 44.0 - 5.0 * e2 * e2 * e2 / 208.0
-        + 3.0 * e3 * e3 / 104.0
-        + e2 * e2 * e3 / 16.0
+    -e2() / n(10) + e3() / n(14) + e2() * e2() / n(24)
+        - n(3) * e2() * e3() / n(44)
+        - n(5) * e2() * e2() * e2() / n(208)
+        + n(3) * e3() * e3() / n(104)
+        + e2() * e2() * e3() / n(16)
 }
 
 /// `R_D(x, y, z)`, three halves of the integral of `1/((t+z) sqrt((t+x)(t+y)(t+z)))` over positive `t`, for

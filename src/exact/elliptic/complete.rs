@@ -1,9 +1,7 @@
 //! The complete integral by the arithmetic-geometric mean [Gau99](crate::references).
 
 use crate::number::double_double::DoubleDouble;
-use core::f64::consts::FRAC_PI_2;
-#[cfg(not(feature = "std"))]
-use num_traits::Float as _;
+use crate::number::{Real, splat};
 
 /// How near two numbers are, relative to their size, that (C45) takes to the end: what that leaves out is of
 /// the fourth order.
@@ -12,39 +10,46 @@ const NEAR: f64 = 1e-8;
 /// `K` in twice the precision, from the complementary modulus and its root, which must be above zero.
 ///
 /// The root is a parameter of its own since it has all its digits where the complement is subnormal.
-pub(crate) fn quarter_period_from_root(complement: DoubleDouble, root: DoubleDouble) -> DoubleDouble {
-    let (mut a, mut g) = ((DoubleDouble::ONE + complement) * 0.5, root);
+pub(crate) fn quarter_period_from_root<T: Real>(
+    complement: DoubleDouble<T>,
+    root: DoubleDouble<T>,
+) -> DoubleDouble<T> {
+    let half = splat::<T>(0.5);
+    let (mut a, mut g) = ((DoubleDouble::from(T::one()) + complement) * half, root);
     // (C45): each step doubles the digits, once the first ten at most have brought 1e-162 up to where that
     // sets in.
     for _ in 0..24 {
         let difference = (a - g).hi();
-        let mean = (a + g) * 0.5;
-        if difference.abs() <= NEAR * a.hi() {
+        let mean = (a + g) * half;
+        if difference.abs() <= a.hi() * NEAR {
             // What the next step would take off, but for its square.
-            a = mean - DoubleDouble::from(difference * difference / (16.0 * mean.hi()));
-            break;
+            let (square, size) = (difference * difference, mean.hi());
+            let taken = (square / (size * 16.0)).up_to(|| square * square / (size * size * size));
+            return DoubleDouble::pi() * half / (mean - DoubleDouble::from(taken));
         }
         g = (a * g).sqrt();
         a = mean;
     }
-    // (C8)
-    DoubleDouble::PI * 0.5 / a
+    // (C8); the mean lies between the two.
+    let between = a.up_to(|| (a - g).hi());
+    DoubleDouble::pi() * half / between
 }
 
 /// In `f64`: `pi / (2 agm(1, complement))`; infinite for 0.
-pub(crate) fn quarter_period(complement: f64) -> f64 {
-    if complement == 0.0 {
-        return f64::INFINITY;
+pub(crate) fn quarter_period<T: Real>(complement: T) -> T {
+    if complement == T::zero() {
+        return splat(f64::INFINITY);
     }
-    let (mut a, mut g) = (1.0, complement);
+    let (mut a, mut g) = (T::one(), complement);
     for _ in 0..24 {
         // The next mean of two this close is right to rounding.
-        if (a - g).abs() <= NEAR * a {
-            break;
+        if (a - g).abs() <= a * NEAR {
+            let mean = ((a + g) * 0.5).up_to(|| (a - g) * (a - g) / a);
+            return DoubleDouble::<T>::pi().hi() * 0.5 / mean;
         }
-        (a, g) = (0.5 * (a + g), (a * g).sqrt());
+        (a, g) = ((a + g) * 0.5, (a * g).sqrt());
     }
-    FRAC_PI_2 / (0.5 * (a + g))
+    DoubleDouble::<T>::pi().hi() * 0.5 / ((a + g) * 0.5).up_to(|| a - g)
 }
 
 #[cfg(test)]

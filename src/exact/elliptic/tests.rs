@@ -60,7 +60,7 @@ impl Jacobi {
             Series::Direct(DirectSeries::new(exp(-PI * ratio)))
         } else {
             let p = exp(-FRAC_PI_2 / ratio);
-            Series::Complementary(ComplementarySeries::new(p * p, complement, 0), PI / (2.0 * other), p)
+            Series::Complementary(ComplementarySeries::new(p * p, complement, 1.0), PI / (2.0 * other), p)
         };
         Self { quarter, series }
     }
@@ -268,24 +268,24 @@ fn at_the_border_no_sum_leaves_out_more_than_a_part_of_a_rounding() {
     }
     for row in rows("complementary") {
         let (root, x) = (input(&row[0]), input(&row[1]));
-        let series = ComplementarySeries::new(root * root, 1.0, 0);
-        compare("complementary sum", &series.sums(&Decay::new(x, 0.0, root)), &list(&row[2]), None);
+        let series = ComplementarySeries::new(root * root, 1.0, 1.0);
+        compare("complementary sum", &series.sums_of(&Decay::new(x, 0.0, root)), &list(&row[2]), None);
         compare("near", &series.near_flip, &list(&row[3]), None);
         compare("far", &series.near_saddle, &list(&row[4]), None);
     }
     let shape = |depth: f64| Shape { cyclic: true, forward: true, tilt: 1.0, depth };
     for row in rows("direct_pair") {
-        let pair = DirectPair::new(input(&row[0]), &shape(input(&row[1])));
+        let pair = DirectPair::of_shape(input(&row[0]), &shape(input(&row[1])));
         let Pair { a: [w, x], b: [y, z] } = pair.raw(input(&row[2]), input(&row[3]));
         compare("direct pair", &[w, x, y, z], &list(&row[4]), Some(1.0));
         compare("direct turning", &[pair.turning_at_zero()], &[row[5].clone()], Some(1.0));
     }
     for row in rows("complementary_pair") {
         let [root, depth, e] = [0, 1, 2].map(|k| input(&row[k]));
-        let pair = ComplementaryPair::new(root, &shape(depth));
+        let pair = ComplementaryPair::of_shape(root, &shape(depth));
         let Pair { a: [w, x], b: [y, z] } = pair.raw(e, root / e, 1.0, 1.0);
         compare("complementary pair", &[w, x, y, z], &list(&row[3]), Some(1.0));
-        let (angle, turning) = pair.angle_and_turning_at_saddle();
+        let (angle, turning) = (pair.angle_at_saddle(), pair.turning_at_saddle());
         compare("angle at the saddle", &[angle], &[row[4].clone()], Some(1.0));
         compare("turning at the saddle", &[turning], &[row[5].clone()], Some(1.0));
     }

@@ -1,9 +1,7 @@
 //! Sine and cosine of an angle given in turns: no division by the circle's constant to lose digits in.
 
 use crate::number::double_double::DoubleDouble;
-use crate::number::functions::inverse_factorials;
 use crate::number::{Lane, splat};
-use core::f64::consts::TAU;
 
 /// Sine and cosine of `turns` whole turns.
 ///
@@ -13,8 +11,7 @@ use core::f64::consts::TAU;
 pub(crate) fn sin_cos_of_turns<T: Lane>(turns: DoubleDouble<T>) -> (T, T) {
     let (_, part) = turns.split();
     let quarters = (part * 4.0).round_ties_even();
-    let angle = (part - quarters * 0.25) * TAU;
-    let (sin, cos) = near_zero(angle);
+    let (sin, cos) = (part - quarters * 0.25).sin_cos_of_part();
     // Quarters from -2 to 2: an odd one exchanges the two, and each then has its half of the circle below
     // zero.
     let size = quarters.abs();
@@ -27,31 +24,10 @@ pub(crate) fn sin_cos_of_turns<T: Lane>(turns: DoubleDouble<T>) -> (T, T) {
     (T::select(opposite, half, sin_sign) * s, T::select(opposite, half, cos_sign) * c)
 }
 
-/// Both by their own series, for angles up to an eighth of a turn: the first term left out is below 1e-17
-/// of the sum.
-#[inline(always)]
-fn near_zero<T: Lane>(x: T) -> (T, T) {
-    const S: [f64; 8] = inverse_factorials(3, 2, -1.0);
-    const C: [f64; 8] = inverse_factorials(4, 2, -1.0);
-    let y = x * x;
-    let (y2, y4) = (y * y, (y * y) * (y * y));
-    // Pairs, then pairs of pairs: the processor works on them at once.
-    let series = |a: &[f64; 8]| {
-        let low = (y * a[1] + a[0]) + y2 * (y * a[3] + a[2]);
-        let high = (y * a[5] + a[4]) + y2 * (y * a[7] + a[6]);
-        low + y4 * high
-    };
-    let sin = x - x * y * series(&S);
-    let half = y * 0.5;
-    let near = -half + 1.0;
-    // What the subtraction rounded off goes back in.
-    let cos = near + (((-near + 1.0) - half) + y2 * series(&C));
-    (sin, cos)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use core::f64::consts::TAU;
     use proptest::prelude::*;
 
     proptest! {

@@ -15,15 +15,13 @@ pub(super) struct Axes<T = f64> {
 
 gather_fields!(Axes { circled, sense });
 
-impl Axes {
+impl<T: Lane> Axes<T> {
     /// Of the indices across, middle, circled.
     pub(super) fn new([across, middle, circled]: [usize; 3]) -> Self {
         let cyclic = (across + 1) % 3 == middle;
-        Self { circled: FirstAxis::new(circled), sense: if cyclic { 1.0 } else { -1.0 } }
+        Self { circled: FirstAxis::new(circled), sense: splat(if cyclic { 1.0 } else { -1.0 }) }
     }
-}
 
-impl<T: Lane> Axes<T> {
     /// The spin from its amplitudes (across, middle, circled) and Jacobi's functions.
     #[inline(always)]
     pub(super) fn spin(&self, amplitudes: &[T; 3], [sn, cn, dn]: [T; 3]) -> Vector3<T> {

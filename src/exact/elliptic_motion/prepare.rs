@@ -11,11 +11,7 @@ use crate::exact::elliptic::{self, ComplementarySeries, DirectSeries, NOME_RATIO
 use crate::exact::period::quarter_period;
 use crate::inertia::Axis;
 use crate::number::double_double::DoubleDouble;
-use crate::number::functions::{atan2, exp, sin_cos};
-use crate::number::power_of_two::times_power_of_two;
-use core::f64::consts::{FRAC_PI_2, PI};
-#[cfg(not(feature = "std"))]
-use num_traits::Float as _;
+use crate::number::{Real, splat};
 
 /// Up to this power of two the spin's components come out in one product with their amplitudes, with all
 /// digits: the rest of the exponent's range is room for what is small relative to the largest.
@@ -23,51 +19,51 @@ const ONE_PRODUCT: i32 = 600;
 
 /// The motion in scaled units: everything that both series are prepared from. Triples go across, middle,
 /// circled.
-struct Preparation<'a> {
-    motion: &'a Asymmetric,
-    modulus: f64,
-    complement: f64,
+struct Preparation<'a, T> {
+    motion: &'a Asymmetric<T>,
+    modulus: T,
+    complement: T,
     /// `K`, and `K'`.
-    quarter: DoubleDouble,
-    other: f64,
+    quarter: DoubleDouble<T>,
+    other: T,
     direct: bool,
     /// Powers of two taken into cn, dn and the complement, and into sn and cn.
     shift: i32,
     lift: i32,
-    scaled_complement: f64,
+    scaled_complement: T,
     /// The first two times `2^lift`.
-    amplitudes: [DoubleDouble; 3],
+    amplitudes: [DoubleDouble<T>; 3],
     /// The spin at the start, in the units of the series.
-    omega: [f64; 3],
+    omega: [T; 3],
     /// The rate of Jacobi's argument, with its sign.
-    rate: DoubleDouble,
+    rate: DoubleDouble<T>,
     /// 1 where the spin along the circled axis is positive, otherwise -1.
-    sign: f64,
+    sign: T,
     /// Whether across, middle and circled follow each other in cyclic order.
     cyclic: bool,
     /// `2E` and `L`.
-    twice_energy: DoubleDouble,
-    momentum: DoubleDouble,
+    twice_energy: DoubleDouble<T>,
+    momentum: DoubleDouble<T>,
 }
 
 /// What both series have in common.
-struct Prepared {
-    form: Form,
-    argument: DoubleDouble,
+struct Prepared<T> {
+    form: Form<T>,
+    argument: DoubleDouble<T>,
     /// Corrected so that the start comes out as it was given.
-    amplitudes: [f64; 3],
+    amplitudes: [T; 3],
 }
 
-impl EllipticMotion {
+impl<T: Real> EllipticMotion<T> {
     /// Refuses a push so small relative to the spin that no `f64` holds their ratio even when it is scaled
     /// up: 1e-570.
-    pub(crate) fn new(motion: &Asymmetric, omega: &[f64; 3]) -> Result<Self, Error> {
+    pub(crate) fn new(motion: &Asymmetric<T>, omega: &[T; 3]) -> Result<Self, Error> {
         let preparation = Preparation::new(motion, omega)?;
         let Preparation { modulus, complement, scaled_complement, quarter, rate, .. } = preparation;
         let shares = preparation.shares();
         let Prepared { form, argument, amplitudes } =
             if preparation.direct { preparation.direct(shares) } else { preparation.complementary(shares) };
-        let about = if motion.moments[motion.around] > motion.moments[motion.middle] {
+        let about = if motion.moments[motion.middle].lt(motion.moments[motion.around]) {
             Axis::Largest
         } else {
             Axis::Smallest
@@ -94,35 +90,35 @@ impl EllipticMotion {
     }
 }
 
-impl<'a> Preparation<'a> {
-    fn new(motion: &'a Asymmetric, omega: &[f64; 3]) -> Result<Self, Error> {
+impl<'a, T: Real> Preparation<'a, T> {
+    fn new(motion: &'a Asymmetric<T>, omega: &[T; 3]) -> Result<Self, Error> {
         // (C4)
         let modulus = motion.modulus();
         let complement = motion.complement(0).hi();
         // (C8)
         let quarter = quarter_period(motion);
         let other = elliptic::quarter_period(modulus);
-        let direct = !motion.separatrix && other / quarter.hi() >= NOME_RATIO;
+        let direct = !motion.separatrix && !(other / quarter.hi()).lt(splat(NOME_RATIO));
         // What is small may be out of range relative to what is not: near the saddle the across and the
         // circled component (with cn, dn and the complement), in a small libration the across and the middle
         // one.
         let shift = if direct || motion.small > -200 { 0 } else { (-motion.small).min(1000) };
         let lift = if direct && motion.off_axis < -200 { -motion.off_axis } else { 0 };
         let scaled_complement = if shift == 0 { complement } else { motion.complement(shift).hi() };
-        if !motion.separatrix && !direct && !scaled_complement.is_normal() {
+        if !motion.separatrix && !direct && !scaled_complement.has_all_digits() {
             let what = Subject::ComplementaryModulus;
-            return Err(Refusal::OutOfRange { what, value: complement }.into());
+            return Err(Refusal::OutOfRange { what, value: complement.lane(0) }.into());
         }
-        let at_start = |axis: usize, up: i32| times_power_of_two(omega[axis], up - motion.clock);
+        let at_start = |axis: usize, up: i32| omega[axis].times_power_of_two(up - motion.clock);
         let (x, m, c) = (motion.across, motion.middle, motion.around);
         let spin = [at_start(x, shift + lift), at_start(m, lift), at_start(c, shift)];
         let i = motion.moments;
-        let sign = if spin[2] > 0.0 { 1.0 } else { -1.0 };
+        let sign = if T::zero().lt(spin[2]) { 1.0 } else { -1.0 };
         let cyclic = (x + 1) % 3 == m;
-        let direction = if cyclic { 1.0 } else { -1.0 } * sign * if i[c] > i[m] { 1.0 } else { -1.0 };
+        let direction = if cyclic { 1.0 } else { -1.0 } * sign * if i[m].lt(i[c]) { 1.0 } else { -1.0 };
         // L and 2E in the same units.
         let w = [0, 1, 2].map(|axis| at_start(axis, 0));
-        let sum = |f: &dyn Fn(usize) -> DoubleDouble| f(0) + f(1) + f(2);
+        let sum = |f: &dyn Fn(usize) -> DoubleDouble<T>| f(0) + f(1) + f(2);
         let square = |k: usize| DoubleDouble::product(w[k], w[k]);
         Ok(Self {
             motion,
@@ -138,8 +134,8 @@ impl<'a> Preparation<'a> {
             amplitudes: motion.amplitudes(lift),
             omega: spin,
             // (C6), with its sign
-            rate: motion.rate() * direction,
-            sign,
+            rate: motion.rate() * splat::<T>(direction),
+            sign: splat(sign),
             cyclic,
             // (C1)
             twice_energy: sum(&|k| square(k) * i[k]),
@@ -152,7 +148,7 @@ impl<'a> Preparation<'a> {
     }
 
     /// The three moments.
-    fn moments(&self) -> [f64; 3] {
+    fn moments(&self) -> [T; 3] {
         self.axes().map(|axis| self.motion.moments[axis])
     }
 
@@ -162,20 +158,21 @@ impl<'a> Preparation<'a> {
     }
 
     /// The momentum's greatest shares.
-    fn shares(&self) -> [f64; 3] {
+    fn shares(&self) -> [T; 3] {
         // (C17)
         let [across, middle, circled] = self.amplitudes;
         let [i_x, i_m, i_c] = self.moments();
         let momentum = self.momentum.hi();
         let share =
-            |amplitude: DoubleDouble, moment: f64| amplitude.scaled(-self.lift).hi() * moment / momentum;
+            |amplitude: DoubleDouble<T>, moment: T| amplitude.scaled(-self.lift).hi() * moment / momentum;
         [share(across, i_x), share(middle, i_m), circled.hi() * i_c / momentum]
     }
 
     /// The largest component that the spin ever has, rad/s.
-    fn greatest(&self) -> f64 {
-        let top = |k: usize, up: i32| times_power_of_two(self.amplitudes[k].hi(), self.motion.clock - up);
-        top(0, self.lift).max(top(1, self.lift)).max(top(2, 0))
+    fn greatest(&self) -> T {
+        let top = |k: usize, up: i32| self.amplitudes[k].hi().times_power_of_two(self.motion.clock - up);
+        let larger = |a: T, b: T| T::select(a.lt(b), b, a);
+        larger(larger(top(0, self.lift), top(1, self.lift)), top(2, 0))
     }
 
     /// Whether the amplitudes can be in rad/s.
@@ -185,27 +182,28 @@ impl<'a> Preparation<'a> {
 
     /// The powers of two that take the three components, in the order of the body, to rad/s if the amplitudes
     /// are not.
-    fn unscale(&self) -> Option<[[f64; 2]; 3]> {
+    fn unscale(&self) -> Option<[[T; 2]; 3]> {
         if self.within_range() {
             return None;
         }
-        let mut powers = [[1.0; 2]; 3];
+        let power = |exponent: i32| T::one().times_power_of_two(exponent);
+        let mut powers = [[T::one(); 2]; 3];
         for (axis, up) in self.axes().into_iter().zip(self.lifts()) {
             let total = self.motion.clock - up;
             let part = if total < -900 { 600 } else { 0 };
-            powers[axis] = [times_power_of_two(1.0, total + part), times_power_of_two(1.0, -part)];
+            powers[axis] = [power(total + part), power(-part)];
         }
         Some(powers)
     }
 
     /// The amplitudes as the series take them: in rad/s where that is within range.
-    fn in_series(&self, amplitudes: [f64; 3]) -> [f64; 3] {
+    fn in_series(&self, amplitudes: [T; 3]) -> [T; 3] {
         let clock = if self.within_range() { self.motion.clock } else { 0 };
-        amplitudes.map(|x| times_power_of_two(x, clock))
+        amplitudes.map(|x| x.times_power_of_two(clock))
     }
 
     /// `sn`, and `cn`, `dn` times `2^shift`, at the start.
-    fn values(&self) -> [f64; 3] {
+    fn values(&self) -> [T; 3] {
         let [w_x, w_m, w_c] = self.omega;
         let [across, middle, circled] = self.amplitudes.map(DoubleDouble::hi);
         // (C10)
@@ -213,7 +211,7 @@ impl<'a> Preparation<'a> {
     }
 
     /// What the attitude's theta functions are made from, with their zero at `depth` per argument.
-    fn shape(&self, shares: [f64; 3], per_argument: f64) -> Shape {
+    fn shape(&self, shares: [T; 3], per_argument: T) -> Shape<T> {
         let Asymmetric { d_cx, d_cm, d_mx, .. } = self.motion;
         let [d_cx, d_cm, d_mx] = [d_cx, d_cm, d_mx].map(|d| d.hi());
         let [i_x, i_m, i_c] = self.moments();
@@ -223,31 +221,30 @@ impl<'a> Preparation<'a> {
         let excess = d_mx * i_c / (d_cx * i_m);
         let shifted = (excess + self.modulus * self.modulus * over_rho).sqrt();
         // (C19)
-        let depth = over_rho.sqrt() * elliptic::rf_of_roots(excess.sqrt(), shifted, 1.0);
+        let depth = over_rho.sqrt() * elliptic::rf_of_roots(excess.sqrt(), shifted, T::one());
         Shape {
             cyclic: self.cyclic,
-            forward: self.sign > 0.0,
+            forward: T::zero().lt(self.sign),
             // (C24)
-            tilt: shares[1] / (1.0 + shares[2] * self.complement),
+            tilt: shares[1] / (shares[2] * self.complement + 1.0),
             // (C21), (C31)
-            depth: PI * depth / per_argument,
+            depth: pi::<T>() * depth / per_argument,
         }
     }
 
     /// By the series of the nome.
-    fn direct(&self, shares: [f64; 3]) -> Prepared {
+    fn direct(&self, shares: [T; 3]) -> Prepared<T> {
         let quarter = self.quarter.hi();
         // (C9)
-        let exponent = -PI * (self.other / quarter);
-        let nome = exp(exponent);
+        let nome = (-pi::<T>() * (self.other / quarter)).exp();
         let series = DirectSeries::new(nome);
-        let pair = DirectPair::new(nome, &self.shape(shares, quarter));
+        let pair = DirectPair::of_shape(nome, &self.shape(shares, quarter));
         // (C13)
-        let turns = self.rate / (self.quarter * 4.0);
-        let turns_per_argument = 0.25 / quarter;
+        let turns = self.rate / (self.quarter * splat::<T>(4.0));
+        let turns_per_argument = splat::<T>(0.25) / quarter;
         let [sin, cos] = phase_at_start(self.values(), self.complement, quarter);
         let (amplitudes, shift) = self.meeting_the_start(series.values(sin, cos));
-        let angle = 2.0 * PI * turns_per_argument * shift;
+        let angle = pi::<T>() * 2.0 * turns_per_argument * shift;
         let start @ [sin, cos] = [sin - cos * angle, cos + sin * angle];
         // Steady rate: that of the smooth phase about L where the across component is largest, less what
         // the theta function turns there.
@@ -255,49 +252,52 @@ impl<'a> Preparation<'a> {
         // (C20)
         let about = (self.twice_energy + self.momentum * circled) / (self.momentum + circled * i_c);
         // (C25)
-        let drift = about * self.sign * 0.5 / (DoubleDouble::PI * 2.0) - turns * pair.turning_at_zero();
+        let (two, half_angle) = (splat::<T>(2.0), about * self.sign * splat::<T>(0.5));
+        let drift = half_angle / (DoubleDouble::pi() * two) - turns * pair.turning_at_zero();
         let amplitudes_in_series = self.in_series(amplitudes);
         let axes = Axes::new(self.axes());
         let spin = DirectSpin { series, start, turns, amplitudes: amplitudes_in_series, axes };
         let attitude = DirectAttitude { pair, start: of_length_one(pair.raw(sin, cos)), drift };
         // From the nearest flip, where it has all its digits.
-        let angle = atan2(sin, cos.abs());
-        let argument = DoubleDouble::from(angle.copysign(sin * cos) / (2.0 * PI * turns_per_argument));
+        let angle = sin.abs().atan2(cos.abs()).with_sign(sin * cos);
+        let argument = DoubleDouble::from(angle / (pi::<T>() * 2.0 * turns_per_argument));
         Prepared { form: Form::Direct { spin, attitude }, argument, amplitudes }
     }
 
     /// By the series of the complementary nome.
-    fn complementary(&self, shares: [f64; 3]) -> Prepared {
+    fn complementary(&self, shares: [T; 3]) -> Prepared<T> {
         let Self { rate, quarter, other, .. } = *self;
         let values = self.values();
         let start = argument_at_start(values, self.scaled_complement, quarter, self.shift);
-        let turn = if values[1] < 0.0 { -1.0 } else { 1.0 };
+        let turn = splat(if values[1].lt(T::zero()) { -1.0 } else { 1.0 });
         // (C27)
         let mut reduction = Reduction::new(start, rate, quarter, other, turn);
         let Reduction { nome_root, stretch, .. } = reduction;
-        let series = ComplementarySeries::new(nome_root * nome_root, self.scaled_complement, self.shift);
-        let pair = ComplementaryPair::new(nome_root, &self.shape(shares, 4.0 * other));
-        let (angle, turning) = pair.angle_and_turning_at_saddle();
-        let (amplitudes, shift) = self.meeting_the_start(reduction.argument(0.0).values(&series));
+        let power = T::one().times_power_of_two(self.shift);
+        let series = ComplementarySeries::new(nome_root * nome_root, self.scaled_complement, power);
+        let pair = ComplementaryPair::of_shape(nome_root, &self.shape(shares, other * 4.0));
+        let zero = T::zero();
+        let (amplitudes, shift) = self.meeting_the_start(reduction.argument(zero).values(&series));
         reduction.start = reduction.start - DoubleDouble::from(shift);
-        let start = of_length_one(reduction.argument(0.0).pair(&pair));
-        let drift =
-            (self.rate_about_momentum() * 0.5 - rate * (stretch * turning)) / (DoubleDouble::PI * 2.0);
+        let start = of_length_one(reduction.argument(zero).pair(&pair));
+        let (two, turned) = (splat::<T>(2.0), rate * (stretch * pair.turning_at_saddle()));
+        let drift = (self.rate_about_momentum() * splat::<T>(0.5) - turned) / (DoubleDouble::pi() * two);
+        // (C33)
+        let step = pair.angle_at_saddle() * 2.0 / (pi::<T>() * 2.0);
         let axes = Axes::new(self.axes());
         let spin = ComplementarySpin { series, reduction, amplitudes: self.in_series(amplitudes), axes };
-        // (C33)
-        let attitude = ComplementaryAttitude { pair, start, drift, step: 2.0 * angle / (2.0 * PI) };
+        let attitude = ComplementaryAttitude { pair, start, drift, step };
         Prepared { form: Form::Complementary { spin, attitude }, argument: reduction.start, amplitudes }
     }
 
     /// How fast the smooth phase about the momentum runs at the saddle: as `L/I_M` but for terms that vanish
     /// with the complement.
-    fn rate_about_momentum(&self) -> DoubleDouble {
+    fn rate_about_momentum(&self) -> DoubleDouble<T> {
         let [_, i_m, i_c] = self.moments();
         let slow = self.amplitudes[2].hi() * self.complement;
         let lead = self.momentum / DoubleDouble::from(i_m);
         // (C34), with the discriminant of (C2)
-        let sign = if i_c > i_m { 1.0 } else { -1.0 };
+        let sign = splat::<T>(if i_m.lt(i_c) { 1.0 } else { -1.0 });
         let signed_distance = sign * self.motion.distance_from_separatrix();
         let l = self.momentum.hi();
         let rest = -(signed_distance + l * slow * (i_c - i_m)) / (i_m * (l + i_c * slow));
@@ -309,63 +309,65 @@ impl<'a> Preparation<'a> {
     ///
     /// Of the relative errors of the across and middle components, what they differ by is the phase's; what
     /// they share, weighed so that the one near zero does not count, is the amplitude's.
-    fn meeting_the_start(&self, [sn, cn, dn]: [f64; 3]) -> ([f64; 3], f64) {
+    fn meeting_the_start(&self, [sn, cn, dn]: [T; 3]) -> ([T; 3], T) {
         let [across, middle, circled] = self.amplitudes.map(DoubleDouble::hi);
         let mut amplitudes = [across, middle, self.sign * circled];
         let found = [cn, sn, dn];
-        let off = [0, 1, 2].map(|k| {
-            let off = amplitudes[k] * found[k] / self.omega[k] - 1.0;
-            if off.abs() < 1e-6 { off } else { 0.0 }
-        });
+        let off = [0, 1, 2].map(|k| (amplitudes[k] * found[k] / self.omega[k] - 1.0).but_for_rounding());
         // (C12)
         let square = sn * sn;
-        let shared = off[1] * square + off[0] * (1.0 - square);
+        let shared = off[1] * square + off[0] * (-square + 1.0);
         let quotient = sn * (cn / dn);
         let shift = (off[1] - off[0]) * quotient;
-        amplitudes[0] *= 1.0 - shared;
-        amplitudes[1] *= 1.0 - shared;
-        amplitudes[2] *= 1.0 - (off[2] + shift * self.modulus * self.modulus * quotient);
+        amplitudes[0] *= -shared + 1.0;
+        amplitudes[1] *= -shared + 1.0;
+        amplitudes[2] *= -(off[2] + shift * self.modulus * self.modulus * quotient) + 1.0;
         (amplitudes, shift)
     }
 }
 
-fn of_length_one(pair: Pair) -> Pair {
-    pair.scaled(1.0 / pair.length())
+fn pi<T: Real>() -> T {
+    DoubleDouble::pi().hi()
+}
+
+fn of_length_one<T: Real>(pair: Pair<T>) -> Pair<T> {
+    pair.scaled(T::one() / pair.length())
 }
 
 /// Sine and cosine of the phase `pi u/(2K)` at the start; from whichever end is nearer, so that both keep
 /// their digits.
-pub(crate) fn phase_at_start([sn, cn, dn]: [f64; 3], complement: f64, quarter: f64) -> [f64; 2] {
+pub(crate) fn phase_at_start<T: Real>([sn, cn, dn]: [T; 3], complement: T, quarter: T) -> [T; 2] {
+    let phase = |u: T| (pi::<T>() * 0.5 * u / quarter).sin_cos();
     // (C11)
-    let (sin, cos) = if sn.abs() <= cn.abs() {
-        let u = sn.abs() * elliptic::rf_of_roots(cn.abs(), dn, 1.0);
-        sin_cos(FRAC_PI_2 * u / quarter)
-    } else {
+    let (sin, cos) = if cn.abs().lt(sn.abs()) {
         let u = cn.abs() * elliptic::rf_of_roots(complement * sn.abs(), complement, dn);
-        let (cos, sin) = sin_cos(FRAC_PI_2 * u / quarter);
+        let (cos, sin) = phase(u);
         (sin, cos)
+    } else {
+        phase(sn.abs() * elliptic::rf_of_roots(cn.abs(), dn, T::one()))
     };
-    [sin.copysign(sn), cos.copysign(cn)]
+    [sin.with_sign(sn), cos.with_sign(cn)]
 }
 
 /// Jacobi's argument at the start, between the saddles (`cn` taken as positive); `cn`, `dn` and the
 /// complement are times `2^shift`.
-pub(crate) fn argument_at_start(
-    [sn, cn, dn]: [f64; 3],
-    complement: f64,
-    quarter: DoubleDouble,
+pub(crate) fn argument_at_start<T: Real>(
+    [sn, cn, dn]: [T; 3],
+    complement: T,
+    quarter: DoubleDouble<T>,
     shift: i32,
-) -> DoubleDouble {
-    let from_flip = if cn < 0.0 { -sn } else { sn };
-    let cn = cn.abs();
-    let [true_cn, true_dn] = [cn, dn].map(|x| times_power_of_two(x, -shift));
+) -> DoubleDouble<T> {
+    let [from_flip, cn] = if cn.lt(T::zero()) { [-sn, -cn] } else { [sn, cn] };
+    let [true_cn, true_dn] = [cn, dn].map(|x| x.times_power_of_two(-shift));
     // (C11)
-    let near = sn.abs() <= true_cn || quarter.hi().is_infinite();
+    let near = !true_cn.lt(sn.abs()) || !quarter.hi().finite();
     let size = if near {
-        DoubleDouble::from(sn.abs() * elliptic::rf_of_roots(true_cn, true_dn, 1.0))
+        let true_cn = true_cn.of_one_sign();
+        DoubleDouble::from(sn.abs() * elliptic::rf_of_roots(true_cn, true_dn, T::one()))
     } else {
         let root = complement / dn;
-        quarter - DoubleDouble::from(cn / dn * elliptic::rf_of_roots(root * sn.abs(), root, 1.0))
+        let left = cn / dn * elliptic::rf_of_roots(root * sn.abs(), root, T::one());
+        quarter - DoubleDouble::from(left)
     };
-    if from_flip < 0.0 { -size } else { size }
+    size.signed(T::one().with_sign(from_flip + 0.0))
 }

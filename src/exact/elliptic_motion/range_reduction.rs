@@ -7,9 +7,7 @@
 use crate::exact::cayley_klein::{ComplementaryPair, Pair};
 use crate::exact::elliptic::{ComplementarySeries, Decay};
 use crate::number::double_double::DoubleDouble;
-use crate::number::functions::exp;
-use crate::number::{Gather, Lane, gather_fields, splat};
-use core::f64::consts::{FRAC_PI_2, PI};
+use crate::number::{Gather, Lane, Real, gather_fields, splat};
 
 /// How Jacobi's argument runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,41 +41,42 @@ pub(crate) struct ReducedArgument<T: Lane = f64> {
     pub(super) halves: T,
 }
 
-impl Reduction {
+impl<T: Real> Reduction<T> {
     /// From the argument at the start, its rate per unit of time, `K` (infinite on the separatrix), `K'` and
     /// the sign of `cn` at the start.
     pub(crate) fn new(
-        start: DoubleDouble,
-        rate: DoubleDouble,
-        quarter: DoubleDouble,
-        other: f64,
-        turn: f64,
+        start: DoubleDouble<T>,
+        rate: DoubleDouble<T>,
+        quarter: DoubleDouble<T>,
+        other: T,
+        turn: T,
     ) -> Self {
-        let stretch = PI / (2.0 * other);
-        if quarter.hi().is_infinite() {
-            return Self { start, rate, quarter, half: quarter, stretch, nome_root: 0.0, turn };
+        let pi = DoubleDouble::<T>::pi().hi();
+        let stretch = pi / (other * 2.0);
+        if !quarter.hi().finite() {
+            return Self { start, rate, quarter, half: quarter, stretch, nome_root: T::zero(), turn };
         }
-        let half = quarter * 2.0;
+        let half = quarter * splat::<T>(2.0);
         // (C9)
-        let nome_root = exp(-FRAC_PI_2 / (other / quarter.hi()));
+        let nome_root = (-(pi * 0.5) / (other / quarter.hi())).exp();
         Self { start, rate: rate / half, quarter, half, stretch, nome_root, turn }
     }
 
     /// At a time, on the separatrix too.
     #[inline(always)]
-    pub(crate) fn argument(&self, time: f64) -> ReducedArgument {
-        if self.half.hi() < f64::INFINITY { self.at(time) } else { self.without_return(time) }
+    pub(crate) fn argument(&self, time: T) -> ReducedArgument<T> {
+        if self.half.hi().finite() { self.at(time) } else { self.without_return(time) }
     }
 
     /// On the separatrix, where there is no half period to take off.
     // Not inlined: the separatrix is rare, and all other motions are faster without this code.
     #[inline(never)]
-    fn without_return(&self, time: f64) -> ReducedArgument {
+    fn without_return(&self, time: T) -> ReducedArgument<T> {
         // Beyond the end of the range the spin has long come to rest on the middle axis: any argument that
         // large will do.
-        let run = self.rate * time;
-        let end = DoubleDouble::from(1e300_f64.copysign(self.rate.hi()) * 1_f64.copysign(time));
-        self.reduced(0.0, if run.hi().abs() < 1e300 { run.plus(self.start) } else { end })
+        let (run, far) = (self.rate * time, splat::<T>(1e300));
+        let end = DoubleDouble::from(far * self.rate.hi().sign() * time.sign());
+        self.reduced(T::zero(), if run.hi().abs().lt(far) { run.plus(self.start) } else { end })
     }
 }
 
@@ -107,7 +106,7 @@ impl<T: Lane> Reduction<T> {
         let odd = zero.lt((halves - (halves * 0.5).round_ties_even() * 2.0).abs());
         // Rounding may leave it a hair beyond the saddle.
         let main = distance.hi();
-        let x = T::select(zero.lt(main), main, zero) * self.stretch;
+        let x = main.not_below_zero() * self.stretch;
         ReducedArgument {
             decay: Decay::new(x, distance.lo() * self.stretch, self.nome_root),
             near_saddle,

@@ -1,5 +1,6 @@
 //! Roots and powers.
 
+use crate::number::Field;
 use crate::number::double_double::DoubleDouble;
 use crate::number::power_of_two::{exponent, times_power_of_two};
 
@@ -19,16 +20,16 @@ pub(crate) fn hypot(a: f64, b: f64) -> f64 {
 }
 
 /// `x` to a whole power, by squares from the lowest bit of the exponent up.
-pub(crate) fn powi(x: f64, exponent: i32) -> f64 {
-    let (mut power, mut square, mut bits) = (1.0, x, exponent.unsigned_abs());
+pub(crate) fn powi<T: Field>(x: T, exponent: i32) -> T {
+    let (mut power, mut square, mut bits) = (T::one(), x, exponent.unsigned_abs());
     while bits > 0 {
         if bits % 2 == 1 {
-            power *= square;
+            power *= square.clone();
         }
         bits /= 2;
         if bits > 0 {
-            square *= square;
+            square *= square.clone();
         }
     }
-    if exponent < 0 { 1.0 / power } else { power }
+    if exponent < 0 { T::one() / power } else { power }
 }

@@ -1,13 +1,13 @@
 //! What the names mean where the book derives the exact motion: the motion whose spin and attitude are
-//! proven to obey Euler's equations and `q' = q w/2`, and the series as sums of their terms, cut off here: no
-//! function of the library's closed form runs.
+//! proven to obey Euler's equations and `q' = q w/2`, and the series, which are the library's own.
 
-use crate::number::{Derivation, Fraction, Relations};
+use crate::number::{Derivation, Fraction, Polynomial, Relations};
 use crate::proofs::klein::{Change, Motion, motion};
 use crate::symbols::{Vector, changing, variables, vector};
 use crate::tex::Scope;
 use num_traits::{One, Zero};
 use tumbling::dynamics::euler::angular_acceleration;
+use tumbling::exact::series::{ComplementaryPair, ComplementarySeries, DirectPair, DirectSeries};
 
 /// The constants of the motion and the spin, at any instant; nothing has a meaning if there is none.
 pub(super) fn at_any_time() -> Scope {
@@ -83,140 +83,98 @@ fn with_errors(scope: Scope) -> Scope {
     ])
 }
 
-/// Twice the cosine of `n` times an angle, from that of the angle; and the sine over that of the angle.
-fn chebyshev(n: usize, cos: &Fraction) -> (Fraction, Fraction) {
-    let (two, one, zero) = (Fraction::from(2), Fraction::one(), Fraction::zero());
-    let (mut c, mut s) = (vec![two.clone(), &two * cos], vec![zero, one]);
-    for k in 2..=n {
-        c.push(&two * cos * &c[k - 1] - &c[k - 2]);
-        s.push(&two * cos * &s[k - 1] - &s[k - 2]);
-    }
-    (c[n].clone(), s[n].clone())
-}
-
 fn alternating(n: usize) -> Fraction {
     Fraction::from(if n.is_multiple_of(2) { 1 } else { -1 })
 }
 
-/// Powers, also below zero.
-fn power(x: &Fraction, n: i32) -> Fraction {
-    if n < 0 { Fraction::one() / x.pow(n.unsigned_abs()) } else { x.pow(n.unsigned_abs()) }
-}
-
-/// Jacobi's theta functions to four terms each: the nome is a symbol, `c` the cosine of the doubled phase.
+/// Jacobi's theta functions by the sums of the library: the nome is a symbol, `c` the cosine of the doubled
+/// phase.
 pub(super) fn direct() -> Scope {
     let [q, c] = variables(["q", "c"]);
-    let [mut third, mut fourth] = [Fraction::one(), Fraction::one()];
-    let [mut second, mut first] = [Fraction::zero(), Fraction::zero()];
-    for n in 1..=3_u32 {
-        let term = q.pow(n * n) * chebyshev(n as usize, &c).0;
-        third += term.clone();
-        fourth += term * alternating(n as usize);
-    }
-    for n in 0..=3_usize {
-        // cos (2n+1)z over cos z, with the sign of sin (2n+1)z over sin z, from waves of the doubled phase.
-        let (even, odd) = (chebyshev(n, &c).1, chebyshev(n + 1, &c).1);
-        let size = q.pow((n * n + n) as u32);
-        first += &size * (&odd + &even) * alternating(n);
-        second += size * (odd - even);
-    }
+    let [third, fourth, second, first] = DirectSeries::new(q.clone()).thetas(c.clone());
     Scope::default()
         .with_all([("q", q), ("c", c), (r"\theta_1", first), (r"\theta_2", second), (r"\theta_3", third)])
         .with(r"\theta_4", fourth)
 }
 
-/// The attitude's two theta functions: their nome is that of `direct` squared, `f` and `q/f` are the
-/// exponentials of the zero.
+/// Jacobi's functions by the quotients of the library, of theta functions that are symbols.
+pub(super) fn direct_quotients() -> Scope {
+    let series = DirectSeries::new(Fraction::variable("q"));
+    let [t1, t2, t3, t4, sin, cos] = variables(["t1", "t2", "t3", "t4", "sin", "cos"]);
+    let thetas = [&t3, &t4, &t2, &t1].map(Fraction::clone);
+    let values = series.quotients(thetas, [sin.clone(), cos.clone()]);
+    let [n3, n4, n2, _] = series.thetas(Fraction::one());
+    with_jacobi(values).with_each(r"\theta", &[t1, t2, t3, t4]).with_all([
+        ("n_2", n2),
+        ("n_3", n3),
+        ("n_4", n4),
+        (r"\sin(z)", sin),
+        (r"\cos(z)", cos),
+    ])
+}
+
+fn with_jacobi([sn, cn, dn]: [Fraction; 3]) -> Scope {
+    let functions = [(r"\operatorname{sn}", sn), (r"\operatorname{cn}", cn), (r"\operatorname{dn}", dn)];
+    Scope::default().with_all(functions)
+}
+
+/// The attitude's two theta functions by the sums of the library: their nome is that of `direct` squared, `f`
+/// and `q/f` are the exponentials of the zero.
 pub(super) fn attitude() -> Scope {
     let [q, f, c, s, w, sin, cos] = variables(["q", "f", "c", "s", "w", "sin", "cos"]);
-    let waves = |n: usize, sign: i64| {
-        let sign = Fraction::from(sign);
-        power(&q, (2 * n * n) as i32) * (power(&f, -(n as i32)) + sign * power(&f, n as i32))
-    };
-    // The odd ones, times the root of f and without the first power of the nome.
-    let odd = |n: usize, sign: i64| {
-        let sign = Fraction::from(sign);
-        power(&q, (2 * n * (n + 1)) as i32) * (power(&f, -(n as i32)) + sign * power(&f, n as i32 + 1))
-    };
-    let (mut a_real, mut a_imaginary) = (Fraction::one(), Fraction::zero());
-    for n in 1..=3 {
-        let (wave, sine) = chebyshev(n, &c);
-        a_real += waves(n, 1) * wave / Fraction::from(2) * alternating(n);
-        a_imaginary += waves(n, -1) * sine * &w * &s * alternating(n);
-    }
-    let (mut b_real, mut b_imaginary) = (Fraction::zero(), Fraction::zero());
-    for n in 0..=2 {
-        let (even, above) = (chebyshev(n, &c).1, chebyshev(n + 1, &c).1);
-        b_real += odd(n, 1) * (&above + &even) * alternating(n) * &sin;
-        b_imaginary += -(odd(n, -1) * (above - even) * alternating(n) * &cos * &s);
-    }
-    // At z = 0, where c is one and w grows by twice z.
-    let rate = (1..=3).fold(Fraction::zero(), |sum, n| {
-        sum + waves(n, -1) * alternating(n) * Fraction::from(2 * n as i64) * &s
-    });
-    let start = (1..=3).fold(Fraction::one(), |sum, n| sum + waves(n, 1) * alternating(n));
-    let mut scope = Scope::default();
-    for (wide, narrow, sign) in [("h", "H", 1), ("l", "J", -1)] {
-        scope = scope.with_each(wide, &[1, 2, 3].map(|n| waves(n, sign)));
-        scope = scope.with_each(narrow, &[1, 2].map(|n| odd(n, sign)));
-    }
-    scope
-        .with_all([("g", &q / &f), ("q", q), ("f", f), ("c", c), ("s", s), ("w", w), (r"\sin(z)", sin)])
-        .with_all([(r"\cos(z)", cos), ("a_1", a_real), ("a_2", a_imaginary), ("b_1", b_real)])
-        .with_all([("b_2", b_imaginary), (r"\rho", rate / start)])
-        .under(Relations::default())
-}
-
-/// The complementary sums, without their first exponentials.
-pub(super) fn complementary() -> Scope {
-    let [v, other] = variables(["v", "V"]);
-    let nome = &v * &other;
-    let even = |sign: i64| {
-        (1..=3_i32).fold(Fraction::one(), |sum, n| {
-            let sign = if n % 2 == 1 { Fraction::from(sign) } else { Fraction::one() };
-            // The nome to n², times exp(2nx) = v^-n and its inverse.
-            sum + power(&nome, n * n) * (power(&v, -n) + power(&v, n)) * sign
-        })
-    };
-    let odd = |sign: i64| {
-        (0..=2_i32).fold(Fraction::zero(), |sum, n| {
-            let alternates = if n % 2 == 1 && sign < 0 { -1 } else { 1 };
-            let pair = Fraction::one() + Fraction::from(sign) * power(&v, 2 * n + 1);
-            sum + power(&nome, n * n + n) * power(&v, -n) * pair * Fraction::from(alternates)
-        })
-    };
-    let squares = |sign: i64| {
-        (1..=3_i64).fold(Fraction::one(), |sum, n| {
-            let size = nome.pow((n * n) as u32) * Fraction::from(2);
-            sum + if n % 2 == 1 { size * Fraction::from(sign) } else { size }
-        })
-    };
+    let (less, g) = (&f - Fraction::one(), &q / &f);
+    let [h, l] = DirectPair::waves(&q, &f, &g);
+    let [[_, odd_h @ ..], [_, odd_l @ ..]] = DirectPair::odd_waves(&q, [&f, &less], &g);
+    let pair = DirectPair::new(q.clone(), [f.clone(), less], g.clone(), s.clone());
+    let [a_1, a_2, b_1, b_2] = pair.sums([c.clone(), w.clone()], [sin.clone(), cos.clone()]);
     Scope::default()
-        .with("m_2", (0..=2).fold(Fraction::zero(), |sum, n: u32| sum + nome.pow(n * n + n)))
-        .with_all([("m_3", squares(1)), ("m_4", squares(-1)), ("q'", nome.clone()), ("v", v.clone())])
-        .with_all([("V", other), (r"\theta'_1", odd(-1)), (r"\theta'_2", odd(1)), (r"\theta'_3", even(1))])
-        .with(r"\theta'_4", even(-1))
+        .with_each("h", &h)
+        .with_each("l", &l)
+        .with_each("H", &odd_h)
+        .with_each("J", &odd_l)
+        .with_all([("g", g), ("q", q), ("f", f), ("c", c), ("s", s), ("w", w), (r"\sin(z)", sin)])
+        .with_all([(r"\cos(z)", cos), ("a_1", a_1), ("a_2", a_2), ("b_1", b_1), ("b_2", b_2)])
+        .with(r"\rho", pair.turning_at_zero())
 }
 
-/// The attitude's two numbers in hyperbolic functions, from their growing and falling exponentials.
+/// The complementary sums of the library, without their first exponentials, and Jacobi's functions by their
+/// quotients next to the flip.
+pub(super) fn complementary() -> Scope {
+    by_complementary_sums(0)
+}
+
+/// The same next to the saddle.
+pub(super) fn complementary_at_the_saddle() -> Scope {
+    by_complementary_sums(1)
+}
+
+fn by_complementary_sums(side: usize) -> Scope {
+    let [e, other, complement] = variables(["e", "V", "kp"]);
+    let (v, one) = (e.pow(2), Fraction::one());
+    let nome = &v * &other;
+    let [m_2, m_3, m_4] = ComplementarySeries::constants(nome.clone());
+    let series = ComplementarySeries::new(nome.clone(), complement.clone(), one.clone());
+    let [first, second, fourth, third] = series.sums(v.clone(), &one - &v, other.clone());
+    let sums = [&first, &second, &fourth, &third].map(Fraction::clone);
+    let [flip, saddle] = series.parts(e.clone(), sums);
+    with_jacobi(if side == 0 { flip } else { saddle }.quotients())
+        .with_all([("m_2", m_2), ("m_3", m_3), ("m_4", m_4), ("q'", nome), ("v", v), ("e", e)])
+        .with_all([("V", other), ("k'", complement), (r"\theta'_1", first), (r"\theta'_2", second)])
+        .with_all([(r"\theta'_3", third), (r"\theta'_4", fourth)])
+}
+
+/// The attitude's two numbers in hyperbolic functions by the sums of the library, from their growing and
+/// falling exponentials.
 pub(super) fn complementary_attitude() -> Scope {
     let [p, e, s] = variables(["p", "e", "s"]);
     let r = p.pow(2) / &e;
-    let mut scope = Scope::default();
-    let mut sums = [Fraction::zero(), Fraction::zero(), Fraction::zero(), Fraction::zero()];
-    for n in 0..=4_i32 {
-        let [c, d] = ["U", "Y"].map(|name| Fraction::variable(&format!("{name}{}", 2 * n + 1)));
-        // exp((2n+1)x/2) and its inverse, times exp(-x/2).
-        let grows = power(&p, n * n + n) * power(&e, -n);
-        let falls = if n < 4 { power(&p, n * n + n) * power(&e, n + 1) } else { Fraction::zero() };
-        let sign = alternating(n as usize);
-        sums[0] += &c * (&grows + &falls);
-        sums[1] += -(&d * (&grows - &falls)) * &s;
-        sums[2] += &c * (&grows - &falls) * &sign;
-        sums[3] += -(&d * (&grows + &falls)) * &s * sign;
-        scope = scope.with(&format!("U_{}", 2 * n + 1), c).with(&format!("Y_{}", 2 * n + 1), d);
-    }
-    let [a_1, a_2, b_1, b_2] = sums;
+    let waves = ["U", "Y"].map(|wave| [1, 3, 5, 7, 9].map(|n| Fraction::variable(&format!("{wave}{n}"))));
+    let pair = ComplementaryPair::new(p.clone(), waves.clone(), s.clone());
+    let [a_1, a_2, b_1, b_2] = pair.sums(e.clone(), r.clone());
+    let scope = ["U", "Y"].iter().zip(waves).fold(Scope::default(), |scope, (name, waves)| {
+        let odd = [1, 3, 5, 7, 9].into_iter().zip(waves);
+        odd.fold(scope, |scope, (n, wave)| scope.with(&format!("{name}_{n}"), wave))
+    });
     scope
         .with_all([("p", p), ("e", e), ("r", r), ("s", s), ("a_1", a_1), ("a_2", a_2), ("b_1", b_1)])
         .with("b_2", b_2)
@@ -239,27 +197,29 @@ pub(super) fn drift() -> Scope {
         .under(motion.relations)
 }
 
-/// The drift at the saddle: `a` is there, but for a steady factor, the sum of all `p^(n²) exp(-n x)` with
-/// the angle of `-2 s n phi`, and `x` is zero.
+/// The drift at the saddle, by the library's sum for how fast the angle of `a` turns there.
 pub(super) fn drift_at_the_saddle() -> Scope {
     let [psi, s, pi, eta, other, p] = variables(["psi", "s", "pi", "eta", "K'", "p"]);
-    let (mut real, mut turned, mut scope) = (Fraction::one(), Fraction::zero(), Scope::default());
-    for n in 1..=4_i64 {
-        let size = p.pow((n * n) as u32) * Fraction::from(2);
-        let [cos, sin] = ["U", "Y"].map(|wave| Fraction::variable(&format!("{wave}{}", 2 * n)));
-        real += &size * &cos;
-        turned += -(&s * size * &sin * Fraction::from(n));
-        scope = scope.with(&format!("U_{}", 2 * n), cos).with(&format!("Y_{}", 2 * n), sin);
+    let [sin, cos] = variables(["sin", "cos"]);
+    let pair =
+        ComplementaryPair::new(p.clone(), ComplementaryPair::waves(sin.clone(), cos.clone()), s.clone());
+    let (two, mut scope) = (Fraction::from(2), Scope::default());
+    // Cosines and sines of the even multiples, each from the one before.
+    let doubled = [cos.pow(2) - sin.pow(2), &two * &sin * &cos];
+    let mut wave = [Fraction::one(), Fraction::zero()];
+    for n in 1..=4 {
+        let [c, s] = &wave;
+        wave = [c * &doubled[0] - s * &doubled[1], s * &doubled[0] + c * &doubled[1]];
+        scope = scope.with(&format!("U_{}", 2 * n), wave[0].clone());
+        scope = scope.with(&format!("Y_{}", 2 * n), wave[1].clone());
     }
-    let two = Fraction::from(2);
-    scope.with(r"\nu", &psi / &two - &pi * &eta / (two * &other) * turned / real).with_all([
-        (r"\dot{\psi}", psi),
-        ("s", s),
-        (r"\pi", pi),
-        (r"\eta", eta),
-        ("K'", other),
-        ("p", p),
-    ])
+    let one = || Polynomial::from(1);
+    let circle = ("sin", one() - Polynomial::variable("cos").pow(2));
+    let sense = ("s", one());
+    scope
+        .with(r"\nu", &psi / &two - &pi * &eta / (two * &other) * pair.turning_at_saddle())
+        .with_all([(r"\dot{\psi}", psi), ("s", s), (r"\pi", pi), (r"\eta", eta), ("K'", other), ("p", p)])
+        .under(Relations::new(vec![circle, sense]).unwrap_or_default())
 }
 
 /// Flips: the argument at the start is the one that is zero at the time of a flip.

@@ -9,7 +9,7 @@ use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// Between these sizes the error of a product is a float.
-fn safe(x: f64) -> bool {
+pub(super) fn safe(x: f64) -> bool {
     (1e-250..1e250).contains(&x.abs())
 }
 
@@ -35,7 +35,7 @@ fn sum(a: f64, b: f64) -> (f64, f64, bool) {
     (s, (a - (s - part)) + (b - part), s.is_finite())
 }
 
-fn product(a: f64, b: f64) -> (f64, f64, bool) {
+pub(super) fn product(a: f64, b: f64) -> (f64, f64, bool) {
     if a == 0.0 || b == 0.0 {
         return (0.0, 0.0, true);
     }

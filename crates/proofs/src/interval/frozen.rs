@@ -48,7 +48,7 @@ pub fn energies(
     instants: u32,
     apart: Interval,
 ) -> Option<[Interval; 2]> {
-    let motion = FreeMotion::new(moments, omega)?;
+    let motion = FreeMotion::new(moments, omega).ok()?;
     let (tensor, part) = (Matrix3::from_diagonal(moments), apart / whole(PARTS));
     let first = energy(omega, &(tensor * omega));
     let [spin, rate, second] = bounds(moments, omega);

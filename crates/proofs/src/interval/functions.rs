@@ -1,4 +1,4 @@
-//! Roots, sines, arctangents and logarithms of intervals.
+//! Roots, sines, arctangents, exponentials and logarithms of intervals.
 
 use super::arithmetic::root;
 use super::{Interval, whole};
@@ -25,6 +25,10 @@ fn odd_powers(x: Interval, sign: i32) -> Interval {
     // The terms fall by a factor of four at least, so that the rest is below twice the first term left off.
     let rest = power.abs() * whole(2);
     sum + rest.hull(-rest)
+}
+
+fn logarithm_of_2() -> Interval {
+    whole(2) * odd_powers(fraction(1, 3), 1)
 }
 
 impl Interval {
@@ -116,6 +120,33 @@ impl Interval {
         angle.clamped(0.0, Self::PI.high)
     }
 
+    /// The exponential, and the exponential less 1.
+    pub(super) fn exp_and_exp_m1(self) -> (Self, Self) {
+        if !(self.low > -1e4 && self.high < 1e4) {
+            return (Self::ALL, Self::ALL);
+        }
+        let both = |x: Self| {
+            let twos = (x.low * std::f64::consts::LOG2_E).round();
+            let part = x - whole(twos) * logarithm_of_2();
+            // The sum of x^n/n!, of which each term is less than a half of the one before.
+            let (mut term, mut less) = (part, Self::zero());
+            for n in 2..=TERMS {
+                less += term;
+                term *= part * fraction(1, n);
+            }
+            let rest = term.abs() * whole(2);
+            let less = less + rest.hull(-rest);
+            if twos == 0.0 {
+                return (Self::one() + less, less);
+            }
+            let half = (twos as i32) / 2;
+            let power = [half, twos as i32 - half].map(|e| whole(2_f64.powi(e)));
+            let power = (Self::one() + less) * power[0] * power[1];
+            (power, power - Self::one())
+        };
+        (self.rising(|x| both(x).0), self.rising(|x| both(x).1))
+    }
+
     /// The natural logarithm; all numbers where it may have none.
     #[must_use]
     pub fn ln(self) -> Self {
@@ -135,7 +166,7 @@ impl Interval {
                 x = Self { low: 2.0 * x.low, high: 2.0 * x.high };
                 powers -= 1;
             }
-            near_one(x) + whole(powers) * whole(2) * odd_powers(fraction(1, 3), 1)
+            near_one(x) + whole(powers) * logarithm_of_2()
         })
     }
 

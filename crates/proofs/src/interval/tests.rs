@@ -1,14 +1,12 @@
 //! Intervals against exact fractions, identities and the library's closed form.
 
-use super::elliptic::jacobi;
 use super::geometry::{about_z, angle, axis_of, smallest_moment};
-use super::motion::FreeMotion;
+use super::motion::{FreeMotion, Open};
 use super::*;
 use crate::given;
 use nalgebra::{Matrix3, Vector3};
 use num_traits::{One, Zero};
 use proptest::prelude::*;
-use tumbling::PrincipalMoments;
 use tumbling::number::Ring;
 
 fn exact(x: f64) -> Rational {
@@ -90,69 +88,17 @@ proptest! {
         prop_assert!((t.atan2(d) - y).has_zero() || b > 3.0);
         prop_assert!((d.acos() - y).has_zero() || b > 3.0);
     }
-
-    #[test]
-    fn jacobis_functions_obey_their_identities(u in -9.0..9.0_f64, k in 0.01..0.999_f64) {
-        let complement = (Interval::one() - point(k).square()).sqrt();
-        let (sn, cn, dn) = jacobi(point(u), complement);
-        let one = Interval::one();
-        prop_assert!((sn.square() + cn.square() - one).has_zero());
-        prop_assert!((dn.square() + point(k).square() * sn.square() - one).has_zero());
-        prop_assert!(sn.width() < 1e-10);
-        // At the quarter period and at the half one.
-        let quarter = super::elliptic::quarter_period(complement, complement.ln());
-        let (at_quarter, zero, least) = jacobi(quarter, complement);
-        prop_assert!((at_quarter - one).has_zero() && zero.has_zero() && (least - complement).has_zero());
-        // The argument doubled, by the addition theorem.
-        let (double, ..) = jacobi(point(u) + point(u), complement);
-        let below = one - point(k).square() * sn.square().square();
-        prop_assert!((double * below - sn * cn * dn * given!(2)).has_zero());
-    }
-}
-
-/// A body, a spin and a time, without symmetry.
-fn tumble() -> impl Strategy<Value = ([f64; 3], [f64; 3], f64)> {
-    let moments = (1.0..1.6_f64, 1.7..2.2_f64, 2.3..2.6_f64, 0..3_usize).prop_map(|(a, b, c, turn)| {
-        let mut moments = [a, b, c];
-        moments.rotate_left(turn);
-        moments
-    });
-    (moments, prop::array::uniform3(-4.0..4.0_f64), 0.0..9.0_f64)
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, cases: 64, ..ProptestConfig::default() })]
-
-    /// Two ways that share nothing: theta functions in floats, and Gauss's transformation in intervals.
-    #[test]
-    fn the_librarys_closed_form_lies_in_the_enclosure((moments, omega, t) in tumble()) {
-        let enclosed = FreeMotion::new(&moments.map(point).into(), &omega.map(point).into());
-        prop_assume!(enclosed.is_some());
-        let enclosed = enclosed.unwrap();
-        let moments = PrincipalMoments::new(moments[0], moments[1], moments[2]).unwrap();
-        let ours = tumbling::exact::FreeMotion::new(moments, &omega.into()).unwrap();
-        let near = |x: Interval, y: f64, bound: f64| {
-            let off = (x - point(y)).abs();
-            off.low() <= bound && x.width() <= 1e-6
-        };
-        let (spin, seen) = (ours.omega(t).unwrap(), enclosed.omega(point(t)));
-        prop_assert!((0..3).all(|i| near(seen[i], spin[i], 1e-12)), "{spin} {seen:?}");
-        let flips: Vec<f64> = ours.flips(0.0, 1e3).unwrap().take(3).collect();
-        for (number, flip) in flips.iter().enumerate() {
-            let seen = enclosed.flip(u32::try_from(number).unwrap());
-            prop_assert!(near(seen, *flip, 1e-11 * (1.0 + flip)), "{number}: {flip} {seen:?}");
-        }
-    }
 }
 
 #[test]
 fn a_motion_on_the_border_is_left_open() {
     let moments = Vector3::new(given!(5), given!(10), given!(13));
     let spin = |x, y, z| FreeMotion::new(&moments, &Vector3::new(x, y, z));
-    assert!(spin(given!(0), given!(1), given!(0)).is_none(), "steady");
+    assert_eq!(spin(given!(0), given!(1), given!(0)).unwrap_err(), Open::Spin, "steady");
     let even = Vector3::new(given!(5), given!(5), given!(9));
-    assert!(FreeMotion::new(&even, &Vector3::new(given!(1), given!(2), given!(3))).is_none());
-    assert!(spin(Interval::ALL, given!(1), given!(0)).is_none());
+    let even = FreeMotion::new(&even, &Vector3::new(given!(1), given!(2), given!(3)));
+    assert_eq!(even.unwrap_err(), Open::Moments);
+    assert_eq!(spin(Interval::ALL, given!(1), given!(0)).unwrap_err(), Open::Spin);
 }
 
 #[test]

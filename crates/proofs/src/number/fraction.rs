@@ -348,6 +348,8 @@ impl Zero for Fraction {
     }
 }
 
+impl tumbling::number::Series for Fraction {}
+
 impl One for Fraction {
     fn one() -> Self {
         Polynomial::one().into()

@@ -83,7 +83,7 @@ fn squares(mean: &Fraction) -> Outcome {
     let end = &start + changes.sum();
     let [np, nq, nr] = [&p, &q, &r].map(|x| -x.clone());
     let none = Fraction::zero;
-    let off = nalgebra::matrix![none(), np, nq; p, none(), nr; q, r, none()];
+    let off = Matrix::new(none(), np, nq, p, none(), nr, q, r, none());
     let half = changes.sum() * Fraction::ratio(1, 2) * mean;
     let off = &off * &changes;
     let stages = off.map(|x| &start + &half + x);
