@@ -34,7 +34,7 @@ pub fn stubs() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("stubs")
 }
 
-/// The chapters that have exercises, in the order of the book, by the names of their files.
+/// The chapters, in the order of the book, by the names of their files.
 #[must_use]
 pub fn chapters() -> Vec<String> {
     include_str!("../../chapters/SUMMARY.md")
