@@ -38,7 +38,7 @@ mod period;
 mod polhode;
 mod regime;
 mod sensitivity;
-pub mod series;
+pub(crate) mod series;
 mod top;
 
 pub use batch::Batch;

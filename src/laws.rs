@@ -1,6 +1,9 @@
 //! Laws on any kind of number that are public for proofs alone: `crates/proofs` runs these very functions on
-//! algebraic symbols. The other laws that it runs stand in their modules.
+//! algebraic symbols, and the closed form on intervals. The other laws that it runs stand in their modules.
 
 pub use crate::body::Rate;
+pub use crate::exact::series::{
+    ClosedForm, ComplementaryPair, ComplementarySeries, DirectPair, DirectSeries, Parts,
+};
 pub use crate::solid::mesh::mesh_moments;
 pub use crate::step::position_stage::turn::{change_of_spin, conserving_rate, conserving_turn};

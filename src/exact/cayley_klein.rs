@@ -104,7 +104,7 @@ impl<T: Real> Shape<T> {
 /// The attitude's two theta functions as sums in the nome, in sines and cosines: as polynomials in `cos 2z`.
 ///
 /// ```
-/// use tumbling::exact::series::DirectPair;
+/// use tumbling::laws::DirectPair;
 /// // Where the zero is at no depth, a is theta_4 of the nome squared: 1 - 2q² + 2q⁸ at z = 0, for q of 0.1.
 /// let pair = DirectPair::new(0.1, [1.0, 0.0], 0.1, 1.0);
 /// let [a_1, ..] = pair.sums([1.0, 0.0], [0.0, 1.0]);
@@ -236,7 +236,7 @@ fn in_sense<T: Lane>(sense: T, real: T, imaginary: T) -> [T; 2] {
 /// `e = exp(-x)` and `r = p² exp(x)`, where `x` is Jacobi's argument times `pi/(2K')`.
 ///
 /// ```
-/// use tumbling::exact::series::ComplementaryPair;
+/// use tumbling::laws::ComplementaryPair;
 /// // At the saddle e and r are p; where the zero is at no depth, a is 1 + 2p + 2p⁴ there, for p of 0.1.
 /// let pair = ComplementaryPair::new(0.1, ComplementaryPair::waves(0.0_f64, 1.0), 1.0);
 /// let [a_1, ..] = pair.sums(0.1, 0.1);

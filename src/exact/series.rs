@@ -16,7 +16,7 @@ use nalgebra::{Quaternion, Vector3};
 ///
 /// ```
 /// use nalgebra::Vector3;
-/// use tumbling::{PrincipalMoments, exact::{FreeMotion, series::ClosedForm}};
+/// use tumbling::{PrincipalMoments, exact::FreeMotion, laws::ClosedForm};
 /// let (moments, omega) = ([1.0, 2.0, 3.0], [0.1, 2.0, 0.3]);
 /// let motion = ClosedForm::new(moments, omega).unwrap();
 /// let known = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 3.0)?, &omega.into())?;

@@ -30,7 +30,7 @@ impl<T: Lane> Decay<T> {
 /// above 0.08.
 ///
 /// ```
-/// use tumbling::exact::series::ComplementarySeries;
+/// use tumbling::laws::ComplementarySeries;
 /// // theta_2 at the start of a passage, without its first factor: 1 + p² + p⁶.
 /// assert_eq!(ComplementarySeries::constants(0.5_f64)[0], 1.265625);
 /// ```

@@ -7,7 +7,7 @@ use crate::number::{Gather, Lane, Series, gather_fields};
 /// Written as polynomials in `cos 2z`, their even and odd halves apart, since each pair of sums shares them.
 ///
 /// ```
-/// use tumbling::exact::series::DirectSeries;
+/// use tumbling::laws::DirectSeries;
 /// // At z = 0, with a nome of 0.01.
 /// let [third, fourth, ..] = DirectSeries::new(0.01).thetas(1.0);
 /// assert!((third - 1.020_000_02_f64).abs() < 1e-15 && (fourth - 0.980_000_02_f64).abs() < 1e-15);

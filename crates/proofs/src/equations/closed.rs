@@ -7,7 +7,7 @@ use crate::symbols::{Vector, changing, variables, vector};
 use crate::tex::Scope;
 use num_traits::{One, Zero};
 use tumbling::dynamics::euler::angular_acceleration;
-use tumbling::exact::series::{ComplementaryPair, ComplementarySeries, DirectPair, DirectSeries};
+use tumbling::laws::{ComplementaryPair, ComplementarySeries, DirectPair, DirectSeries};
 
 /// The constants of the motion and the spin, at any instant; nothing has a meaning if there is none.
 pub(super) fn at_any_time() -> Scope {

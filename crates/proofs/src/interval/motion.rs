@@ -8,7 +8,7 @@ use super::{Interval, whole};
 use nalgebra::{Quaternion, Vector3};
 use num_traits::Zero;
 use std::fmt;
-use tumbling::exact::series::ClosedForm;
+use tumbling::laws::ClosedForm;
 
 /// The free motion of a body with three different moments that is neither steady nor on the separatrix.
 #[derive(Debug, Clone)]
