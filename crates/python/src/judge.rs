@@ -48,7 +48,9 @@ impl Verdict {
     /// What to do, where something is to be done.
     #[getter]
     fn advice(&self) -> Option<String> {
-        self.verdict.diagnosis.as_ref().map(|diagnosis| diagnosis.advice.words.to_string())
+        let diagnosis = self.verdict.diagnosis.as_ref()?;
+        let words: Vec<String> = diagnosis.advice.iter().map(|advice| advice.words.to_string()).collect();
+        (!words.is_empty()).then(|| words.join(" "))
     }
 
     /// All of it as text in JSON, the same as `tumbling-judge --json` prints.
