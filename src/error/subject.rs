@@ -129,7 +129,6 @@ subjects! {
     StepLength => "a step that meets the tolerance",
     RateAtStart => "the rate at the start",
     AdaptiveRun => "an adaptive run",
-    Run => "a run",
     MotionWithinStep => "the motion within a step",
     MotionOutsideStep => "the motion outside the last step",
     Transition => "the state transition",

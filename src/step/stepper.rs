@@ -242,60 +242,6 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         })
     }
 
-    /// Steps of `h` seconds to the time `end` (s), forth or back, the last shortened to meet it (or longer by
-    /// a billionth): the state after each. Nothing moves before the iterator is used; it ends after the first
-    /// error.
-    ///
-    /// ```
-    /// use nalgebra::{UnitQuaternion, Vector3};
-    /// use tumbling::step::{Method, Stepper};
-    /// use tumbling::{Body, Inertia};
-    /// let inertia = Inertia::from_moments(1.0, 2.0, 2.5)?;
-    /// let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(0.1, 2.0, 0.3))?;
-    /// let mut stepper = Stepper::<f64>::new(&body, Method::Gauss6)?;
-    /// assert_eq!(stepper.run_until(0.1, 1.05).count(), 11);
-    /// assert_eq!(stepper.time(), 1.05);
-    /// # Ok::<(), tumbling::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// A step that is not above zero; one of kind [`TooMany`](crate::ErrorKind::TooMany) where steps so short
-    /// would be more than 2^53 or would not move the time; of each as [`step`](Self::step).
-    pub fn run_until(
-        &mut self,
-        h: T,
-        end: f64,
-    ) -> impl Iterator<Item = Result<State<T>, Error>> + use<'_, T> {
-        let mut failed = false;
-        core::iter::from_fn(move || {
-            // Also where the end is NaN.
-            let state = (!failed && self.time != end).then(|| self.step_toward(h, end))?;
-            failed = state.is_err();
-            Some(state)
-        })
-    }
-
-    fn step_toward(&mut self, h: T, end: f64) -> Result<State<T>, Error> {
-        let length = positive(Subject::Step, number(h))?;
-        let left = finite(Subject::EndTime, end)? - self.time;
-        if left.abs() <= length * (1.0 + 1e-9) {
-            return self.step_to(end);
-        }
-        // The steps must be fewer than 2^53, and each must move the time.
-        let most = 9_007_199_254_740_992.0 * length;
-        if left.abs() > most || self.time + length.copysign(left) == self.time {
-            return Err(Refusal::Unfinished {
-                what: Subject::Run,
-                steps: 0,
-                reached: self.time,
-                duration: end,
-                why: "its steps are so short that they would be too many, or would not move the time",
-            }
-            .into());
-        }
-        self.step(if left > 0.0 { h } else { -h })
-    }
-
     /// The time since the start, s: the sum of the steps. A step of 1/60 s in `f32` is longer by 9e-10 s, 6
     /// us in two minutes.
     #[must_use]

@@ -129,28 +129,11 @@ fn of_a_diagonal_tensor_a_stepper_is_the_method_itself_to_the_bit() {
 }
 
 #[test]
-fn a_run_to_a_time_ends_there_forth_and_back_and_never_goes_round_for_ever() {
+fn a_run_makes_no_room_for_its_steps_and_a_refused_one_leaves_the_body_where_it_was() {
     let body = spinning([1.0, 2.0, 2.5], &Vector3::new(0.1, 2.0, 0.3));
     let mut stepper = Stepper::<f64>::new(&body, Method::Gauss6).unwrap();
-    // A minute at 60 Hz: no sliver of a step at the end.
-    assert_eq!(stepper.run_until(1.0 / 60.0, 60.0).count(), 3600);
-    assert_eq!(stepper.run_until(1.0 / 60.0, 60.01).count(), 1);
-    assert_eq!(stepper.run_until(1.0 / 60.0, 60.01).count(), 0);
-    assert_eq!(stepper.run_until(1.0, 0.0).count(), 61);
-    assert_eq!(stepper.time(), 0.0);
-    for (h, end) in
-        [(0.0, 1.0), (-1.0, 1.0), (f64::NAN, 1.0), (1.0, f64::NAN), (1.0, f64::INFINITY), (1e-300, 1.0)]
-    {
-        let mut stepper = stepper.clone();
-        let first: Vec<_> = stepper.run_until(h, end).take(3).collect();
-        assert!(first.len() == 1 && first[0].is_err(), "{h} {end}: {first:?}");
-    }
-    let endless = stepper.run_until(1e-300, 1.0).next().unwrap().unwrap_err();
-    assert_eq!(endless.kind(), ErrorKind::TooMany, "{endless}");
-    assert!(endless.to_string().contains("too many"), "{endless}");
-    // As many steps as there are numbers for are begun, and no room is made for them beforehand.
+    // As many steps as there are numbers for are begun.
     assert_eq!(stepper.clone().run(1e-3, usize::MAX).take(3).filter(Result::is_ok).count(), 3);
-    // A refused step leaves the body where it was.
     let before = stepper.state();
     assert!(stepper.step(1e6).is_err());
     assert_eq!((stepper.state(), stepper.time()), (before, 0.0));
