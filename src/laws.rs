@@ -5,5 +5,6 @@ pub use crate::body::Rate;
 pub use crate::exact::series::{
     ClosedForm, ComplementaryPair, ComplementarySeries, DirectPair, DirectSeries, Parts,
 };
+pub use crate::number::real::Real;
 pub use crate::solid::mesh::mesh_moments;
 pub use crate::step::position_stage::turn::{change_of_spin, conserving_rate, conserving_turn};

@@ -4,7 +4,7 @@
 //! [`Field`] where a division is honest. Every type that can do the arithmetic is one: `f64` and `f32`, exact
 //! rationals, dual numbers, or a number that counts what a formula costs. Whatever
 //! branches on a size or takes a root is written for `f64` alone, elsewhere, or over [`Lane`], several `f64`
-//! at once, and [`Real`], which enclosures of real numbers are too.
+//! at once.
 
 pub(crate) mod double_double;
 pub(crate) mod extended;
@@ -12,11 +12,11 @@ pub(crate) mod functions;
 mod lane;
 pub(crate) mod power_of_two;
 pub(crate) mod quadrature;
-mod real;
+pub(crate) mod real;
 
 pub(crate) use lane::{Gather, gather_fields, splat};
 pub use lane::{Lane, Series};
-pub use real::Real;
+pub(crate) use real::Real;
 
 use core::any::Any;
 use core::ops::Neg;

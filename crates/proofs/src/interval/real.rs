@@ -8,7 +8,8 @@ use super::Interval;
 use super::arithmetic::{product, safe};
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
-use tumbling::number::{Lane, Real, Series};
+use tumbling::laws::Real;
+use tumbling::number::{Lane, Series};
 
 /// A real number in an interval.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
@@ -158,8 +159,7 @@ impl Lane for Enclosed {
         (Self(Interval::PI) * 2.0 * self).sin_cos()
     }
     fn decay(self, rest: Self) -> [Self; 2] {
-        let (power, less) = (-(self + rest)).exp_and_exp_m1();
-        [power, less]
+        (-(self + rest)).exp_and_exp_m1().into()
     }
 }
 
