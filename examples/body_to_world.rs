@@ -10,8 +10,7 @@ fn main() -> Result<(), tumbling::Error> {
     let inverse = inertia.inverse()?; // once, in the body frame
     println!("moments in the body: {:.3?}", inertia.matrix().diagonal().as_slice());
     println!("their inverses:      {:.3?}", inverse.diagonal().as_slice());
-    println!();
-    println!("turned about z   world Ixx   Iyy     Ixy       spin of L = (1, 0, 0)");
+    println!("\nturned about z   world Ixx   Iyy     Ixy       spin of L = (1, 0, 0)");
     for degrees in [0.0, 22.5, 45.0, 67.5, 90.0_f64] {
         let attitude = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), degrees.to_radians());
         let world = inertia.turned(attitude)?.matrix();

@@ -13,15 +13,15 @@ fn main() -> Result<(), tumbling::Error> {
     for (edge, moment) in ["x", "y", "z"].iter().zip(&moments) {
         println!("  about {edge}: {moment:.3} kg m²");
     }
-    println!();
-    println!("{:<24}{:<26}gap", "spin, rad/s", "momentum, kg m²/s");
+    println!("\n{:<24}{:<26}angle", "spin, rad/s", "momentum, kg m²/s");
     for omega in [[1.0, 1.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, 1.0], [1.0, 1.0, 1.0], [1.0, 1e-12, 0.0]] {
         let omega = Vector3::from(omega);
         let l = inertia.momentum(&omega);
-        let gap = inertia.angle_to_momentum(&omega)?.to_degrees();
+        let angle = inertia.angle_to_momentum(&omega)?.to_degrees();
         let spin = format!("({}, {:?}, {})", omega.x, omega.y, omega.z);
         let momentum = format!("({:.3}, {:.3}, {:.3})", l.x, l.y, l.z);
-        let angle = if gap > 0.0 && gap < 1e-3 { format!("{gap:.3e}°") } else { format!("{gap:.1}°") };
+        let angle =
+            if angle > 0.0 && angle < 1e-3 { format!("{angle:.3e}°") } else { format!("{angle:.1}°") };
         println!("{spin:<24}{momentum:<26}{angle}");
     }
     Ok(())

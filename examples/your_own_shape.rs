@@ -31,14 +31,14 @@ fn main() -> Result<(), Error> {
 
     // What cannot be is refused, with the reason.
     if let Err(error) = Mesh::new(&vertices, &faces[1..]) {
-        println!("The wedge without its first face: {error}.");
+        println!("\nThe wedge without its first face: {error}.");
     }
     Ok(())
 }
 
 fn report(what: &str, body: &MassProperties) -> Result<(), Error> {
     let axes = body.inertia().principal();
-    println!("{what}: {:.3} kg, centre {:.4?}", body.mass(), body.centre().as_slice());
+    println!("\n{what}: {:.3} kg, centre {:.4?}", body.mass(), body.centre().as_slice());
     for axis in Axis::ALL {
         let fate = match of_spin(axes.try_into()?, axis, 1.0)? {
             Stability::Growth { rate } => format!("a push grows, {rate:.3} per radian turned"),
@@ -47,6 +47,5 @@ fn report(what: &str, body: &MassProperties) -> Result<(), Error> {
         };
         println!("  {:.3e} kg m² about {:+.3?}: {fate}", axes.moment(axis), axes.axis(axis).as_slice());
     }
-    println!();
     Ok(())
 }

@@ -46,14 +46,8 @@ fn turned([w, x, y, z]: [f64; 4], [a, b, c]: [f64; 3], back: f64) -> [f64; 3] {
     let cross = |[a, b, c]: [f64; 3]| [y * c - z * b, z * a - x * c, x * b - y * a];
     let [u, v, t] = cross([a, b, c]);
     let twice = cross([u, v, t]);
-    [a, b, c]
-        .into_iter()
-        .zip([u, v, t])
-        .zip(twice)
-        .map(|((a, u), t)| a + 2.0 * (back * w * u + t))
-        .collect::<Vec<_>>()
-        .try_into()
-        .unwrap_or_default()
+    let w = back * w;
+    [a + 2.0 * (w * u + twice[0]), b + 2.0 * (w * v + twice[1]), c + 2.0 * (w * t + twice[2])]
 }
 
 fn body(words: &[f32]) -> Body {
