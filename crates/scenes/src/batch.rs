@@ -103,7 +103,9 @@ pub fn run<R: Send>(
     let some = if scene.torques().is_empty() { TILE * AT_ONCE } else { TILE };
     for first in (0..bodies).step_by(some) {
         let tiles: Vec<usize> = (first..bodies.min(first + some)).step_by(TILE).collect();
-        let planned = together(tiles, |tile| (tile, plans(scene, tile..bodies.min(tile + TILE))));
+        let plans =
+            |tile: usize| together((tile..bodies.min(tile + TILE)).collect(), |body| scene.plan(body));
+        let planned = together(tiles, |tile| (tile, plans(tile)));
         let mut active =
             together(planned.iter().collect(), |(tile, plans)| ActiveTile::new(scene, *tile, plans));
         let mut from = 0;
@@ -126,12 +128,6 @@ fn together<A: Send, B: Send>(all: Vec<A>, each: impl Fn(A) -> B + Sync + Send) 
     return all.into_par_iter().map(each).collect();
     #[cfg(not(feature = "threads"))]
     all.into_iter().map(each).collect()
-}
-
-type Planned<'s> = Vec<Result<Plan<'s>, Error>>;
-
-fn plans(scene: &Scene, bodies: Range<usize>) -> Planned<'_> {
-    together(bodies.collect(), |body| scene.plan(body))
 }
 
 /// The bodies of a tile, while they are answered.

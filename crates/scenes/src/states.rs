@@ -158,9 +158,4 @@ impl Iterator for States<'_> {
         }
         Some(state)
     }
-
-    fn size_hint(&self) -> (usize, Option<usize>) {
-        let left = self.end.saturating_sub(self.next);
-        (usize::from(left > 0), usize::try_from(left).ok())
-    }
 }

@@ -66,7 +66,15 @@ impl Trial<'_> {
     /// and where the motion multiplies them two runs ten times apart were seen to be wrong by the same.
     pub(crate) fn refined(&self, first: f64, budget: &mut Budget) -> Result<(f64, f64, usize), Error> {
         let (all, steps) = (budget.left, self.turned / prices::RADIANS);
-        self.worth_trying(steps, all)?;
+        // Known to take more steps than two runs may.
+        if steps > (all / 2) as f64 {
+            let rule = format!("it must not be above {}, the most that are tried", all / 2);
+            return Err(Error::Value {
+                what: "the number of steps that the torques require",
+                value: steps,
+                rule,
+            });
+        }
         let (mut tolerance, mut best) = (first, f64::INFINITY);
         let mut coarse = self.run(tolerance, budget);
         while coarse != Err(Stop::OutOfSteps) {
@@ -99,16 +107,6 @@ impl Trial<'_> {
             Err(Stop::Refused(error)) if best.is_infinite() => Err(error),
             _ => Err(Error::Disagreement { requested: self.accuracy, steps: all - budget.left }),
         }
-    }
-
-    /// Refuses what is known to take more steps than two runs may.
-    fn worth_trying(&self, steps: f64, left: usize) -> Result<(), Error> {
-        let most = left / 2;
-        if steps <= most as f64 {
-            return Ok(());
-        }
-        let rule = format!("it must not be above {most}, the most that are tried");
-        Err(Error::Value { what: "the number of steps that the torques require", value: steps, rule })
     }
 
     fn run(&self, tolerance: f64, budget: &mut Budget) -> Result<Run, Stop> {

@@ -104,6 +104,8 @@ fn times(text: &str, table: &SceneTable) -> Result<Times, Error> {
     let wrong = |field: &str, span: Range<usize>, why: &dyn std::fmt::Display| {
         Err(Error::at(text, &span, why).of_field(field))
     };
+    let both = "either `times` or `every` and `span` are expected, not both";
+    let missing = |field: &str| format!("`{field}` is missing, which goes with it");
     let (field, span, times) = match (&table.times, &table.every, &table.span) {
         (Some(times), None, None) => ("times", times.span(), Times::Given(times.get_ref().clone())),
         (None, Some(every), Some(span)) => {
@@ -113,19 +115,9 @@ fn times(text: &str, table: &SceneTable) -> Result<Times, Error> {
             let at_span = of_span < 0.0 || (of_every > 0.0 && of_span * of_every > 1.0);
             if at_span { ("span", span.span(), times) } else { ("every", every.span(), times) }
         }
-        (Some(times), _, _) => {
-            return wrong(
-                "times",
-                times.span(),
-                &"either `times` or `every` and `span` are expected, not both",
-            );
-        }
-        (None, None, Some(span)) => {
-            return wrong("span", span.span(), &"`every` is missing, which goes with it");
-        }
-        (None, Some(every), None) => {
-            return wrong("every", every.span(), &"`span` is missing, which goes with it");
-        }
+        (Some(times), _, _) => return wrong("times", times.span(), &both),
+        (None, None, Some(span)) => return wrong("span", span.span(), &missing("every")),
+        (None, Some(every), None) => return wrong("every", every.span(), &missing("span")),
         (None, None, None) => return Err(Error::new("`every` and `span`, or `times`, are missing")),
     };
     match times.validate() {

@@ -73,36 +73,25 @@ struct Arguments {
     file: PathBuf,
 }
 
-#[derive(Clone, Copy, PartialEq)]
-enum Show {
-    States,
-    Summary,
-    Plan,
-}
-
 /// A line on standard error, if it takes one.
 fn complain(line: &str) {
     let _ = writeln!(io::stderr(), "{line}");
 }
 
 fn main() -> ExitCode {
-    let Arguments { summary, explain, file: path } = Arguments::parse();
-    let show = match (summary, explain) {
-        (true, _) => Show::Summary,
-        (_, true) => Show::Plan,
-        _ => Show::States,
-    };
+    let wanted = Arguments::parse();
+    let path = &wanted.file;
     let name = path.to_string_lossy().into_owned();
     let read = |text| file::read(text, path.parent().unwrap_or(Path::new("")));
-    let file = match tumbling_bodies::read_text(&path).and_then(read) {
+    let file = match tumbling_bodies::read_text(path).and_then(read) {
         Ok(file) => file,
         Err(error) => {
-            complain(&error.in_file(&path).to_string());
+            complain(&error.in_file(path).to_string());
             return ExitCode::from(2);
         }
     };
     let mut out = BufWriter::new(io::stdout().lock());
-    let answered = answer(&file, show, &name, &mut out).and_then(|failed| out.flush().map(|()| failed));
+    let answered = answer(&file, &wanted, &name, &mut out).and_then(|failed| out.flush().map(|()| failed));
     match answered {
         Ok(0) => ExitCode::SUCCESS,
         Ok(_) => ExitCode::FAILURE,
@@ -116,11 +105,10 @@ fn main() -> ExitCode {
 }
 
 /// Writes the answers; returns the number of bodies that have none.
-fn answer(file: &File, show: Show, name: &str, out: &mut impl Write) -> io::Result<usize> {
+fn answer(file: &File, wanted: &Arguments, name: &str, out: &mut impl Write) -> io::Result<usize> {
     let scene = &file.scene;
     let outputs = scene.outputs();
-    let show = if show == Show::States && !outputs.states() { Show::Summary } else { show };
-    if show == Show::States {
+    if outputs.states() && !wanted.summary && !wanted.explain {
         writeln!(out, "{}", columns(outputs).join(","))?;
         if outputs.flips || outputs.polhode {
             complain(&format!("{name}: flips and polhode belong to no one time: see --summary"));
@@ -131,12 +119,12 @@ fn answer(file: &File, show: Show, name: &str, out: &mut impl Write) -> io::Resu
     let mut alike: Vec<(String, Vec<usize>)> = Vec::new();
     for index in 0..scene.bodies().len() {
         let of_body = |source| Error::Body { index, source: Box::new(source) };
-        let found = scene.plan(index).and_then(|plan| match show {
-            Show::Plan => Ok((plan.explain(), None)),
-            _ => summary(&plan, index, outputs).map_err(of_body),
+        let found = scene.plan(index).and_then(|plan| match wanted.explain {
+            true => Ok((plan.explain(), None)),
+            false => summary(&plan, index, outputs).map_err(of_body),
         });
         match found {
-            Ok((text, _)) if show == Show::Plan => match alike.iter_mut().find(|(other, _)| *other == text) {
+            Ok((text, _)) if wanted.explain => match alike.iter_mut().find(|(other, _)| *other == text) {
                 Some((_, bodies)) => bodies.push(index),
                 None => alike.push((text, vec![index])),
             },
@@ -218,20 +206,14 @@ fn bar(length: u64) -> ProgressBar {
 }
 
 fn columns(outputs: Outputs) -> Vec<&'static str> {
-    let mut names = vec!["body", "t [s]"];
-    if outputs.spin {
-        names.extend(["wx [rad/s]", "wy [rad/s]", "wz [rad/s]"]);
-    }
-    if outputs.attitude {
-        names.extend(["qw", "qx", "qy", "qz"]);
-    }
-    if outputs.energy {
-        names.push("kinetic energy [J]");
-    }
-    if outputs.angle_to_momentum {
-        names.push("angle to momentum [rad]");
-    }
-    names
+    let names: [(bool, &[&str]); 5] = [
+        (true, &["body", "t [s]"]),
+        (outputs.spin, &["wx [rad/s]", "wy [rad/s]", "wz [rad/s]"]),
+        (outputs.attitude, &["qw", "qx", "qy", "qz"]),
+        (outputs.energy, &["kinetic energy [J]"]),
+        (outputs.angle_to_momentum, &["angle to momentum [rad]"]),
+    ];
+    names.into_iter().filter(|(wanted, _)| *wanted).flat_map(|(_, names)| names).copied().collect()
 }
 
 /// A body in a few lines, and its flips.
@@ -258,10 +240,8 @@ fn summary(plan: &Plan<'_>, index: usize, outputs: Outputs) -> Result<(String, O
             let [x, y, z] = size.into();
             line(format!("  {word:9} {x:.16e} {y:.16e} {z:.16e} rad/s, along the principal axes"));
         }
-        line(match polhode.period {
-            Some(period) => format!("  period    {period:.16e} s"),
-            None => "  period    none".to_owned(),
-        });
+        let period = polhode.period.map_or_else(|| "none".to_owned(), |period| format!("{period:.16e} s"));
+        line(format!("  period    {period}"));
     }
     let flips = if outputs.flips { Some(plan.flips()?) } else { None };
     if let Some(flips) = &flips {
