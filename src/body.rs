@@ -3,10 +3,11 @@
 pub mod named;
 #[cfg(feature = "serde")]
 mod serial;
-mod state;
+pub(crate) mod state;
 
+pub(crate) use state::Rate;
+pub use state::State;
 pub(crate) use state::along;
-pub use state::{Rate, State};
 
 use crate::attitude;
 use crate::error::{Error, Refusal, Subject, finite_vector, representable};

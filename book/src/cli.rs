@@ -169,37 +169,22 @@ fn everything() -> Result<ExitCode, Box<dyn Error>> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Runs the guard; 1 if something is not held, 2 if something cannot be read.
+/// Runs the guard and prints what it found; 1 if something is not held, 2 if something cannot be read.
 fn checked(folder: &Path, list: bool) -> ExitCode {
-    match offences(folder, list) {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::FAILURE,
+    let report = match guard::check(folder) {
+        Ok(report) => report,
         Err(wrong) => {
             complain!("error: {wrong}");
-            ExitCode::from(2)
+            return ExitCode::from(2);
         }
-    }
-}
-
-/// Prints what the guard found; returns whether that was nothing.
-fn offences(folder: &Path, list: bool) -> Result<bool, String> {
-    let report = guard::check(folder)?;
-    if list {
-        for line in &report.held {
-            say!("{line}");
-        }
-    }
-    for offence in &report.offences {
-        say!("{offence}");
-    }
+    };
+    report.held.iter().filter(|_| list).for_each(|line| say!("{line}"));
+    report.offences.iter().for_each(|offence| say!("{offence}"));
     say!("{report}");
-    Ok(report.offences.is_empty())
+    ExitCode::from(u8::from(!report.offences.is_empty()))
 }
 
 fn listing(all: &[Figure]) -> String {
-    if all.is_empty() {
-        return "There are no figures yet.".into();
-    }
     let width = |text: fn(&Figure) -> &str| all.iter().map(|f| text(f).len()).max().unwrap_or(0);
     let (name, chapter) = (width(|f| f.name), width(|f| f.chapter));
     let mut out = String::new();

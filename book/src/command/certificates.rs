@@ -24,7 +24,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
     if !missing.is_empty() {
         return Err(format!("no theorem can be written for:\n  {}", missing.join("\n  ")));
     }
-    let folder = arguments.out.clone().unwrap_or_else(paths::certificates);
+    let folder =
+        arguments.out.clone().unwrap_or_else(|| paths::repository().join("crates/proofs/coq/certificates"));
     for c in &certificates {
         write_changed(&folder.join(format!("{}.v", c.part)), c.text.as_bytes())?;
     }

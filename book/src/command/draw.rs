@@ -25,7 +25,7 @@ pub(crate) fn draw(figures: &[&Figure], folder: &Path) -> Result<(), String> {
     let mut failures = Vec::new();
     each_made(
         figures.len(),
-        |at| drawn(figures[at]),
+        |at| figures[at].draw().map_err(|e| e.to_string()),
         |at, drawn, took| {
             let name = figures[at].name;
             match drawn.and_then(|svg| write_changed(&file_of(figures[at], folder), svg.as_bytes())) {
@@ -89,7 +89,7 @@ pub(crate) fn check(figures: &[&Figure], folder: &Path) -> Result<(), String> {
     let mut wrong = Vec::new();
     each_made(
         figures.len(),
-        |at| drawn(figures[at]),
+        |at| figures[at].draw().map_err(|e| e.to_string()),
         |at, drawn, _| {
             let reason = match (drawn, fs::read_to_string(file_of(figures[at], folder))) {
                 (Err(reason), _) => reason,
@@ -130,10 +130,6 @@ fn strays(figures: &[&Figure], folder: &Path) -> Vec<String> {
 
 fn file_of(figure: &Figure, folder: &Path) -> PathBuf {
     folder.join(format!("{}.svg", figure.name))
-}
-
-fn drawn(figure: &Figure) -> Result<String, String> {
-    figure.draw().map_err(|e| e.to_string())
 }
 
 /// Makes as many things on every core, and hands each over, in order, with the time that it took.

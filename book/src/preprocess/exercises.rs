@@ -47,25 +47,21 @@ fn section(exercises: &[&Exercise]) -> String {
             exercise.title,
             exercise.task,
             exercise.command(),
-            fold("The code to complete", &code(&exercise.open()))
+            programs::fold("fold", "The code to complete", &code(&exercise.open()))
         );
         let hints = exercise.hints.len();
         for (at, hint) in exercise.hints.iter().enumerate() {
             let summary = if hints == 1 { "Hint".into() } else { format!("Hint {} of {hints}", at + 1) };
-            out.push_str(&fold(&summary, hint));
+            out.push_str(&programs::fold("fold", &summary, hint));
         }
         let solution = format!("{}\n\n{}", code(exercise.solution()), exercise.words);
-        out.push_str(&fold("Solution", solution.trim_end()));
+        out.push_str(&programs::fold("fold", "Solution", solution.trim_end()));
     }
     out
 }
 
 fn code(rust: &str) -> String {
     format!("```rust\n{}\n```", rust.trim_end())
-}
-
-fn fold(summary: &str, inside: &str) -> String {
-    programs::fold("fold", summary, inside)
 }
 
 #[cfg(test)]

@@ -11,82 +11,63 @@ use mdbook_preprocessor::config::HtmlConfig;
 use std::fs;
 use std::path::Path;
 
-/// A change to mdBook's template.
-struct Edit {
-    name: &'static str,
-    /// Stands exactly once in the template.
-    sought: &'static str,
-    replacement: &'static str,
-}
-
-const TEMPLATE: [Edit; 11] = [
-    // mdBook's default, `/`, would break the page for unknown addresses on every disk and on most sites.
-    Edit {
-        name: "a base only where one was set",
-        sought: "<base href=\"{{ base_url }}\">\n",
-        replacement: "{{#if (ne base_url \"/\")}}\n        <base href=\"{{ base_url }}\">\n        {{/if}}\n",
-    },
-    Edit {
-        name: "a skip link as the first stop of the keyboard",
-        sought: "    <body>\n",
-        replacement: "    <body>\n    <a class=\"skip\" href=\"#main\">Skip to the text</a>\n",
-    },
-    Edit {
-        name: "where the skip link leads",
-        sought: "<main>",
-        replacement: "<main id=\"main\" tabindex=\"-1\">",
-    },
-    Edit {
-        name: "a name for the sidebar's checkbox",
-        sought: "id=\"mdbook-sidebar-toggle-anchor\" class=\"hidden\"",
-        replacement: "id=\"mdbook-sidebar-toggle-anchor\" class=\"hidden\" aria-label=\"Table of contents\"",
-    },
-    Edit {
-        name: "a name for the contents without scripts",
-        sought: "<iframe class=\"sidebar-iframe-outer\"",
-        replacement: "<iframe class=\"sidebar-iframe-outer\" title=\"Table of contents\"",
-    },
-    Edit {
-        name: "the menu bar is a landmark",
-        sought: "<div id=\"mdbook-menu-bar\" class=\"menu-bar sticky\">",
-        replacement: "<div id=\"mdbook-menu-bar\" class=\"menu-bar sticky\" role=\"banner\">",
-    },
-    // A keyboard reaches no <label>. `reader.js` passes the button's click on to the checkbox.
-    Edit {
-        name: "the menu button is a button",
-        sought: "<label id=\"mdbook-sidebar-toggle\" class=\"icon-button\" for=\"mdbook-sidebar-toggle-anchor\"",
-        replacement: "<button id=\"mdbook-sidebar-toggle\" class=\"icon-button\" type=\"button\"",
-    },
-    Edit {
-        name: "the end of the menu button, and a label in its place without scripts",
-        sought: "                        </label>\n",
-        replacement: "                        </button>
+/// What stands exactly once in mdBook's template, and what takes its place.
+const TEMPLATE: [(&str, &str); 11] = [
+    // A base only where one was set: mdBook's default, `/`, would break the page for unknown addresses on
+    // every disk and on most sites.
+    (
+        "<base href=\"{{ base_url }}\">\n",
+        "{{#if (ne base_url \"/\")}}\n        <base href=\"{{ base_url }}\">\n        {{/if}}\n",
+    ),
+    // A skip link as the first stop of the keyboard.
+    ("    <body>\n", "    <body>\n    <a class=\"skip\" href=\"#main\">Skip to the text</a>\n"),
+    // Where the skip link leads.
+    ("<main>", "<main id=\"main\" tabindex=\"-1\">"),
+    // A name for the sidebar's checkbox.
+    (
+        "id=\"mdbook-sidebar-toggle-anchor\" class=\"hidden\"",
+        "id=\"mdbook-sidebar-toggle-anchor\" class=\"hidden\" aria-label=\"Table of contents\"",
+    ),
+    // A name for the contents without scripts.
+    (
+        "<iframe class=\"sidebar-iframe-outer\"",
+        "<iframe class=\"sidebar-iframe-outer\" title=\"Table of contents\"",
+    ),
+    // The menu bar is a landmark.
+    (
+        "<div id=\"mdbook-menu-bar\" class=\"menu-bar sticky\">",
+        "<div id=\"mdbook-menu-bar\" class=\"menu-bar sticky\" role=\"banner\">",
+    ),
+    // The menu button is a button: a keyboard reaches no <label>. `reader.js` passes its click on to the
+    // checkbox.
+    (
+        "<label id=\"mdbook-sidebar-toggle\" class=\"icon-button\" for=\"mdbook-sidebar-toggle-anchor\"",
+        "<button id=\"mdbook-sidebar-toggle\" class=\"icon-button\" type=\"button\"",
+    ),
+    // The end of the menu button, and a label in its place without scripts.
+    (
+        "                        </label>\n",
+        "                        </button>
                         <noscript>
                             <label id=\"sidebar-toggle-label\" class=\"icon-button\" \
                                    for=\"mdbook-sidebar-toggle-anchor\" title=\"Table of Contents\">
                                 {{fa \"solid\" \"bars\"}}
                             </label>
                         </noscript>\n",
-    },
-    Edit {
-        name: "one h1 on a page, the chapter's",
-        sought: "<h1 class=\"menu-title\">{{ book_title }}</h1>",
-        replacement: "<div class=\"menu-title\">{{ book_title }}</div>",
-    },
-    Edit {
-        name: "a button that opens all code",
-        sought: "                    <div class=\"right-buttons\">\n",
-        replacement: "                    <div class=\"right-buttons\">
+    ),
+    // One h1 on a page, the chapter's.
+    ("<h1 class=\"menu-title\">{{ book_title }}</h1>", "<div class=\"menu-title\">{{ book_title }}</div>"),
+    // A button that opens all code.
+    (
+        "                    <div class=\"right-buttons\">\n",
+        "                    <div class=\"right-buttons\">
                         <button id=\"code-toggle\" class=\"icon-button\" type=\"button\" hidden \
                                 title=\"Show the code, or fold it away\" aria-label=\"Code\" aria-pressed=\"false\">
                             {{fa \"solid\" \"code\"}}
                         </button>\n",
-    },
-    Edit {
-        name: "the description of the search field is there",
-        sought: "aria-describedby=\"searchresults-header\"",
-        replacement: "aria-describedby=\"mdbook-searchresults-header\"",
-    },
+    ),
+    // The description of the search field is there.
+    ("aria-describedby=\"searchresults-header\"", "aria-describedby=\"mdbook-searchresults-header\""),
 ];
 
 /// The languages of the book's programs, of the forty-odd that mdBook's highlighter knows: a page weighs a
@@ -131,10 +112,9 @@ fn originals<const N: usize>(names: [&str; N]) -> Result<[String; N], String> {
 /// mdBook's template with our edits.
 fn template(original: &str) -> Result<String, String> {
     let mut edits = Edits::default();
-    for Edit { name, sought, replacement } in &TEMPLATE {
-        let at = once(original, sought).map_err(|count| {
-            format!("the edit \"{name}\" does not fit mdBook's index.hbs: `{sought}` is there {count} times")
-        })?;
+    for (sought, replacement) in &TEMPLATE {
+        let at = once(original, sought)
+            .map_err(|count| format!("`{sought}` is in mdBook's index.hbs {count} times, not once"))?;
         edits.replace(at..at + sought.len(), (*replacement).to_owned());
     }
     Ok(edits.applied_to(original))
@@ -177,7 +157,7 @@ mod tests {
 
     /// A template with what each edit looks for.
     fn sought() -> String {
-        TEMPLATE.iter().map(|edit| format!("{}~", edit.sought)).collect()
+        TEMPLATE.iter().map(|(sought, _)| format!("{sought}~")).collect()
     }
 
     #[test]
@@ -186,21 +166,21 @@ mod tests {
         lay_out(folder.path()).unwrap();
         let [page, script] = ["index.hbs", "highlight.js"].map(|name| folder.path().join(name));
         let page = fs::read_to_string(page).unwrap();
-        for Edit { name, replacement, .. } in &TEMPLATE {
-            assert!(page.contains(replacement), "{name}");
+        for (sought, replacement) in &TEMPLATE {
+            assert!(page.contains(replacement), "{sought}");
         }
         let script = fs::read_to_string(script).unwrap();
         assert!(script.contains("Highlight.js") && script.len() < 30_000, "{}", script.len());
     }
 
     #[test]
-    fn each_edit_fails_by_its_name_where_its_place_is_gone_or_there_twice() {
+    fn each_edit_fails_by_what_it_seeks_where_its_place_is_gone_or_there_twice() {
         assert!(template(&sought()).is_ok());
-        for Edit { name, sought: place, .. } in &TEMPLATE {
+        for (place, _) in &TEMPLATE {
             let gone = template(&sought().replacen(place, "", 1)).unwrap_err();
-            assert!(gone.contains(name) && gone.ends_with("is there 0 times"), "{gone}");
+            assert!(gone.contains(place) && gone.ends_with("0 times, not once"), "{gone}");
             let twice = template(&format!("{}{place}", sought())).unwrap_err();
-            assert!(twice.contains(name) && twice.ends_with("is there 2 times"), "{twice}");
+            assert!(twice.contains(place) && twice.ends_with("2 times, not once"), "{twice}");
         }
     }
 

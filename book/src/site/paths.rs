@@ -23,11 +23,6 @@ pub(crate) fn figures() -> PathBuf {
     repository().join("figures")
 }
 
-/// The folder of the theorems for Coq that are made from the proofs, if no other is asked for.
-pub(crate) fn certificates() -> PathBuf {
-    repository().join("crates/proofs/coq/certificates")
-}
-
 /// The folder the pages are built into.
 pub(crate) fn pages() -> PathBuf {
     book().join("html")
