@@ -262,7 +262,7 @@ fn singles(hash: &mut Hash, system: &System<f64>, start: &State<f64>) {
     }
 }
 
-/// A tensor in any axes: its principal ones, the gap, and the body's exact motion.
+/// A tensor in any axes: its principal ones, the angle to the momentum, and the body's exact motion.
 fn tensor(hash: &mut Hash, random: &mut Random) {
     let turn = UnitQuaternion::new_unchecked(random.attitude());
     let r = turn.to_rotation_matrix().into_inner();

@@ -104,7 +104,7 @@ proptest! {
     }
 }
 
-/// Which end of its swing is whose, by hand: with moments (1, 2, 3) and the spin (0, 0.03, -1) the third axis
+/// Which end of its range is whose, by hand: with moments (1, 2, 3) and the spin (0, 0.03, -1) the third axis
 /// is 2/100 off at the start and 1/100 a quarter period later, seen from behind.
 #[test]
 fn a_spin_the_other_way_round_swings_about_the_opposite_of_the_momentum() {

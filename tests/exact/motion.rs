@@ -1,6 +1,6 @@
 //! The exact motion against 40 digits, against mathematics, and to the ends of the number range.
 
-use super::{ROUNDING, apart, distinct, motion};
+use super::{ROUNDING, apart, distinct, motion, numbers};
 use crate::common::*;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
@@ -8,12 +8,6 @@ use proptest::strategy::ValueTree as _;
 use serde_json::Value;
 use tumbling::exact::{FreeMotion, Instant, Regime};
 use tumbling::{Axis, Body, ErrorKind, Inertia, PrincipalMoments};
-
-/// Numbers of the table, to what `f64` sees of their 40 digits.
-fn numbers(value: &Value) -> Vec<f64> {
-    let number = |x: &Value| x.as_str().unwrap().parse().unwrap();
-    value.as_array().unwrap().iter().map(number).collect()
-}
 
 fn length(v: &[f64]) -> f64 {
     let scale = v.iter().fold(f64::MIN_POSITIVE, |m, x| m.max(x.abs()));
@@ -85,10 +79,10 @@ proptest! {
         let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
         let h = 1e-4;
         let [before, at, after] = [t - h, t, t + h].map(|t| motion.at(t).unwrap());
-        let slope = (after.omega - before.omega) / (2.0 * h);
+        let change = (after.omega - before.omega) / (2.0 * h);
         let law = tumbling::dynamics::euler::angular_acceleration(&m, &at.omega, &Vector3::zeros());
         let fast = 1.0 + at.omega.norm().powi(3);
-        prop_assert!((slope - law).norm() < 1e-5 * fast, "{slope} {law}");
+        prop_assert!((change - law).norm() < 1e-5 * fast, "{change} {law}");
         let sign = if before.attitude.coords.dot(&after.attitude.coords) < 0.0 { -1.0 } else { 1.0 };
         let turn = (after.attitude.coords * sign - before.attitude.coords) / (2.0 * h);
         let sign = if sign * before.attitude.coords.dot(&at.attitude.coords) < 0.0 { -1.0 } else { 1.0 };

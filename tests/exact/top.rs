@@ -1,6 +1,6 @@
 //! Lagrange's top against 40 digits, against mechanics, and to the ends of the number range.
 
-use super::{ROUNDING, apart};
+use super::{ROUNDING, apart, numbers};
 use crate::common::*;
 use nalgebra::{Quaternion, Rotation3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
@@ -9,10 +9,6 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 use tumbling::exact::{FreeMotion, Instant, LagrangeTop, TopRegime};
 use tumbling::{Body, Error, ErrorKind, Inertia, PrincipalMoments};
-
-fn numbers(value: &Value) -> Vec<f64> {
-    value.as_array().unwrap().iter().map(|x| x.as_str().unwrap().parse().unwrap()).collect()
-}
 
 fn distance(a: &[f64], b: &[f64], sign: f64) -> f64 {
     a.iter().zip(b).map(|(x, y)| (x - sign * y).powi(2)).sum::<f64>().sqrt()
@@ -268,11 +264,8 @@ proptest! {
     }
 
     #[test]
-    fn a_top_about_any_axis_and_in_any_axes_moves_alike(
-        start in attitude(), omega in generic_spin(), frame in attitude(), t in -9.0..9.0_f64,
-    ) {
+    fn a_top_about_any_axis_moves_alike(start in attitude(), omega in generic_spin(), t in -9.0..9.0_f64) {
         let (moments, arm) = (Vector3::new(0.9, 0.9, 0.5), Vector3::new(0.0, 0.0, -0.4));
-        let inertia = Inertia::from_moments(0.9, 0.9, 0.5).unwrap();
         let plain = LagrangeTop::new(moments.try_into().unwrap(), start, &omega, &arm, 1.7).unwrap();
         let at = plain.at(t).unwrap();
         // Each cyclic order of the axes, and any turned tensor.
@@ -286,12 +279,6 @@ proptest! {
             prop_assert!(apart(&(there.attitude * q), &at.attitude) < 1e-12);
             prop_assert!((there.omega - turned(&at.omega)).norm() < 1e-12);
         }
-        let body = Body::spinning(inertia.turned(frame).unwrap(), start * frame.inverse(), &(frame * omega)).unwrap();
-        let top = LagrangeTop::of(&body, &(frame * arm), 1.7).unwrap();
-        prop_assert_eq!(top.at(0.0).unwrap().attitude, body.attitude());
-        let there = top.at(t).unwrap();
-        prop_assert!(apart(&(there.attitude * frame), &at.attitude) < 1e-11);
-        prop_assert!((there.omega - frame * at.omega).norm() < 1e-11);
     }
 
     #[test]
@@ -443,7 +430,9 @@ proptest! {
         let (inertia, arm) = (Inertia::from_moments(1.0, 1.0, polar).unwrap(), Vector3::new(0.0, 0.0, 0.7));
         let turned = inertia.turned(frame).unwrap();
         let body = Body::spinning(turned, start * frame.inverse(), &(frame * omega)).unwrap();
-        let there = LagrangeTop::of(&body, &(frame * arm), 2.0).unwrap().at(t).unwrap();
+        let top = LagrangeTop::of(&body, &(frame * arm), 2.0).unwrap();
+        prop_assert_eq!(top.at(0.0).unwrap().attitude, body.attitude());
+        let there = top.at(t).unwrap();
         let plain = LagrangeTop::new(PrincipalMoments::new(1.0, 1.0, polar).unwrap(), start, &omega, &arm, 2.0);
         let at = plain.unwrap().at(t).unwrap();
         prop_assert!(apart(&(there.attitude * frame), &at.attitude) < 1e-12);

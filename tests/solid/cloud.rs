@@ -41,17 +41,17 @@ pub fn gauss(from: f64, to: f64) -> Vec<(f64, f64)> {
     (0..N)
         .map(|i| {
             let mut x = (std::f64::consts::PI * (i as f64 + 0.75) / (N as f64 + 0.5)).cos();
-            let mut slope = 1.0;
+            let mut derivative = 1.0;
             for _ in 0..20 {
                 let (mut p, mut before) = (x, 1.0);
                 for k in 2..=N {
                     let k = k as f64;
                     (p, before) = (((2.0 * k - 1.0) * x * p - (k - 1.0) * before) / k, p);
                 }
-                slope = N as f64 * (x * p - before) / (x * x - 1.0);
-                x -= p / slope;
+                derivative = N as f64 * (x * p - before) / (x * x - 1.0);
+                x -= p / derivative;
             }
-            let weight = 2.0 / ((1.0 - x * x) * slope * slope);
+            let weight = 2.0 / ((1.0 - x * x) * derivative * derivative);
             (0.5 * (from + to) + 0.5 * (to - from) * x, 0.5 * (to - from) * weight)
         })
         .collect()

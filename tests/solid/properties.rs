@@ -164,7 +164,7 @@ proptest! {
     }
 }
 
-// The same box and ball, near and 2^30 m away: offsets are exact there, so not a digit may change.
+// A box and a ball, near and 2^30 m away: offsets are exact there, so not a digit may change.
 #[test]
 fn a_body_far_from_the_origin_keeps_every_digit() {
     let far = Vector3::new(2.0_f64.powi(30), -(2.0_f64.powi(29)), 2.0_f64.powi(31));

@@ -15,7 +15,7 @@ fn driven(torques: impl IntoIterator<Item = Torque<f64>>) -> Stepper<f64> {
     Stepper::<f64>::adaptive(&body(), 1e-12, 10_000).unwrap().with_torques(torques).unwrap()
 }
 
-/// Weight times height, or what a field and a tide take for it, J, by the textbook's formulas.
+/// Weight times height, or what a field and a gravity gradient take for it, J, by the textbook's formulas.
 fn potential(torques: &[Torque<f64>], body: &Body) -> f64 {
     let back = body.attitude().inverse();
     let of = |torque: &Torque<f64>| match torque {

@@ -1,6 +1,7 @@
 //! The steppers under gravity, judged by the closed form of Lagrange's top.
 
 use super::adaptive;
+use crate::exact::apart;
 use nalgebra::{UnitQuaternion, Vector3};
 use tumbling::exact::LagrangeTop;
 use tumbling::step::{Method, State, Stepper, System, Torque};
@@ -15,10 +16,6 @@ fn looping() -> (Body, LagrangeTop) {
     let inertia = Inertia::from_moments(0.9, 0.9, 0.5).unwrap();
     let body = Body::spinning(inertia, leaning, &Vector3::new(-0.7, 0.2, 4.0)).unwrap();
     (body, LagrangeTop::of(&body, &ARM, WEIGHT).unwrap())
-}
-
-fn apart(a: &UnitQuaternion<f64>, b: &UnitQuaternion<f64>) -> f64 {
-    (a.coords - b.coords).norm().min((a.coords + b.coords).norm())
 }
 
 #[test]

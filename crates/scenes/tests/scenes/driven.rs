@@ -118,7 +118,7 @@ fn uneven_damping_of_a_body_with_products_is_refused_and_even_damping_is_not() {
     assert!((end(none, even).unwrap() - end(hardly, even).unwrap()).norm() < 1e-8);
 }
 
-/// The same top, given in its principal axes and in other axes, to which the arm, the push and the
+/// A top, given in its principal axes and in other axes, to which the arm, the push and the
 /// attitude are turned.
 #[test]
 fn a_driven_body_given_in_other_axes_moves_the_same() {
