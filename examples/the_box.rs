@@ -1,4 +1,4 @@
-//! The book's worked example: the box, its three moments, and the gap between spin and momentum.
+//! The book's worked example: the box, its three moments, and the angle between spin and momentum.
 //!
 //! `cargo run --example the_box`
 

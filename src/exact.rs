@@ -70,7 +70,7 @@ pub struct FreeMotion {
     start: Vector3<f64>,
     exponent: i32,
     clock: f64,
-    law: Law,
+    law: Motion,
     mount: Option<Mount>,
 }
 
@@ -82,7 +82,7 @@ const THINNEST: f64 = 1e-100;
     clippy::large_enum_variant,
     reason = "a box would cost each instant a detour, and the motion its `Copy`"
 )]
-enum Law {
+enum Motion {
     AtRest,
     Steady(Turn),
     Symmetric(Precession),
@@ -121,10 +121,12 @@ impl FreeMotion {
             .into());
         }
         let law = match classify(moments, omega) {
-            Kind::Steady if *omega == Vector3::zeros() => Law::AtRest,
-            Kind::Steady => Law::Steady(Turn::along(unit_omega.map(Into::into))),
-            Kind::Symmetric(axis) => Law::Symmetric(Precession::new(&unit_moments, axis, &unit_omega, omega)),
-            Kind::Asymmetric(motion) => Law::Elliptic(EllipticMotion::new(&motion, &w)?),
+            Kind::Steady if *omega == Vector3::zeros() => Motion::AtRest,
+            Kind::Steady => Motion::Steady(Turn::along(unit_omega.map(Into::into))),
+            Kind::Symmetric(axis) => {
+                Motion::Symmetric(Precession::new(&unit_moments, axis, &unit_omega, omega))
+            }
+            Kind::Asymmetric(motion) => Motion::Elliptic(EllipticMotion::new(&motion, &w)?),
         };
         let clock = times_power_of_two(1.0, exponent);
         // With room for the roundings on the way.
@@ -211,9 +213,9 @@ impl FreeMotion {
     /// The spin along the principal axes.
     fn omega_along(&self, time: f64) -> Vector3<f64> {
         match &self.law {
-            Law::AtRest | Law::Steady(_) => self.start,
-            Law::Symmetric(precession) => precession.omega(time),
-            Law::Elliptic(motion) => motion.omega(time),
+            Motion::AtRest | Motion::Steady(_) => self.start,
+            Motion::Symmetric(precession) => precession.omega(time),
+            Motion::Elliptic(motion) => motion.omega(time),
         }
     }
 
@@ -233,10 +235,10 @@ impl FreeMotion {
     /// The turn of the principal axes since the start, at a scaled time other than zero.
     fn turned(&self, time: f64) -> UnitQuaternion<f64> {
         UnitQuaternion::new_unchecked(match &self.law {
-            Law::AtRest => Quaternion::identity(),
-            Law::Steady(turn) => turn.at(time),
-            Law::Symmetric(precession) => precession.attitude(time),
-            Law::Elliptic(motion) => motion.attitude(time),
+            Motion::AtRest => Quaternion::identity(),
+            Motion::Steady(turn) => turn.at(time),
+            Motion::Symmetric(precession) => precession.attitude(time),
+            Motion::Elliptic(motion) => motion.attitude(time),
         })
     }
 
@@ -257,10 +259,10 @@ impl FreeMotion {
     #[inline(always)]
     fn along_principal_axes(&self, time: f64) -> (Vector3<f64>, Quaternion<f64>) {
         match &self.law {
-            Law::AtRest => (self.start, Quaternion::identity()),
-            Law::Steady(turn) => (self.start, turn.at(time)),
-            Law::Symmetric(precession) => (precession.omega(time), precession.attitude(time)),
-            Law::Elliptic(motion) => motion.at(time),
+            Motion::AtRest => (self.start, Quaternion::identity()),
+            Motion::Steady(turn) => (self.start, turn.at(time)),
+            Motion::Symmetric(precession) => (precession.omega(time), precession.attitude(time)),
+            Motion::Elliptic(motion) => motion.at(time),
         }
     }
 
@@ -289,9 +291,9 @@ impl FreeMotion {
     pub fn regime(&self) -> Regime {
         let per_second = |rate: f64| times_power_of_two(rate, self.exponent);
         match &self.law {
-            Law::AtRest => Regime::AtRest,
-            Law::Steady(turn) => Regime::Steady { speed: per_second(turn.rate()) },
-            Law::Symmetric(top) => Regime::SymmetricTop {
+            Motion::AtRest => Regime::AtRest,
+            Motion::Steady(turn) => Regime::Steady { speed: per_second(turn.rate()) },
+            Motion::Symmetric(top) => Regime::SymmetricTop {
                 axis: if self.moments.axis(Axis::Largest) == top.axis {
                     Axis::Largest
                 } else {
@@ -300,7 +302,7 @@ impl FreeMotion {
                 nutation: per_second(top.nutation_turns() * core::f64::consts::TAU),
                 precession: per_second(top.about_momentum.rate()),
             },
-            Law::Elliptic(motion) => motion.regime(per_second),
+            Motion::Elliptic(motion) => motion.regime(per_second),
         }
     }
 
@@ -351,8 +353,8 @@ impl FreeMotion {
 
     fn clock_of_flips(&self) -> Option<(Clock, i32)> {
         match &self.law {
-            Law::Elliptic(motion) => Some((motion.clock(), self.exponent)),
-            Law::AtRest | Law::Steady(_) | Law::Symmetric(_) => None,
+            Motion::Elliptic(motion) => Some((motion.clock(), self.exponent)),
+            Motion::AtRest | Motion::Steady(_) | Motion::Symmetric(_) => None,
         }
     }
 }

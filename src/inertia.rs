@@ -56,17 +56,11 @@ pub fn point_mass<T: Ring>(mass: &T, offset: &Vector3<T>) -> Matrix3<T> {
     let times = |a: &T, b: &T| mass.clone() * a.clone() * b.clone();
     let (xx, yy, zz) = (times(x, x), times(y, y), times(z, z));
     let (xy, xz, yz) = (-times(x, y), -times(x, z), -times(y, z));
-    Matrix3::new(
-        yy.clone() + zz.clone(),
-        xy.clone(),
-        xz.clone(),
-        xy,
-        zz + xx.clone(),
-        yz.clone(),
-        xz,
-        yz,
-        xx + yy,
-    )
+    Matrix3::from([
+        [yy.clone() + zz.clone(), xy.clone(), xz.clone()],
+        [xy, zz + xx.clone(), yz.clone()],
+        [xz, yz, xx + yy],
+    ])
 }
 
 /// Spin from momentum, both in world axes: `w = R J R^T L`, with `J` the body's inverse tensor.

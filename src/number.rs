@@ -101,47 +101,31 @@ pub trait Analytic: Field {
     fn rounding() -> f64;
 }
 
-impl Analytic for f64 {
-    fn sqrt(&self) -> Self {
-        Float::sqrt(*self)
-    }
-    fn sin_cos(&self) -> (Self, Self) {
-        functions::sin_cos(*self)
-    }
-    fn exp(&self) -> Self {
-        functions::exp(*self)
-    }
-    fn cos_sinc_of_root(&self) -> (Self, Self) {
-        functions::cos_sinc_of_root(*self)
-    }
-    fn size(&self) -> f64 {
-        self.abs()
-    }
-    fn rounding() -> f64 {
-        f64::EPSILON
-    }
+/// Of `f32` the functions are those of `f64`, rounded.
+macro_rules! analytic {
+    ($($Float:ident),*) => {$(
+        impl Analytic for $Float {
+            fn sqrt(&self) -> Self {
+                Float::sqrt(*self)
+            }
+            fn sin_cos(&self) -> (Self, Self) {
+                let (sine, cosine) = functions::sin_cos(f64::from(*self));
+                (sine as Self, cosine as Self)
+            }
+            fn exp(&self) -> Self {
+                functions::exp(f64::from(*self)) as Self
+            }
+            fn cos_sinc_of_root(&self) -> (Self, Self) {
+                let (cosine, sinc) = functions::cos_sinc_of_root(f64::from(*self));
+                (cosine as Self, sinc as Self)
+            }
+            fn size(&self) -> f64 {
+                f64::from(self.abs())
+            }
+            fn rounding() -> f64 {
+                f64::from($Float::EPSILON)
+            }
+        }
+    )*};
 }
-
-/// Its functions are those of `f64`, rounded.
-impl Analytic for f32 {
-    fn sqrt(&self) -> Self {
-        Float::sqrt(*self)
-    }
-    fn sin_cos(&self) -> (Self, Self) {
-        let (sine, cosine) = functions::sin_cos(f64::from(*self));
-        (sine as f32, cosine as f32)
-    }
-    fn exp(&self) -> Self {
-        functions::exp(f64::from(*self)) as f32
-    }
-    fn cos_sinc_of_root(&self) -> (Self, Self) {
-        let (cosine, sinc) = functions::cos_sinc_of_root(f64::from(*self));
-        (cosine as f32, sinc as f32)
-    }
-    fn size(&self) -> f64 {
-        f64::from(self.abs())
-    }
-    fn rounding() -> f64 {
-        f64::from(f32::EPSILON)
-    }
-}
+analytic!(f64, f32);

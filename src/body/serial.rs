@@ -60,36 +60,25 @@ impl TryFrom<Flight> for Body {
 /// Attitude body to world, of length 1; momentum in body axes in kg m²/s.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Instant {
+struct Instant {
     attitude: Turn,
     momentum: [f64; 3],
 }
 
-impl From<State<f64>> for Instant {
-    fn from(state: State<f64>) -> Self {
-        Self { attitude: (&state.attitude).into(), momentum: state.momentum.into() }
-    }
-}
-
-impl TryFrom<Instant> for State<f64> {
-    type Error = Error;
-
-    fn try_from(instant: Instant) -> Result<Self, Error> {
-        let momentum = Vector3::from(instant.momentum);
-        finite_vector(Subject::AngularMomentum, &momentum)?;
-        Ok(Self { attitude: attitude::checked(instant.attitude.attitude())?.into_inner(), momentum })
-    }
-}
-
-/// As [`Instant`]: a state is generic over its number, of which `f64` alone is written and read.
+// A state is generic over its number, of which `f64` alone is written and read.
 impl Serialize for State<f64> {
     fn serialize<S: serde::Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        Instant::from(self.clone()).serialize(to)
+        Instant { attitude: (&self.attitude).into(), momentum: self.momentum.into() }.serialize(to)
     }
 }
 
 impl<'de> Deserialize<'de> for State<f64> {
     fn deserialize<D: serde::Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        Self::try_from(Instant::deserialize(from)?).map_err(serde::de::Error::custom)
+        let instant = Instant::deserialize(from)?;
+        let momentum = Vector3::from(instant.momentum);
+        let checked = finite_vector(Subject::AngularMomentum, &momentum)
+            .and_then(|()| attitude::checked(instant.attitude.attitude()));
+        let attitude = checked.map_err(serde::de::Error::custom)?.into_inner();
+        Ok(Self { attitude, momentum })
     }
 }

@@ -213,9 +213,8 @@ fn discriminant_without_rounding(
     // So close that twice the precision may not separate it from the separatrix: without rounding.
     let terms = |axis: usize, sign: f64| {
         let w = omega[axis].times_power_of_two(-scale);
-        let gap = DoubleDouble::sum(i[axis], -i[middle]);
-        let gap = gap.abs();
-        let with_moment = exact_products([gap.lo(), gap.hi()].into_iter(), sign * i[axis]);
+        let apart = DoubleDouble::sum(i[axis], -i[middle]).abs();
+        let with_moment = exact_products([apart.lo(), apart.hi()].into_iter(), sign * i[axis]);
         exact_products(exact_products(with_moment, w), w)
     };
     let mut all = terms(high, 1.0).chain(terms(low, -1.0)); // sixteen each

@@ -6,7 +6,7 @@ use super::elementary::{SteadySpin, TopSpin, Turn};
 use super::elliptic_motion::{
     ComplementaryAttitude, ComplementarySpin, DirectAttitude, DirectSpin, EllipticMotion,
 };
-use super::{FreeMotion, Instant, Law};
+use super::{FreeMotion, Instant, Motion};
 use crate::error::{Error, Subject, finite};
 use crate::number::Lane;
 use alloc::vec::Vec;
@@ -92,7 +92,7 @@ impl<T: Lane, A: Answer> Batch<T, A> {
     #[must_use]
     pub fn new(motions: &[FreeMotion]) -> Self {
         fn elliptic(motion: &FreeMotion) -> Option<&EllipticMotion> {
-            if let Law::Elliptic(elliptic) = &motion.law { Some(elliptic) } else { None }
+            if let Motion::Elliptic(elliptic) = &motion.law { Some(elliptic) } else { None }
         }
         fn alone(motion: &FreeMotion) -> bool {
             elliptic(motion).is_some_and(|e| e.direct().is_none() && e.complementary().is_none())
@@ -101,12 +101,12 @@ impl<T: Lane, A: Answer> Batch<T, A> {
             direct: Group::new(motions, A::ATTITUDE, |motion| elliptic(motion)?.direct()),
             complementary: Group::new(motions, A::ATTITUDE, |motion| elliptic(motion)?.complementary()),
             tops: Group::new(motions, A::ATTITUDE, |motion| match &motion.law {
-                Law::Symmetric(top) => Some((&top.spin, &top.about_momentum)),
+                Motion::Symmetric(top) => Some((&top.spin, &top.about_momentum)),
                 _ => None,
             }),
             steady: Group::new(motions, A::ATTITUDE, |motion| match &motion.law {
-                Law::AtRest => Some((&motion.start, &Turn::NONE)),
-                Law::Steady(turn) => Some((&motion.start, turn)),
+                Motion::AtRest => Some((&motion.start, &Turn::NONE)),
+                Motion::Steady(turn) => Some((&motion.start, turn)),
                 _ => None,
             }),
             alone: motions.iter().copied().enumerate().filter(|(_, motion)| alone(motion)).collect(),

@@ -232,7 +232,7 @@ fn in_sense<T: Lane>(sense: T, real: T, imaginary: T) -> [T; 2] {
     [T::select(cyclic, real, imaginary), T::select(cyclic, imaginary, -real)]
 }
 
-/// The same two theta functions in hyperbolic functions, after the imaginary transformation: sums in
+/// The attitude's two theta functions in hyperbolic functions, after the imaginary transformation: sums in
 /// `e = exp(-x)` and `r = p² exp(x)`, where `x` is Jacobi's argument times `pi/(2K')`.
 ///
 /// ```

@@ -148,7 +148,7 @@ impl<T: Real> EllipticMotion<T> {
         self.constants.quarter.hi().finite()
     }
 
-    /// The same where the motion returns.
+    /// Half the spin's period, in scaled time, where the motion returns.
     pub(crate) fn span_of_half_period(&self) -> T {
         let Constants { rate, quarter, .. } = self.constants;
         (quarter * splat::<T>(2.0) / rate.abs()).hi()

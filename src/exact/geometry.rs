@@ -2,7 +2,7 @@
 //! far it twists.
 
 use super::period::seconds;
-use super::{FreeMotion, Law};
+use super::{FreeMotion, Motion};
 use crate::body::Body;
 use crate::dynamics::observe::energy;
 use crate::error::{Error, Refusal, Subject, representable};
@@ -12,7 +12,7 @@ use crate::number::power_of_two::times_power_of_two;
 use core::f64::consts::PI;
 use nalgebra::Vector3;
 
-impl Law {
+impl Motion {
     /// Refuses a motion whose greatest spin times `room` is beyond `f64`; scaled spins are times
     /// `2^-exponent`.
     pub(super) fn has_room_for(&self, room: f64, exponent: i32) -> Result<(), Error> {
@@ -87,9 +87,9 @@ impl FreeMotion {
     /// A period beyond `f64`.
     pub fn period(&self) -> Result<Option<f64>, Error> {
         let scaled = match &self.law {
-            Law::AtRest | Law::Steady(_) => None,
-            Law::Symmetric(top) => Some(1.0 / top.nutation_turns().abs()),
-            Law::Elliptic(motion) => motion.half_period().map(|half| 2.0 * half),
+            Motion::AtRest | Motion::Steady(_) => None,
+            Motion::Symmetric(top) => Some(1.0 / top.nutation_turns().abs()),
+            Motion::Elliptic(motion) => motion.half_period().map(|half| 2.0 * half),
         };
         scaled.map(|time| seconds(Subject::Period, time, self.exponent)).transpose()
     }
@@ -127,10 +127,10 @@ impl FreeMotion {
         };
         let off = |axis: usize| hypot(share[(axis + 1) % 3], share[(axis + 2) % 3]);
         Ok(match &self.law {
-            Law::AtRest | Law::Steady(_) => [atan2(off(axis), share[axis]); 2],
-            Law::Symmetric(top) if top.axis == axis => [atan2(off(axis), share[axis]); 2],
-            Law::Symmetric(top) => around_a_right_angle(off(top.axis), share[top.axis].abs()),
-            Law::Elliptic(motion) => {
+            Motion::AtRest | Motion::Steady(_) => [atan2(off(axis), share[axis]); 2],
+            Motion::Symmetric(top) if top.axis == axis => [atan2(off(axis), share[axis]); 2],
+            Motion::Symmetric(top) => around_a_right_angle(off(top.axis), share[top.axis].abs()),
+            Motion::Elliptic(motion) => {
                 // Where the two are nearly the same, each is rounded on its own.
                 let [a, b] = motion.angles(axis);
                 [a.min(b), a.max(b)]
@@ -151,9 +151,9 @@ impl FreeMotion {
     #[must_use]
     pub fn twist_of_half_period(&self) -> Option<f64> {
         match &self.law {
-            Law::AtRest | Law::Steady(_) => None,
-            Law::Symmetric(top) => Some(top.twist_of_half_period()).filter(|twist| twist.is_finite()),
-            Law::Elliptic(motion) => motion.twist_of_half_period(),
+            Motion::AtRest | Motion::Steady(_) => None,
+            Motion::Symmetric(top) => Some(top.twist_of_half_period()).filter(|twist| twist.is_finite()),
+            Motion::Elliptic(motion) => motion.twist_of_half_period(),
         }
     }
 }

@@ -18,7 +18,7 @@ mod series;
 
 use super::elementary::scaled;
 use super::elliptic_motion::EllipticMotion;
-use super::{FreeMotion, Law};
+use super::{FreeMotion, Motion};
 use crate::error::{Error, Subject, finite, representable};
 use crate::number::Lane;
 use crate::number::double_double::DoubleDouble;
@@ -177,7 +177,7 @@ impl FreeMotion {
     fn derivatives(&self, t: f64, tensor: bool) -> Result<Derivatives, Error> {
         let time = finite(Subject::Time, t)? * self.clock;
         let (moments, omega, _) = scaled(&self.moments.into(), &self.start.into());
-        if self.law == Law::AtRest {
+        if self.law == Motion::AtRest {
             return Ok(Derivatives::at_rest(time));
         }
         let angle = Vector3::from(omega).norm() * time.abs();
@@ -207,7 +207,7 @@ impl FreeMotion {
         tensor: bool,
     ) -> Result<SpinDerivatives, Error> {
         Ok(match &self.law {
-            Law::AtRest | Law::Steady(_) => {
+            Motion::AtRest | Motion::Steady(_) => {
                 let moving = [0, 1, 2].map(|k| omega[k] != 0.0);
                 match moving {
                     [true, false, false] => elementary::principal(moments, 0, omega[0], time),
@@ -220,8 +220,8 @@ impl FreeMotion {
                     }
                 }
             }
-            Law::Symmetric(top) => elementary::top(moments, top.axis, omega, top.spin.nutation, time),
-            Law::Elliptic(motion) => {
+            Motion::Symmetric(top) => elementary::top(moments, top.axis, omega, top.spin.nutation, time),
+            Motion::Elliptic(motion) => {
                 let thin = Vector3::from(*moments).min() < NEEDLE * Vector3::from(*moments).max();
                 if motion.half_periods(time).argument.abs() <= if thin { SHORT } else { NEAR_RETURN } {
                     near_return(motion, moments, omega, time, tensor)

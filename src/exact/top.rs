@@ -66,7 +66,7 @@ pub struct LagrangeTop {
     along: f64,
     exponent: i32,
     clock: f64,
-    law: Law,
+    law: TopMotion,
     constants: Constants,
 }
 
@@ -84,7 +84,7 @@ struct Constants {
     clippy::large_enum_variant,
     reason = "a box would cost each instant a detour, and the motion its `Copy`"
 )]
-enum Law {
+enum TopMotion {
     /// A turn about the top's axis, which does not move.
     Steady(Turn),
     Nutation(Nutation),
@@ -143,10 +143,10 @@ impl LagrangeTop {
         let still = integrals.across_squared.hi() == 0.0;
         let upright = integrals.from_bottom.hi() == 0.0 || integrals.from_top.hi() == 0.0;
         let law = if still && (upright || start.pull.hi() == 0.0) {
-            Law::Steady(Turn::along([0.0, 0.0, scaled(spin.z)].map(DoubleDouble::from)))
+            TopMotion::Steady(Turn::along([0.0, 0.0, scaled(spin.z)].map(DoubleDouble::from)))
         } else {
             let ahead = DoubleDouble::from(scaled(spin.z)) - start.along;
-            Law::Nutation(integrals.nutation(&start, ahead))
+            TopMotion::Nutation(integrals.nutation(&start, ahead))
         };
         let constants = Constants::new(&mounted, &integrals, &law, power);
         let top = Self {
@@ -209,14 +209,14 @@ impl LagrangeTop {
             return Ok(self.start);
         }
         Ok(match &self.law {
-            Law::Steady(turn) => {
+            TopMotion::Steady(turn) => {
                 let attitude = product(
                     self.start.attitude.quaternion(),
                     &self.mounted.frame.turn_in_body(turn.at(time)),
                 );
                 Instant { omega: self.start.omega, attitude: UnitQuaternion::new_unchecked(attitude) }
             }
-            Law::Nutation(nutation) => {
+            TopMotion::Nutation(nutation) => {
                 let ([[w, z], [x, y]], [first, second]) = nutation.at(time);
                 let q = Quaternion::new(w, x, y, z);
                 let inverse = 1.0 / q.norm();
@@ -260,7 +260,7 @@ impl LagrangeTop {
     /// # Errors
     /// A period beyond `f64`.
     pub fn period(&self) -> Result<Option<f64>, Error> {
-        let Law::Nutation(nutation) = &self.law else { return Ok(None) };
+        let TopMotion::Nutation(nutation) = &self.law else { return Ok(None) };
         let scaled = nutation.half_period.hi();
         if scaled.is_infinite() || self.constants.regime == TopRegime::SteadyPrecession {
             return Ok(None);
@@ -276,8 +276,8 @@ impl LagrangeTop {
     #[must_use]
     pub fn precession_rate(&self) -> f64 {
         match &self.law {
-            Law::Steady(_) => 0.0,
-            Law::Nutation(nutation) => times_power_of_two(nutation.precession, self.exponent),
+            TopMotion::Steady(_) => 0.0,
+            TopMotion::Nutation(nutation) => times_power_of_two(nutation.precession, self.exponent),
         }
     }
 
@@ -312,11 +312,11 @@ impl LagrangeTop {
         let Constants { energy, momentum_along, lean, .. } = self.constants;
         // With room for a turn.
         let fastest = match &self.law {
-            Law::Steady(_) => 0.0,
-            Law::Nutation(nutation) if nutation.is_finite() => {
+            TopMotion::Steady(_) => 0.0,
+            TopMotion::Nutation(nutation) if nutation.is_finite() => {
                 times_power_of_two(4.0 * nutation.greatest_spin(), self.exponent)
             }
-            Law::Nutation(_) => f64::INFINITY,
+            TopMotion::Nutation(_) => f64::INFINITY,
         };
         let rates = [energy, momentum_along, self.precession_rate(), 4.0 * self.along, fastest];
         representable(Subject::TopRate, &lean)?;
@@ -343,14 +343,14 @@ fn in_range(integrals: &Integrals, start: &Start, spin: &Vector3<f64>, pulled: b
 }
 
 impl Constants {
-    fn new(mounted: &Mounted, integrals: &Integrals, law: &Law, power: i32) -> Self {
+    fn new(mounted: &Mounted, integrals: &Integrals, law: &TopMotion, power: i32) -> Self {
         let Integrals { along, pull, across_squared, .. } = integrals;
         let polar_spin = mounted.across / mounted.polar * along.hi();
         let twice = *across_squared + *pull * integrals.height() + *along * polar_spin;
         let energy = times_power_of_two(0.5 * mounted.across * twice.hi(), power);
         let root = |x: DoubleDouble| x.hi().max(0.0).sqrt();
         let angle = |k: usize| 2.0 * atan2(root(integrals.tops[k]), root(integrals.bottoms[k]));
-        let steady = matches!(law, Law::Steady(_));
+        let steady = matches!(law, TopMotion::Steady(_));
         let here = 2.0 * atan2(root(integrals.from_top), root(integrals.from_bottom));
         Self {
             energy: times_power_of_two(energy, power),

@@ -119,7 +119,7 @@ pub trait Lane:
         [high, (self - (high - part)) + (other - part)]
     }
 
-    /// The same where `self` is not the smaller of the two, or is zero.
+    /// [`sum_in_two`](Self::sum_in_two) where `self` is not the smaller of the two, or is zero.
     #[must_use]
     #[inline(always)]
     fn quick_sum_in_two(self, other: Self) -> [Self; 2] {

@@ -24,7 +24,7 @@ pub trait Real: Lane<Mask = bool> + PartialOrd {
     #[must_use]
     fn exp(self) -> Self;
 
-    /// The same, and less 1.
+    /// The exponential of a number that is not positive, and that less 1.
     #[must_use]
     fn exp_and_exp_m1(self) -> (Self, Self);
 

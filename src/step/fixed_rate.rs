@@ -120,7 +120,7 @@ fn drifted<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<S
     for _ in 1..parts {
         motion = prepared.step(&motion)?;
     }
-    let over = T::one() / motion.attitude.coords.dot(&motion.attitude.coords).sqrt();
-    motion.attitude.coords.apply(|x| *x *= over.clone());
+    let inverse = T::one() / motion.attitude.coords.dot(&motion.attitude.coords).sqrt();
+    motion.attitude.coords.apply(|x| *x *= inverse.clone());
     motion.checked()
 }

@@ -121,17 +121,11 @@ impl Part {
         let (sine, cosine) = (self.along.x / length, self.along.z / length);
         let product = (along - across) * sine * cosine;
         let (ss, cc) = (sine * sine, cosine * cosine);
-        Matrix3::new(
-            across * cc + along * ss,
-            0.0,
-            product,
-            0.0,
-            y,
-            0.0,
-            product,
-            0.0,
-            across * ss + along * cc,
-        )
+        Matrix3::from([
+            [across * cc + along * ss, 0.0, product],
+            [0.0, y, 0.0],
+            [product, 0.0, across * ss + along * cc],
+        ])
     }
 
     fn filled(&self, solid: &impl Solid) -> Result<MassProperties, Error> {

@@ -26,7 +26,7 @@ impl<T: Lane> Decay<T> {
     }
 }
 
-/// The same theta functions as sums in the complementary nome `p`, for one of at most 0.02: that is a nome
+/// The spin's theta functions as sums in the complementary nome `p`, for one of at most 0.02: that is a nome
 /// above 0.08.
 ///
 /// ```

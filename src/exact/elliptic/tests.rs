@@ -106,10 +106,10 @@ fn the_three_functions_agree_with_the_table_from_the_circle_to_the_separatrix() 
         let [complement, u, sn, cn, dn] = row[..] else { panic!("five numbers") };
         let ours = Jacobi::new(complement).at(u);
         let square = 1.0 - complement * complement;
-        for (ours, exact, slope) in
+        for (ours, exact, derivative) in
             [(ours.sn, sn, cn * dn), (ours.cn, cn, sn * dn), (ours.dn, dn, square * sn * cn)]
         {
-            let bound = 8.0 * ROUNDING * (exact.abs() + (u * slope).abs());
+            let bound = 8.0 * ROUNDING * (exact.abs() + (u * derivative).abs());
             assert!((ours - exact).abs() <= bound, "k' = {complement:e}, u = {u}: {ours:e} {exact:e}");
         }
     }
@@ -162,11 +162,11 @@ proptest! {
         let jacobi = Jacobi::new(complement);
         let h = 1e-4;
         let (before, at, after) = (jacobi.at(u - h), jacobi.at(u), jacobi.at(u + h));
-        let slope = |a: f64, b: f64| (b - a) / (2.0 * h);
+        let rate = |a: f64, b: f64| (b - a) / (2.0 * h);
         let square = (1.0 - complement) * (1.0 + complement);
-        prop_assert!((slope(before.sn, after.sn) - at.cn * at.dn).abs() < 1e-7);
-        prop_assert!((slope(before.cn, after.cn) + at.sn * at.dn).abs() < 1e-7);
-        prop_assert!((slope(before.dn, after.dn) + square * at.sn * at.cn).abs() < 1e-7);
+        prop_assert!((rate(before.sn, after.sn) - at.cn * at.dn).abs() < 1e-7);
+        prop_assert!((rate(before.cn, after.cn) + at.sn * at.dn).abs() < 1e-7);
+        prop_assert!((rate(before.dn, after.dn) + square * at.sn * at.cn).abs() < 1e-7);
     }
 
     // The two forms of the theta sums meet where K'/K is 0.775, near k' = 0.4917.

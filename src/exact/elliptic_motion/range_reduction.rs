@@ -74,9 +74,9 @@ impl<T: Real> Reduction<T> {
     fn without_return(&self, time: T) -> ReducedArgument<T> {
         // Beyond the end of the range the spin has long come to rest on the middle axis: any argument that
         // large will do.
-        let (run, far) = (self.rate * time, splat::<T>(1e300));
-        let end = DoubleDouble::from(far * self.rate.hi().sign() * time.sign());
-        self.reduced(T::zero(), if run.hi().abs().lt(far) { run.plus(self.start) } else { end })
+        let (run, beyond) = (self.rate * time, splat::<T>(1e300));
+        let end = DoubleDouble::from(beyond * self.rate.hi().sign() * time.sign());
+        self.reduced(T::zero(), if run.hi().abs().lt(beyond) { run.plus(self.start) } else { end })
     }
 }
 

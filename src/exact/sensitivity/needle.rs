@@ -5,7 +5,7 @@
 //! instead, and over whole periods by doubling.
 
 use super::series::{Request, span};
-use super::{Derivatives, FreeMotion, Law, SpinDerivatives};
+use super::{Derivatives, FreeMotion, Motion, SpinDerivatives};
 use crate::error::Error;
 use nalgebra::Vector3;
 #[cfg(not(feature = "std"))]
@@ -51,11 +51,11 @@ impl FreeMotion {
             return None;
         }
         let period = match &self.law {
-            Law::AtRest => return None,
+            Motion::AtRest => return None,
             // Any will do.
-            Law::Steady(_) => 1.0 / speed,
-            Law::Symmetric(top) => 1.0 / top.nutation_turns().abs(),
-            Law::Elliptic(motion) => 2.0 * motion.half_period()?,
+            Motion::Steady(_) => 1.0 / speed,
+            Motion::Symmetric(top) => 1.0 / top.nutation_turns().abs(),
+            Motion::Elliptic(motion) => 2.0 * motion.half_period()?,
         };
         let period = period.copysign(time);
         let mut count = (time / period).trunc();

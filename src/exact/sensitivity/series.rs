@@ -257,17 +257,12 @@ fn matrix(rows: &[Row; 3]) -> Matrix3<f64> {
 
 fn rotation(&[w, x, y, z]: &Row) -> Matrix3<f64> {
     let [xx, yy, zz] = [x * x, y * y, z * z];
-    Matrix3::new(
-        1.0 - 2.0 * (yy + zz),
-        2.0 * (x * y - w * z),
-        2.0 * (x * z + w * y),
-        2.0 * (x * y + w * z),
-        1.0 - 2.0 * (xx + zz),
-        2.0 * (y * z - w * x),
-        2.0 * (x * z - w * y),
-        2.0 * (y * z + w * x),
-        1.0 - 2.0 * (xx + yy),
-    )
+    // By columns.
+    Matrix3::from([
+        [1.0 - 2.0 * (yy + zz), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y)],
+        [2.0 * (x * y - w * z), 1.0 - 2.0 * (xx + zz), 2.0 * (y * z + w * x)],
+        [2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (xx + yy)],
+    ])
 }
 
 /// The integrals from the start.
