@@ -35,6 +35,7 @@ chapters! {
     "put-it-into-your-engine.md" put_it_into_your_engine
     "problems.md" problems
     "for-teachers.md" for_teachers
+    "toss-a-book-de.md" toss_a_book_de
     "appendix.md" appendix
     "closed-form.md" closed_form
     "top-closed-form.md" top_closed_form

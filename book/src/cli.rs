@@ -46,7 +46,7 @@ other programs, and leaves the pages' drawings as they are: `cargo run -- figure
         check: bool,
         /// For this body instead of the book's: a name such as `phone` or `hammer`, a TOML file, or
         /// FILE.urdf#LINK; into figures/of-bodies/NAME/ where no --out is given
-        #[arg(long, value_name = "BODY", value_parser = BodyModel::load, conflicts_with = "check")]
+        #[arg(long, value_name = "BODY", value_parser = draw::body, conflicts_with = "check")]
         body: Option<BodyModel>,
         #[command(flatten)]
         export: export::Arguments,
@@ -231,7 +231,19 @@ mod tests {
             &["list"][..],
             &["build"],
             &["figures"],
-            &["figures", "two-arrows", "--format", "pdf", "--theme", "print", "--width", "800", "--out", "x"],
+            &[
+                "figures",
+                "two-arrows",
+                "--slide",
+                "--format",
+                "pdf",
+                "--theme",
+                "print",
+                "--width",
+                "800",
+                "--out",
+                "x",
+            ],
             &["film", "book"],
             &[
                 "film",
@@ -303,7 +315,7 @@ mod tests {
             &["print", "pdf", "--paper", "a0"],
             &["figures", "--list"],
             &["film"],
-            &["film", "book", "--format", "mp4"],
+            &["film", "book", "--format", "webm"],
             &["film", "book", "--spin", "fast"],
             &["figures", "--check", "--format", "svg"],
             &["figures", "--format", "jpeg"],

@@ -50,6 +50,7 @@ mod passage;
 mod phrase;
 mod spelled;
 
+use crate::language::Language;
 use crate::preprocess;
 use crate::site::{files, manifests, paths};
 use chapter::{Chapter, Reader};
@@ -73,6 +74,11 @@ impl fmt::Display for Report {
         writeln!(f, "numbers and equations: {} in {} files", self.held.len(), self.chapters)?;
         write!(f, "offences: {}", self.offences.len())
     }
+}
+
+/// The number words of a text in English, in small letters, and where they begin.
+pub(crate) fn number_words(text: &str) -> Vec<(usize, String)> {
+    spelled::words(text).into_iter().map(|word| (word.at.start, text[word.at].to_lowercase())).collect()
 }
 
 /// Checks the chapters in this folder.
@@ -124,6 +130,8 @@ impl Book {
             let faults = preprocess::unreadable(Path::new(&file), &text);
             wrong.extend(faults.into_iter().map(|f| f.replacen(&format!("book/chapters/{file}"), &shown, 1)));
             let name = file.trim_end_matches(".md");
+            let translated = Language::of(name).and_then(|own| own.map(|(own, of)| own.page(of)).transpose());
+            wrong.extend(translated.err());
             match reader.chapter(name, &shown, &text) {
                 Ok(chapter) => chapters.push(chapter),
                 Err(fault) => wrong.push(fault),

@@ -3,6 +3,7 @@
 mod cli;
 mod command;
 mod guard;
+mod language;
 mod paper;
 mod preprocess;
 mod site;

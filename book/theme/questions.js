@@ -45,7 +45,7 @@
         }
 
         function guess() {
-            const [, digits, unit] = right.textContent.match(/^([\d.]+)\s*(.*)$/);
+            const [, digits, unit] = right.textContent.replace(",", ".").match(/^([\d.]+)\s*(.*)$/);
             const value = Number(digits);
             const power = 10 ** Math.floor(Math.log10(2.2 * value));
             const most = unit === "°" ? 90 : [2, 5, 10].map((step) => step * power).find((most) => most >= 2.2 * value);

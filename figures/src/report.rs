@@ -44,19 +44,23 @@ pub fn report(body: &BodyModel) -> Result<String, Box<dyn Error>> {
         );
     }
     page += "<div class=\"pair\">\n";
+    // Each with the rows of its sheet that are shown: the page has the names and moments beside them.
     let pictures = [
-        ("body", moments::draw(&subject)?),
-        ("polhodes", polhodes::draw(&subject)?),
-        ("gap", gaps::draw(&subject)?),
+        ("body", moments::draw(&subject)?, "520 5000 4160"),
+        ("polhodes", polhodes::draw(&subject)?, "340 5000 4080"),
+        ("gap", gaps::draw(&subject)?, "340 5000 4120"),
     ];
     let titles = [
         "The body and its principal axes",
         "The paths that its spin can take",
         "The gap between spin and momentum",
     ];
-    let mut drawn = pictures.into_iter().zip(titles).map(|((name, picture), title)| {
+    let mut drawn = pictures.into_iter().zip(titles).map(|((name, picture, rows), title)| {
         let picture::Picture { canvas, description } = picture;
-        format!("<figure>{}</figure>\n", canvas.finish(name, title, &with_powers(&description)))
+        let svg = canvas.finish(name, title, &with_powers(&description));
+        let (head, rest) = svg.split_once("viewBox=\"0 0 ").unwrap_or((&svg, ""));
+        let rest = rest.split_once('"').map_or("", |(_, rest)| rest);
+        format!("<figure>{head}viewBox=\"0 {rows}\"{rest}</figure>\n")
     });
     page.extend(drawn.by_ref().take(2));
     page += "</div>\n<div class=\"pair\">\n";

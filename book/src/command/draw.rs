@@ -1,8 +1,8 @@
 //! Drawing figures into their committed files, or checking that these are what would be drawn.
 
-use crate::say;
 use crate::site::files::write_changed;
 use crate::site::paths;
+use crate::{complain, say};
 use std::any::Any;
 use std::collections::BTreeMap;
 use std::fs;
@@ -65,6 +65,16 @@ pub(crate) fn draw_for(body: &BodyModel, figures: &[&Figure], all: bool) -> Resu
         }
     }
     none_or(&failures)
+}
+
+/// The body of a name or a file; whether other units were meant is asked at once.
+///
+/// # Errors
+/// A body that cannot be read.
+pub(crate) fn body(words: &str) -> Result<BodyModel, tumbling_bodies::Error> {
+    let body = BodyModel::load(words)?;
+    body.question.iter().for_each(|question| complain!("{question}"));
+    Ok(body)
 }
 
 /// All that went wrong, as an error.

@@ -22,6 +22,9 @@ pub(crate) struct Arguments {
     /// Their width in pixels, 96 to the inch [default: 1600 of a png, otherwise as drawn]
     #[arg(long, value_name = "PX", value_parser = clap::value_parser!(u32).range(16..=20_000))]
     width: Option<u32>,
+    /// Each in the middle of a slide, 16 to 9
+    #[arg(long)]
+    slide: bool,
     /// The folder for those files [default: the one you are in]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -49,7 +52,11 @@ pub(crate) fn theme() -> impl TypedValueParser<Value = Theme> {
 impl Arguments {
     /// Whether any of them was given.
     pub(crate) fn wanted(&self) -> bool {
-        self.format.is_some() || self.theme.is_some() || self.width.is_some() || self.out.is_some()
+        self.slide
+            || self.format.is_some()
+            || self.theme.is_some()
+            || self.width.is_some()
+            || self.out.is_some()
     }
 }
 
@@ -71,7 +78,8 @@ pub(crate) fn export(
     let make = |figure: &Figure| {
         let svg = body.map_or_else(|| figure.draw(), |body| figure.draw_for(body));
         let svg = svg.map_err(|e| e.to_string())?;
-        exported(&svg, format, theme, wanted.width)
+        let svg = theme.dressed(&svg);
+        exported(&if wanted.slide { on_slide(&svg, theme)? } else { svg }, format, wanted.width)
     };
     let follows = |figure: &&Figure| body.is_none() || !all || figure.follows_a_body();
     let figures: Vec<&Figure> = figures.iter().copied().filter(follows).collect();
@@ -92,9 +100,22 @@ pub(crate) fn export(
     none_or(&failures)
 }
 
+/// The drawing in the middle of a slide of its theme's ground.
+fn on_slide(svg: &str, theme: Theme) -> Result<String, String> {
+    let [w, h] = Drawing::read(svg).map_err(|e| e.to_string())?.size();
+    let (wide, high) = (w.max(h * 16.0 / 9.0), h.max(w * 9.0 / 16.0));
+    let [r, g, b] = theme.inks()[0];
+    let placed = format!("<svg x=\"{}\" y=\"{}\" ", (wide - w) / 2.0, (high - h) / 2.0);
+    Ok(format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{wide}\" height=\"{high}\" viewBox=\"0 0 {wide} {high}\">\n\
+         <path d=\"M0 0h{wide}v{high}h-{wide}z\" fill=\"#{r:02x}{g:02x}{b:02x}\"/>\n{}</svg>\n",
+        svg.replacen("<svg ", &placed, 1)
+    ))
+}
+
 /// The bytes of one file.
-fn exported(svg: &str, format: Format, theme: Theme, width: Option<u32>) -> Result<Vec<u8>, String> {
-    let drawing = Drawing::read(&theme.dressed(svg)).map_err(|e| e.to_string())?;
+fn exported(svg: &str, format: Format, width: Option<u32>) -> Result<Vec<u8>, String> {
+    let drawing = Drawing::read(svg).map_err(|e| e.to_string())?;
     match format {
         Format::Svg => Ok(drawing.svg(width).into_bytes()),
         Format::Png => drawing.png(width.unwrap_or(PNG_WIDTH)).map_err(|e| e.to_string()),
@@ -126,6 +147,7 @@ pub(crate) fn own_folder_refused(folder: &Path) -> Result<(), String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::site::files;
     use std::fs;
 
     #[test]
@@ -142,6 +164,16 @@ mod tests {
                 let dressed = theme.dressed(&format!("var({property},none)"));
                 assert_eq!(dressed, colour.trim_end_matches(';'), "{theme:?} {property}");
             }
+        }
+    }
+
+    #[test]
+    fn a_slide_is_sixteen_to_nine_whatever_the_figure_is() {
+        for name in ["three-tosses", "two-arrows"] {
+            let svg = files::text(&paths::figures().join(format!("{name}.svg"))).unwrap();
+            let slide = on_slide(&Theme::Navy.dressed(&svg), Theme::Navy).unwrap();
+            let picture = Drawing::read(&slide).unwrap().picture(320).unwrap();
+            assert_eq!((picture.height, picture.pixels[0]), (180, Theme::Navy.inks()[0]), "{name}");
         }
     }
 

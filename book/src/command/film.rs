@@ -1,18 +1,20 @@
 //! Films of a body in free motion.
 
-use crate::command::draw::each_made;
+use crate::command::draw::{body, each_made};
 use crate::command::export::{own_folder_refused, theme};
+use crate::language::Language;
 use crate::say;
 use crate::site::files::write_changed;
 use std::error::Error;
 use std::f64::consts::TAU;
 use std::io::{IsTerminal as _, Write as _, stderr};
 use std::path::{Path, PathBuf};
+use std::process::Command;
 use tumbling::Axis;
 use tumbling_bodies::BodyModel;
 use tumbling_figures::Theme;
 use tumbling_figures::film::{Camera, Film, Request, SHEET};
-use tumbling_media::film::{Film as Writer, Format as Kind, Palette};
+use tumbling_media::film::{Film as Writer, Palette};
 use tumbling_media::{Drawing, Picture};
 
 /// What a film shows, and how it is written.
@@ -36,15 +38,18 @@ pub(crate) struct Arguments {
     /// From where it is seen [default: from the room, or turning with the momentum where only that closes]
     #[arg(long, value_enum)]
     camera: Option<Seen>,
-    /// apng for slides and pages, gif for old programs, frames for a video
-    #[arg(long, value_enum, default_value_t = Format::Apng)]
+    /// gif plays in slides, messengers and pages; mp4 needs an installed ffmpeg; frames are pictures alone
+    #[arg(long, value_enum, default_value_t = Format::Gif)]
     format: Format,
-    /// In pixels
+    /// In pixels; the height is 9 to its 16, as of a slide
     #[arg(long, value_name = "PX", default_value_t = SHEET[0], value_parser = clap::value_parser!(u32).range(64..=4096))]
     width: u32,
     /// The colours
     #[arg(long, value_parser = theme(), default_value = Theme::Light.name())]
     theme: Theme,
+    /// The language of its words: de
+    #[arg(long, value_name = "CODE", value_parser = Language::read)]
+    language: Option<Language>,
     /// The folder for the film
     #[arg(long, value_name = "DIR", default_value = ".")]
     out: PathBuf,
@@ -69,8 +74,8 @@ enum Seen {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 enum Format {
-    Apng,
     Gif,
+    Mp4,
     Frames,
 }
 
@@ -123,6 +128,7 @@ impl Arguments {
         if self.axis != About::Middle {
             name.push_str(if self.axis == About::Smallest { "-smallest" } else { "-largest" });
         }
+        self.language.iter().for_each(|own| name.push_str(&format!("-{}", own.code)));
         name
     }
 }
@@ -133,15 +139,15 @@ impl Arguments {
 /// A body that cannot be read, a spin that it cannot have, a folder that cannot be written.
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     own_folder_refused(&arguments.out)?;
-    let model = BodyModel::load(&arguments.body)?;
+    let model = body(&arguments.body)?;
     let film = Film::new(&model, &arguments.request(&model))?;
     say!("{}", film.explained()?);
     let count = (film.seconds() * RATE).round().clamp(2.0, 12_000.0) as u32;
     let shown = |i: u32| picture(&film, f64::from(i) / f64::from(count), arguments);
     let written = match arguments.format {
-        Format::Frames => frames(arguments, count, &shown)?,
-        Format::Apng => whole(arguments, Kind::Apng, "png", &film, count, &shown)?,
-        Format::Gif => whole(arguments, Kind::Gif, "gif", &film, count, &shown)?,
+        Format::Gif => whole(arguments, &film, count, &shown)?,
+        Format::Mp4 => video(&arguments.out.join(format!("{}.mp4", arguments.name())), count, &shown)?,
+        Format::Frames => frames(&arguments.out.join(arguments.name()), count, &shown)?,
     };
     say!("{written}");
     Ok(())
@@ -150,6 +156,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 /// One picture.
 fn picture(film: &Film, share: f64, arguments: &Arguments) -> Result<Picture, String> {
     let svg = film.frame(share).map_err(|e| e.to_string())?;
+    let svg = arguments.language.as_ref().map_or(svg.clone(), |own| own.markup(&svg).0);
     let drawing = Drawing::read(&arguments.theme.dressed(&svg)).map_err(|e| e.to_string())?;
     drawing.picture(arguments.width).map_err(|e| e.to_string())
 }
@@ -179,46 +186,49 @@ fn each(
     Ok(())
 }
 
-/// One file; returns what was written.
-fn whole(
-    arguments: &Arguments,
-    kind: Kind,
-    ending: &str,
-    film: &Film,
-    count: u32,
-    shown: Shown<'_>,
-) -> Result<String, Box<dyn Error>> {
+/// A GIF; returns what was written.
+fn whole(arguments: &Arguments, film: &Film, count: u32, shown: Shown<'_>) -> Result<String, Box<dyn Error>> {
     let samples: Vec<Picture> = (0..5).map(|i| shown(i * count / 5)).collect::<Result<_, _>>()?;
     let size = [samples[0].width, samples[0].height];
     let palette = Palette::new(&arguments.theme.inks(), &samples, COLOURS);
     let milliseconds = (1000.0 * film.seconds() / f64::from(count)).round() as u16;
-    let mut writer = Writer::new(kind, palette, size, count, milliseconds)?;
+    let mut writer = Writer::new(palette, size, milliseconds)?;
     each(count, shown, |_, picture| Ok(writer.add(picture)?))?;
     let bytes = writer.finish()?;
-    let file = arguments.out.join(format!("{}.{ending}", arguments.name()));
+    let file = arguments.out.join(format!("{}.gif", arguments.name()));
     write_changed(&file, &bytes)?;
-    Ok(format!(
-        "  {}  {} kB, {count} pictures of {} × {}",
-        file.display(),
-        bytes.len().div_ceil(1000),
-        size[0],
-        size[1]
-    ))
+    let (at, size, [wide, high]) = (file.display(), bytes.len().div_ceil(1000), size);
+    Ok(format!("  {at}  {size} kB, {count} pictures of {wide} × {high}"))
 }
 
-/// A folder of pictures; returns the line that makes a video of them.
-fn frames(arguments: &Arguments, count: u32, shown: Shown<'_>) -> Result<String, Box<dyn Error>> {
-    let folder = arguments.out.join(arguments.name());
+/// A video, three times over, by ffmpeg; returns what was written.
+fn video(file: &Path, count: u32, shown: Shown<'_>) -> Result<String, Box<dyn Error>> {
+    let ffmpeg = || Command::new("ffmpeg");
+    let none = "no ffmpeg was found, which writes an MP4: install it, or leave `--format mp4` out for a GIF";
+    ffmpeg().arg("-version").output().map_err(|_| none)?;
+    let folder = tempfile::TempDir::new()?;
+    frames(folder.path(), count, shown)?;
+    std::fs::create_dir_all(file.parent().unwrap_or(file))?;
+    let rate = RATE.to_string();
+    let made = ffmpeg()
+        .args(["-y", "-loglevel", "error", "-stream_loop", "2", "-framerate", &rate, "-i"])
+        .arg(folder.path().join("%04d.png"))
+        .args(["-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-movflags", "+faststart"])
+        .arg(file)
+        .output()?;
+    if !made.status.success() {
+        return Err(format!("ffmpeg: {}", String::from_utf8_lossy(&made.stderr).trim()).into());
+    }
+    Ok(format!("  {}  {} kB", file.display(), std::fs::metadata(file)?.len().div_ceil(1000)))
+}
+
+/// A folder of pictures; returns what was written.
+fn frames(folder: &Path, count: u32, shown: Shown<'_>) -> Result<String, Box<dyn Error>> {
     each(count, shown, |i, picture| {
         write_changed(&folder.join(format!("{:04}.png", i + 1)), &picture.png(&[])?)?;
         Ok(())
     })?;
-    let (at, to) = (folder.display(), folder.with_extension("mp4"));
-    Ok(format!(
-        "  {at}  {count} pictures; a video of them, three times over:\n  ffmpeg -stream_loop 2 -framerate {RATE} -i '{at}/%04d.png' \
-         -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p '{}'",
-        to.display()
-    ))
+    Ok(format!("  {}  {count} pictures, {RATE} a second", folder.display()))
 }
 
 #[cfg(test)]
@@ -243,12 +253,11 @@ mod tests {
         let phone = paths::repository().join("examples/bodies/phone.toml").to_string_lossy().into_owned();
         let short = ["--seconds", "0.2", "--width", "160"];
         filmed(&[&["book"], &short[..]].concat(), folder.path()).unwrap();
-        filmed(&[&[&*phone, "--format", "gif", "--axis", "largest"], &short[..]].concat(), folder.path())
-            .unwrap();
+        filmed(&[&[&*phone, "--axis", "largest"], &short[..]].concat(), folder.path()).unwrap();
         filmed(&[&[&*phone, "--format", "frames", "--theme", "navy"], &short[..]].concat(), folder.path())
             .unwrap();
         let start = |name: &str| fs::read(folder.path().join(name)).unwrap()[..4].to_vec();
-        assert_eq!(start("book.png"), b"\x89PNG");
+        assert_eq!(start("book.gif"), b"GIF8");
         assert_eq!(start("phone-largest.gif"), b"GIF8");
         assert_eq!(start("phone/0004.png"), b"\x89PNG");
         assert!(!folder.path().join("phone/0005.png").exists(), "0.2 s at 20 pictures a second are four");
@@ -270,9 +279,10 @@ mod tests {
         let film = Film::new(&BodyModel::load("book").unwrap(), &Request::default()).unwrap();
         let pictures = (film.seconds() * RATE).round() as u32;
         for name in ["book", "book-navy"] {
-            let file = fs::read(paths::chapters().join(format!("films/{name}.png"))).unwrap();
-            let at = file.windows(4).position(|bytes| bytes == b"acTL").unwrap() + 4;
-            assert_eq!(u32::from_be_bytes(file[at..at + 4].try_into().unwrap()), pictures, "{name}");
+            let file = fs::read(paths::chapters().join(format!("films/{name}.gif"))).unwrap();
+            // Each picture's block that says how long it stays: five hundredths of a second.
+            let stays = file.windows(6).filter(|bytes| bytes[..3] == [0x21, 0xf9, 4] && bytes[4..] == [5, 0]);
+            assert_eq!(stays.count() as u32, pictures, "{name}");
             assert!(fs::exists(paths::chapters().join(format!("films/{name}-still.png"))).unwrap());
         }
     }

@@ -1,6 +1,6 @@
 //! The command `report`: one page on a body, as HTML and as PDF.
 
-use crate::command::draw::folder_name;
+use crate::command::draw::{self, folder_name};
 use crate::paper::{NO_BROWSER, browser};
 use crate::say;
 use crate::site::files::write_changed;
@@ -13,7 +13,7 @@ use tumbling_bodies::BodyModel;
 #[derive(Debug, Args)]
 pub(crate) struct Arguments {
     /// A name such as `phone` or `hammer`, a TOML file, or FILE.urdf#LINK
-    #[arg(value_parser = BodyModel::load)]
+    #[arg(value_parser = draw::body)]
     body: BodyModel,
     /// The folder; the present one if not given
     #[arg(long, value_name = "DIR", default_value = ".")]

@@ -1,38 +1,55 @@
-//! A chapter as a handout: its story, figures, formulas, numbers and questions, without programs.
+//! A chapter as a handout: its story, figures, formulas, numbers, questions and sources, without programs.
 
 use super::pages::Paper;
 use super::sheet::{self, Size};
-use super::tree::{Element, Node, rewritten, xml};
+use super::tree::{Element, Node, each, rewritten, xml};
+use crate::language::Language;
 use crate::site::goals;
 use crate::site::places::escaped;
+use std::collections::BTreeSet;
 
-/// The handout of a chapter as HTML, set this closely.
+/// The handout of a chapter as HTML, set this closely, in the language of its page.
 ///
 /// # Errors
 /// There is no such chapter.
 pub(super) fn sheet(paper: &Paper, name: &str, size: Size, fit: usize) -> Result<String, String> {
     let page = sheet::chapter(paper, name)?;
+    let (language, original) = Language::of(name)?.map_or((None, name), |(own, of)| (Some(own), of));
+    let say = |words: &str| language.as_ref().map_or(words.to_owned(), |own| own.label(words).0);
     let number = page.number.as_deref().unwrap_or_default();
     let goals: String =
-        goals::of(name)?.iter().map(|goal| format!("<li>{}</li>", escaped(&goal.goal))).collect();
+        goals::of(original)?.iter().map(|goal| format!("<li>{}</li>", escaped(&say(&goal.goal)))).collect();
+    let story = story(&page.body);
+    let sources = sources(paper, &page.body);
+    let sources = if sources.is_empty() {
+        String::new()
+    } else {
+        format!(
+            "<h2>{}</h2>\n<ul class=\"sources\">{}</ul>",
+            say("References"),
+            xml(&sheet::within(&sources, name))
+        )
+    };
     let body = format!(
-        "<header><p>{}, chapter {number}</p>\n{}\n</header>\n<div class=\"goals\"><p>After this chapter you can</p>\
-         <ul>{goals}</ul></div>\n<div class=\"columns\">\n{}\n</div>\n<footer><p>The book has the programs that check \
-         these numbers, the exercises and the answers. Text and figures: {}, CC BY 4.0.</p></footer>",
-        escaped(&paper.about.title),
+        "<header><p>{}</p>\n{}\n</header>\n<div class=\"goals\"><p>{}</p><ul>{goals}</ul></div>\n<div class=\"columns\">\n{}\n\
+         {sources}\n</div>\n<footer><p>{} {}: {}, CC BY 4.0.</p></footer>",
+        escaped(&say(&format!("{}, chapter {number}", paper.about.title))),
         heading(&page.body),
-        xml(&sheet::within(&story(&page.body), name)),
+        say("After this chapter you can"),
+        xml(&sheet::within(&story, name)),
+        say("The book has the programs that check these numbers, the exercises and the answers."),
+        say("Text and figures"),
         escaped(&paper.about.authors.join(", ")),
     );
-    let title = format!("{}: handout", page.title);
-    sheet::document(
-        paper,
-        &title,
-        &format!("handout fit-{fit}"),
-        size,
-        "@page { margin: 14mm 15mm 16mm; }",
-        &body,
-    )
+    let title = format!("{}: {}", page.title, say("handout"));
+    let class = format!("handout fit-{fit}");
+    let html = sheet::document(paper, &title, &class, size, "@page { margin: 11mm 12mm 13mm; }", &body)?;
+    let code = language.map_or(paper.about.language.clone(), |own| own.code);
+    Ok(html.replacen(
+        &format!("<html lang=\"{}\"", paper.about.language),
+        &format!("<html lang=\"{code}\""),
+        1,
+    ))
 }
 
 fn heading(body: &[Node]) -> String {
@@ -46,18 +63,36 @@ fn story(body: &[Node]) -> Vec<Node> {
     rewritten(body[..end].to_vec(), &mut |element| on_sheet(element))
 }
 
-fn on_sheet(element: Element) -> Vec<Node> {
-    // A still goes, the line that says where the live one is stays; the link in it has nowhere to lead.
-    if element.has_class("still") {
-        let words = |node: &Node| node.element().is_some_and(|element| element.has_class("live-words"));
-        return element.children.into_iter().filter(words).collect();
+/// The place in the list of references that a link leads to.
+fn cited(element: &Element) -> Option<&str> {
+    element.get("href")?.split_once("references.html#").map(|(_, place)| place)
+}
+
+/// The entries of the list of references that the chapter cites, in the order of the list.
+fn sources(paper: &Paper, body: &[Node]) -> Vec<Node> {
+    let mut places = BTreeSet::new();
+    each(body, &mut |element| places.extend(cited(element).map(str::to_owned)));
+    let mut found = Vec::new();
+    for page in paper.pages.iter().filter(|page| page.name == "references") {
+        each(&page.body, &mut |item| {
+            let mut is_cited = false;
+            each(&item.children, &mut |inside| {
+                is_cited |= inside.get("id").is_some_and(|id| places.contains(id))
+            });
+            if item.name == "li" && is_cited {
+                found.extend(rewritten(vec![item.clone().into()], &mut |element| on_sheet(element)));
+            }
+        });
     }
-    let dropped = ["program", "to-end"].iter().any(|class| element.has_class(class));
+    found
+}
+
+fn on_sheet(element: Element) -> Vec<Node> {
+    let dropped = ["program", "to-end", "still"].iter().any(|class| element.has_class(class));
     match element.name.as_str() {
-        _ if dropped => Vec::new(),
         "h1" => Vec::new(),
-        // The list of references stays in the book.
-        "a" if element.get("href").is_some_and(|to| to.contains("references")) => {
+        _ if dropped => Vec::new(),
+        "a" if cited(&element).is_some() => {
             [vec![Node::Text("[".into())], element.children, vec![Node::Text("]".into())]].concat()
         }
         "a" => element.children,

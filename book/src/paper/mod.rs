@@ -40,13 +40,13 @@ enum What {
     Epub,
     /// The whole book as a PDF, printed by an installed Chromium, Chrome or Edge
     Pdf,
-    /// A chapter on one or two sheets, without programs: PDF, and HTML to print yourself
+    /// A chapter as a handout, without programs, with its sources: PDF, and HTML to print yourself
     Handout {
         /// The chapters, by the names of their pages, such as two-arrows; every chapter if not given
         #[arg(value_name = "CHAPTER")]
         chapters: Vec<String>,
     },
-    /// Problems of a chapter for paper and pencil, answers on a sheet of their own: PDF, and HTML
+    /// Problems of a chapter for paper and pencil, and their answers in a file of their own: PDF, and HTML
     Problems {
         /// The chapters, by the names of their pages, such as two-arrows; every chapter if not given
         #[arg(value_name = "CHAPTER")]
@@ -72,13 +72,18 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
         }
         What::Pdf => book(&paper, arguments.paper, &folder),
         What::Handout { chapters } => each(&paper, chapters, |name| {
-            let stem = folder.join(format!("{name}-handout"));
-            printed(&stem, &TRIES, &paper.about, |fit| handout::sheet(&paper, name, arguments.paper, fit))
+            printed(&folder.join(format!("{name}-handout")), &paper.about, |fit| {
+                handout::sheet(&paper, name, arguments.paper, fit)
+            })
         }),
         What::Problems { chapters } => each(&paper, chapters, |name| {
-            let stem = folder.join(format!("{name}-problems"));
-            printed(&stem, &[(0, usize::MAX)], &paper.about, |_| {
-                problems::sheet(&paper, name, arguments.paper)
+            // What is translated has no problems of its own.
+            let translated = paper.translated.iter().any(|page| page.name == name);
+            let sheets = if translated { &[][..] } else { &["problems", "answers"] };
+            sheets.iter().try_for_each(|sheet| {
+                printed(&folder.join(format!("{name}-{sheet}")), &paper.about, |fit| {
+                    problems::sheet(&paper, name, arguments.paper, fit, *sheet == "answers")
+                })
             })
         }),
     }
@@ -97,8 +102,7 @@ fn each(
     mut print: impl FnMut(&str) -> Result<(), String>,
 ) -> Result<(), String> {
     if chapters.is_empty() {
-        let numbered = paper.pages.iter().filter(|page| page.number.is_some());
-        return numbered.map(|page| page.name.as_str()).try_for_each(print);
+        return paper.chapters().map(|page| page.name.as_str()).try_for_each(print);
     }
     // A name that is none is refused before anything is written.
     for name in chapters {
@@ -129,38 +133,33 @@ fn mended(printed: Vec<u8>, about: &About) -> Vec<u8> {
     })
 }
 
-/// How closely a sheet may be set, from the widest on.
-type Fit = usize;
+/// How widely a sheet may be set, from the widest on: `fit-N` in `print.css`.
+const FITS: usize = 8;
 
-/// How a sheet is tried, with the number of pages that will do: on one page, if it need not be too close.
-const TRIES: [(Fit, usize); 7] = [(0, 1), (1, 1), (2, 1), (0, 2), (1, 2), (2, 2), (3, 2)];
-
-/// How it is set where nothing counts the pages.
-const UNCOUNTED: Fit = 1;
-
-/// A sheet as HTML, and as PDF where a browser is found.
-fn printed(
-    stem: &Path,
-    tries: &[(Fit, usize)],
-    about: &About,
-    make: impl Fn(Fit) -> Result<String, String>,
-) -> Result<(), String> {
+/// A sheet as HTML, and as PDF where a browser is found: on as few pages as the closest fit needs, and then as
+/// wide as these pages allow.
+fn printed(stem: &Path, about: &About, make: impl Fn(usize) -> Result<String, String>) -> Result<(), String> {
     let (html, pdf) = (stem.with_extension("html"), stem.with_extension("pdf"));
     let Some(browser) = browser::found() else {
-        write(&html, make(UNCOUNTED)?.as_bytes())?;
+        write(&html, make(FITS / 2)?.as_bytes())?;
         say!("{NO_BROWSER}");
         return Ok(());
     };
-    let mut last = Vec::new();
-    for &(fit, pages) in tries {
+    let fit = |fit: usize| -> Result<Vec<u8>, String> {
         write_changed(&html, make(fit)?.as_bytes())?;
-        last = browser::pdf(&browser, &html)?;
-        if browser::count(&last) <= pages {
+        browser::pdf(&browser, &html)
+    };
+    let closest = fit(FITS - 1)?;
+    let mut best = None;
+    for wider in 0..FITS - 1 {
+        best = Some(fit(wider)?).filter(|pdf| browser::count(pdf) <= browser::count(&closest));
+        if best.is_some() {
             break;
         }
     }
+    let best = best.map_or_else(|| fit(FITS - 1), Ok)?;
     say!("{}", html.display());
-    write(&pdf, &mended(last, about))
+    write(&pdf, &mended(best, about))
 }
 
 #[cfg(test)]

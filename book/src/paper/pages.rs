@@ -8,6 +8,7 @@ use super::ink;
 use super::page::{Page, opened};
 use super::still;
 use super::tree::{self, Element, Node, each, parse, rewritten};
+use crate::language::Language;
 use crate::preprocess::Preprocess;
 use crate::site::{build, files, goals, paths};
 use mdbook_driver::MDBook;
@@ -28,6 +29,8 @@ pub(super) struct About {
 pub(super) struct Paper {
     pub(super) about: About,
     pub(super) pages: Vec<Page>,
+    /// Chapters in other languages, which only handouts show.
+    pub(super) translated: Vec<Page>,
 }
 
 impl Paper {
@@ -47,22 +50,37 @@ impl Paper {
             language: config.language.clone().unwrap_or_else(|| "en".into()),
         };
         let mut ends = Ends::default();
-        let mut pages = Vec::new();
+        let (mut pages, mut translated) = (Vec::new(), Vec::new());
         for item in book.iter() {
             let BookItem::Chapter(chapter) = item else { continue };
             let Some(path) = &chapter.path else { continue };
             let name = path.with_extension("").to_string_lossy().into_owned();
             let html = files::text(&built.join(format!("{name}.html")))?;
             let body = body(&html, &name).map_err(|what| format!("{name}.html: {what}"))?;
-            let body = ends.take(&name, &chapter.name, body);
             let number = chapter.number.as_ref().map(|n| n.to_string().trim_end_matches('.').to_owned());
             // A page below another, or without goals, is no chapter: it has no handout of its own.
             let number = number.filter(|number| !number.contains('.') && goals::of(&name).is_ok());
-            pages.push(Page { name, title: chapter.name.clone(), number, body });
+            let title = chapter.name.clone();
+            match Language::of(&name)? {
+                None => pages.push(Page { body: ends.take(&name, &title, body), name, title, number }),
+                Some((_, original)) => {
+                    let original = pages.iter().find(|page: &&Page| page.name == original);
+                    let number = original.and_then(|page| page.number.clone());
+                    let body = Ends::default().take(&name, &title, body);
+                    translated.push(Page { body, name, title, number });
+                }
+            }
         }
         pages.extend(ends.pages());
         linked(&mut pages)?;
-        Ok(Self { about, pages })
+        Ok(Self { about, pages, translated })
+    }
+}
+
+impl Paper {
+    /// The pages with a handout: those with a number, and their translations.
+    pub(super) fn chapters(&self) -> impl Iterator<Item = &Page> {
+        self.pages.iter().chain(&self.translated).filter(|page| page.number.is_some())
     }
 }
 
@@ -94,7 +112,9 @@ fn on_paper(mut element: Element, page: &str, shown: &BTreeSet<String>) -> Resul
         _ if class("boring") || class("turning") || class("fig-large") || element.get("hidden").is_some() => {
             Vec::new()
         }
+        _ if class("screen") => Vec::new(),
         "a" if class("header") => element.children,
+        "div" if element.get("lang").is_some() => element.children,
         "div" if class("fig-frame") => element.children,
         "div" if class("live") => still::of(element.get("data-live").unwrap_or_default(), page, shown)?,
         "details" if class("program") => vec![opened(element, "program")],

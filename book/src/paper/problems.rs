@@ -1,4 +1,4 @@
-//! The problems of a chapter for paper and pencil: its questions, and its section of the page of problems.
+//! The problems of a chapter for paper and pencil, from its section of the page of problems; answers apart.
 
 use super::page::Page;
 use super::pages::Paper;
@@ -16,46 +16,34 @@ struct Problem {
     answer: Vec<Node>,
 }
 
-/// The problems of a chapter as HTML, the answers on a sheet of their own.
+/// The problems of a chapter as HTML, or their answers, set this closely.
 ///
 /// # Errors
 /// There is no such chapter, or an answer is missing.
-pub(super) fn sheet(paper: &Paper, name: &str, size: Size) -> Result<String, String> {
+pub(super) fn sheet(
+    paper: &Paper,
+    name: &str,
+    size: Size,
+    fit: usize,
+    answers: bool,
+) -> Result<String, String> {
     let page = sheet::chapter(paper, name)?;
-    let title = escaped(&page.title);
-    let mut problems = questions(paper, page)?;
-    problems.extend(written(paper, name)?);
-    let (mut asked, mut answers) = (String::new(), String::new());
-    for problem in problems {
-        let _ =
-            writeln!(asked, "<li class=\"problem\">{}</li>", xml(&sheet::within(&problem.asked, "asked")));
-        let _ = writeln!(
-            answers,
-            "<li class=\"problem\">{}</li>",
-            xml(&sheet::within(&problem.answer, "answer"))
-        );
+    let (class, before, after) = if answers {
+        ("answers", "", "The numbers are computed and checked by the book&#8217;s tests.")
+    } else {
+        ("problems", "<p class=\"for\">Paper and pencil. Give numbers with their units.</p>\n", "")
+    };
+    let mut items = String::new();
+    for problem in written(paper, name)? {
+        let nodes = if answers { problem.answer } else { problem.asked };
+        let _ = writeln!(items, "<li class=\"problem\">{}</li>", xml(&sheet::within(&nodes, class)));
     }
     let body = format!(
-        "<section class=\"problems\"><h1>{title}: problems</h1>\n<p class=\"for\">Paper and pencil, with the chapter or its handout at hand. Give numbers with their units.</p>\n\
-         <ol>{asked}</ol></section>\n<section class=\"answers\"><h1>{title}: answers</h1>\n<ol>{answers}</ol>\n\
-         <p class=\"for\">From {}, CC BY 4.0. The numbers are computed and checked by the book&#8217;s tests.</p></section>",
+        "<section class=\"{class}\"><h1>{}: {class}</h1>\n{before}<ol>{items}</ol>\n<p class=\"for\">From {}, CC BY 4.0. {after}</p></section>",
+        escaped(&page.title),
         escaped(&paper.about.title)
     );
-    sheet::document(paper, &format!("{}: problems", page.title), "sheet", size, "", &body)
-}
-
-/// The questions that the chapter itself asks.
-fn questions(paper: &Paper, page: &Page) -> Result<Vec<Problem>, String> {
-    let answers = named(paper, "answers")?;
-    let mut found = Vec::new();
-    for question in page.body.iter().filter_map(Node::element).filter(|it| it.has_class("question")) {
-        let id = question.get("id").unwrap_or_default();
-        let answer = after(&answers.body, &format!("{id}-answer"))
-            .ok_or_else(|| format!("the question {id} has no answer"))?;
-        let asked = rewritten(question.children.clone(), &mut |element| on_sheet(element));
-        found.push(Problem { asked, answer: plain(answer) });
-    }
-    Ok(found)
+    sheet::document(paper, &format!("{}: {class}", page.title), &format!("sheet fit-{fit}"), size, "", &body)
 }
 
 /// The problems of this chapter in the page of problems.
@@ -88,8 +76,6 @@ fn on_sheet(element: Element) -> Vec<Node> {
         _ if dropped => Vec::new(),
         "a" | "blockquote" => element.children,
         "h3" => vec![Element::new("h2", &[], element.children).into()],
-        // Every problem has a number; that it is to be predicted need not be said.
-        "strong" if element.text() == "Predict." => Vec::new(),
         _ => vec![element.into()],
     }
 }

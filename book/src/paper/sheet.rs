@@ -172,7 +172,7 @@ pub(super) fn after<'a>(nodes: &'a [Node], id: &str) -> Option<&'a Element> {
 /// # Errors
 /// There is none; names those that there are.
 pub(super) fn chapter<'a>(paper: &'a Paper, name: &str) -> Result<&'a Page, String> {
-    let numbered = || paper.pages.iter().filter(|page| page.number.is_some());
+    let numbered = || paper.chapters();
     numbered().find(|page| page.name == name).ok_or_else(|| {
         let names: Vec<&str> = numbered().map(|page| page.name.as_str()).collect();
         format!("there is no chapter `{name}`; the chapters are {}", names.join(", "))

@@ -19,6 +19,7 @@ mod theme;
 mod turning;
 mod widget;
 
+use crate::language::Language;
 use crate::site::{goals, home};
 use edits::Edits;
 use mdbook_preprocessor::book::{Book, BookItem};
@@ -78,7 +79,18 @@ fn run(context: &PreprocessorContext, mut book: Book) -> Result<Book> {
         let Some(path) = chapter.source_path.clone() else {
             return;
         };
-        let written = Source { path: &path, text: &chapter.content };
+        let translated = Language::of(&path.to_string_lossy()).and_then(|own| {
+            let page = |(own, name): (Language, &str)| Ok((own.page(name)?, own));
+            own.map(page).transpose()
+        });
+        let (own, other) = match translated {
+            Ok(Some((page, own))) => (page, Some(own)),
+            Ok(None) => (chapter.content.clone(), None),
+            Err(fault) => return faults.push(fault),
+        };
+        // The original has laid out the same drawings and widgets.
+        let seen = if other.is_some() { &mut Seen::default() } else { &mut seen };
+        let written = Source { path: &path, text: &own };
         let text = exercises::replace(&written, &exercises)
             .and_then(|text| goals::replace(&text))
             .and_then(|text| home::replace(&text));
@@ -87,7 +99,11 @@ fn run(context: &PreprocessorContext, mut book: Book) -> Result<Book> {
             Err(fault) => return faults.push(fault),
         };
         let source = Source { path: &path, text: &text };
-        match chapter_as_shown(&source, &maths, &folders, &mut seen) {
+        let shown = chapter_as_shown(&source, &maths, &folders, seen).and_then(|text| match &other {
+            Some(other) => other.shown(&text).map_err(|fault| vec![fault]),
+            None => Ok(text),
+        });
+        match shown {
             Ok(text) => chapter.content = text,
             Err(more) => faults.extend(more),
         }

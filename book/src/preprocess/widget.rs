@@ -22,7 +22,7 @@ const CARRIED: [(&str, &str, &str); 1] =
     [("judge", "example", "crates/judge/data/rapier3d-f64-0.36.1--major.csv")];
 
 /// The modules of a widget that has others than one of its own name.
-const MODULES: [(&str, &[&str]); 9] = [
+const MODULES: [(&str, &[&str]); 10] = [
     ("coin", &["tumble"]),
     ("pitfalls", &["pitfalls", "tumble"]),
     ("steps", &["steps", "tumble"]),
@@ -31,6 +31,7 @@ const MODULES: [(&str, &[&str]); 9] = [
     ("trading", &["tumble"]),
     ("turning", &["tumble"]),
     ("why", &["tumble"]),
+    ("your-body", &["your-body", "tumble"]),
     ("your-box", &["your-body", "tumble"]),
 ];
 

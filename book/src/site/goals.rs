@@ -38,15 +38,15 @@ fn listed() -> Result<String, String> {
     let all = read()?;
     let mut out = String::new();
     for (chapter, title) in chapters()? {
-        out.push_str(&format!("\n### {title}\n\nFrom [{title}]({chapter}.md):\n\n"));
+        out.push_str(&format!("- **[{title}]({chapter}.md).**"));
         for goal in all.get(&chapter).into_iter().flatten() {
             let place = match goal.shown.strip_prefix("question ") {
                 Some(number) => format!("{chapter}-question-{number}"),
                 None => goal.shown.clone(),
             };
-            let shown = goal.shown.replace('_', "\\_");
-            out.push_str(&format!("- {} ([{shown}]({chapter}.md#{place}))\n", goal.goal));
+            out.push_str(&format!(" [{}]({chapter}.md#{place})", goal.goal));
         }
+        out.push('\n');
     }
     Ok(out)
 }
@@ -138,7 +138,7 @@ mod tests {
     #[test]
     fn every_goal_of_the_book_is_shown_by_an_exercise_or_a_question() {
         let listed = listed().unwrap();
-        assert_eq!(listed.matches("\n### ").count(), chapters().unwrap().len());
+        assert_eq!(listed.matches("- **[").count(), chapters().unwrap().len());
     }
 
     #[test]

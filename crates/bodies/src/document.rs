@@ -12,7 +12,10 @@ use toml::de::{DeTable, DeValue, Deserializer};
 pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
     // A field that the whole text lacks is missing at no line.
     let at = |error: toml::de::Error, why: String| match error.span() {
-        Some(span) if span.start > 0 || !why.contains("is missing") => Error::at(text, &span, why),
+        Some(span) if span.start > 0 || !why.contains("is missing") => {
+            let hint = decimal_comma(text, span.start);
+            Error::at(text, &span, why + &hint)
+        }
         _ => Error::new(why),
     };
     let root = DeTable::parse(text).map_err(|error| at(error.clone(), error.message().to_owned()))?;
@@ -32,6 +35,23 @@ pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
             Some(field) => error.of_field(&field),
             None => error,
         }
+    })
+}
+
+/// What to write where the line has a decimal comma: `; write 0.07`.
+pub(crate) fn decimal_comma(text: &str, at: usize) -> String {
+    let start = text.get(..at).and_then(|before| before.rfind('\n')).map_or(0, |end| end + 1);
+    let line = text.get(start..).unwrap_or_default().lines().next().unwrap_or_default();
+    let comma = line
+        .bytes()
+        .collect::<Vec<_>>()
+        .windows(3)
+        .position(|part| part[1] == b',' && part[0].is_ascii_digit() && part[2].is_ascii_digit());
+    let digits = |c: char| !c.is_ascii_digit() && c != ',';
+    comma.map_or_else(String::new, |at| {
+        let from = line[..at].rfind(digits).map_or(0, |before| before + 1);
+        let number = line[from..].split(digits).next().unwrap_or_default();
+        format!("; write {}", number.replacen(',', ".", 1))
     })
 }
 

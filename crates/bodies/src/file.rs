@@ -1,6 +1,6 @@
 //! A body from its table in a TOML file.
 
-use crate::document::from_toml;
+use crate::document::{decimal_comma, from_toml};
 use crate::error::Error;
 use crate::files::{DEEPEST, Files};
 use crate::model::{BodyModel, nameable};
@@ -192,15 +192,37 @@ impl<'a> Reader<'a> {
         let sides = self.sides(if name == "plate" { 2 } else { 3 })?;
         let (properties, surface) =
             shaped(name, self.table, &sides, self.weight()?).map_err(|error| self.refused(&error))?;
+        let thin = ["plate", "disk", "rod"].contains(&name);
+        let question = if thin { None } else { self.question(name, &sides, needed) };
         let sides = if name == "box" { sides.try_into().ok() } else { None };
-        Ok(BodyModel { sides, ..BodyModel::of(properties, vec![surface]) })
+        Ok(BodyModel { sides, question, ..BodyModel::of(properties, vec![surface]) })
+    }
+
+    /// Bare numbers that make a body lighter than air or heavier than any metal, where another unit would not.
+    fn question(&self, name: &str, sides: &[f64], sizes: &[&str]) -> Option<String> {
+        let given = self.present.iter().filter(|(field, _)| sizes.contains(field) || *field == "mass");
+        let given: Vec<&str> = given.map(|(_, span)| &self.text[span.clone()]).collect();
+        let volume = shaped(name, self.table, sides, Weight::Density(1.0)).ok()?.0.mass();
+        let density = self.table.mass.as_ref()?.get_ref() / volume;
+        let of_things = |density: f64| (10.0..25_000.0).contains(&density);
+        if (1.0..25_000.0).contains(&density) || given.iter().any(|text| text.contains(['"', '\''])) {
+            return None;
+        }
+        let units = [("cm", 1e6), ("mm", 1e9), ("g", 1e-3)];
+        let (unit, _) = units.into_iter().find(|(_, more)| of_things(density * more))?;
+        let (mass, sizes) = given.split_last()?;
+        let sizes = sizes.join(" × ").replace(['[', ']'], "").replace(',', " ×");
+        Some(format!("{mass} kg in {sizes} m: is this in {unit}?"))
     }
 
     /// The sides, which must be of this number; none where there are none.
     fn sides(&self, count: usize) -> Result<Vec<f64>, Error> {
         match self.table.sides.as_ref().map(Spanned::get_ref) {
             Some(sides) if sides.len() != count => {
-                Err(self.wrong("sides", format!("{count} numbers are expected here, not {}", sides.len())))
+                let start = self.table.sides.as_ref().map_or(0, |sides| sides.span().start);
+                let hint = decimal_comma(self.text, start);
+                Err(self
+                    .wrong("sides", format!("{count} numbers are expected here, not {}{hint}", sides.len())))
             }
             sides => Ok(sides.cloned().unwrap_or_default()),
         }
@@ -233,7 +255,7 @@ impl<'a> Reader<'a> {
     }
 
     fn parts(&self) -> Result<BodyModel, Error> {
-        let (mut whole, mut surfaces) = (Compound::new(), Vec::new());
+        let (mut whole, mut surfaces, mut question) = (Compound::new(), Vec::new(), None);
         for part in self.table.part.iter().flat_map(Spanned::get_ref) {
             let span = part.span();
             let reader = Reader::new(self.text, part.get_ref(), &span, self.files)?;
@@ -247,13 +269,14 @@ impl<'a> Reader<'a> {
             let of_part = MassProperties::new(mass, &found.centre, found.inertia);
             whole = whole.at(of_part.map_err(|error| self.wrong(self.by, error))?, &Vector3::zeros());
             surfaces.extend(found.surfaces);
+            question = question.or(found.question);
             if surfaces.len() > MOST_PARTS {
                 let why = format!("more than {MOST_PARTS} solids: no more are read");
                 return Err(Error::at(self.text, &span, why).of_field("part"));
             }
         }
         let properties = whole.properties().map_err(|error| self.wrong(self.by, error))?;
-        Ok(BodyModel::of(properties, surfaces))
+        Ok(BodyModel { question, ..BodyModel::of(properties, surfaces) })
     }
 
     fn moments(&self) -> Result<BodyModel, Error> {
@@ -386,7 +409,17 @@ mod tests {
             ("moments = [1, 2, 3.1]", "line 1, `moments`: no body has principal moments"),
             ("moments = [1, 2, 2]\nmass = 0", "line 2, `mass`: the mass is 0.0: it must be above zero"),
             ("moments = [1, 2, nan]", "line 1, `moments`"),
-            ("mass = 'a'", "line 1, `mass`: a number is expected here, not string \"a\""),
+            (
+                "mass = 'a'",
+                "line 1, `mass`: a number is expected here, or one with its unit such as \"200 g\", not `a`",
+            ),
+            (
+                "sides = ['1 m', '2 g', 3]\nmass = 1",
+                "line 1, `sides`: a number is expected here, or one with",
+            ),
+            ("shape = 'ball'\nradius = 0,07\nmass = 1", "; write 0.07"),
+            ("shape = 'ball'\nradius = '7,5 cm'\nmass = 1", "not `7,5 cm`; write 7.5"),
+            ("sides = [7,7, 0,78, 16]\nmass = 1", "3 numbers are expected here, not 5; write 7.7"),
             ("moments = [1, 2]", "line 1, `moments`: 3 numbers are expected here, not 2"),
             ("moments = [1, 2, 2.5, 0]", "line 1, `moments`: 3 numbers are expected here, not 4"),
             ("moments = [1, 2, 2.5]\nproducts = [0, 0, 0, 1]", "line 2, `products`: 3 numbers are expected"),
@@ -396,7 +429,7 @@ mod tests {
                 "line 3, `vertices`: 4 lists of 3 numbers each are expected here, not 3",
             ),
             ("shape = 3", "line 1, `shape`: a string is expected here, not integer `3`"),
-            ("[[part]]\nmass = [1]", "line 2, `mass`: a number is expected here, not sequence"),
+            ("[[part]]\nmass = [1]", "line 2, `mass`: a number is expected here, or a text with its unit"),
             (
                 "[[part]]\nsides = [1, 2, 3]\nmass = 1\n[[part]]\nmomets = [1]",
                 "line 5, `momets`: no such field. Did you mean `moments`?",
@@ -441,6 +474,33 @@ mod tests {
         ] {
             let error = body(text).unwrap_err().to_string();
             assert!(error.contains(words), "{text}\n{error}");
+        }
+    }
+
+    #[test]
+    fn a_size_or_a_mass_may_have_its_unit_and_a_number_that_lacks_it_is_questioned() {
+        let metres = body("sides = [0.077, 0.0078, 0.16]\nmass = 0.2").unwrap();
+        let mixed = body("sides = ['77 mm', '7.8mm', '16 cm']\nmass = '200 g'").unwrap();
+        assert!(
+            (mixed.inertia.matrix() - metres.inertia.matrix()).amax()
+                < 1e-15 * metres.inertia.matrix().amax()
+        );
+        assert_eq!((mixed.mass, mixed.question, metres.question), (Some(0.2), None, None));
+        for (text, asked) in [
+            ("sides = [7.7, 0.78, 16]\nmass = 0.2", "0.2 kg in 7.7 × 0.78 × 16 m: is this in cm?"),
+            ("shape = 'ball'\nradius = 33\nmass = 0.058", "0.058 kg in 33 m: is this in mm?"),
+            ("sides = [0.077, 0.0078, 0.16]\nmass = 200", "200 kg in 0.077 × 0.0078 × 0.16 m: is this in g?"),
+            ("[[part]]\nsides = [7.7, 0.78, 16]\nmass = 0.2", "0.2 kg in 7.7 × 0.78 × 16 m: is this in cm?"),
+        ] {
+            assert_eq!(body(text).unwrap().question.unwrap(), asked);
+        }
+        // A satellite is light, a unit that is written is meant, and of a thin plate nothing is known.
+        for text in [
+            "sides = [2, 2, 4]\nmass = 160",
+            "sides = ['7.7 m', '0.78 m', '16 m']\nmass = 0.2",
+            "shape = 'plate'\nsides = [2, 1]\nmass = 0.001",
+        ] {
+            assert_eq!(body(text).unwrap().question, None, "{text}");
         }
     }
 

@@ -26,6 +26,8 @@ pub struct BodyModel {
     pub spin: Option<f64>,
     /// The edges along x, y and z of a body that is one box, m.
     pub sides: Option<[f64; 3]>,
+    /// What to ask whoever wrote its file: whether other units were meant, where its density is unlikely.
+    pub question: Option<String>,
 }
 
 impl BodyModel {
@@ -40,6 +42,7 @@ impl BodyModel {
             surfaces,
             spin: None,
             sides: None,
+            question: None,
         }
     }
 

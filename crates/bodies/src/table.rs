@@ -33,18 +33,24 @@ table! {
     pub struct Table {
         pub(crate) name: String,
         pub(crate) shape: String,
+        #[serde(default, deserialize_with = "sizes")]
         pub(crate) sides: Vec<f64>,
+        #[serde(default, deserialize_with = "size::<_, false>")]
         pub(crate) radius: f64,
+        #[serde(default, deserialize_with = "size::<_, false>")]
         pub(crate) inner: f64,
+        #[serde(default, deserialize_with = "size::<_, false>")]
         pub(crate) height: f64,
+        #[serde(default, deserialize_with = "size::<_, false>")]
         pub(crate) length: f64,
-        #[serde(default, deserialize_with = "list")]
+        #[serde(default, deserialize_with = "three_sizes")]
         pub(crate) semiaxes: [f64; 3],
         #[serde(default, deserialize_with = "vertices")]
         pub(crate) vertices: [[f64; 3]; 4],
         #[serde(default, deserialize_with = "lists")]
         pub(crate) points: Vec<[f64; 4]>,
         pub(crate) mesh: String,
+        #[serde(default, deserialize_with = "size::<_, false>")]
         pub(crate) unit: f64,
         pub(crate) part: Vec<Spanned<Table>>,
         #[serde(default, deserialize_with = "list")]
@@ -63,9 +69,10 @@ table! {
         /// Of a body in a scene: body to world, a unit quaternion, scalar part first.
         #[serde(default, deserialize_with = "list")]
         pub attitude: [f64; 4],
+        #[serde(default, deserialize_with = "size::<_, true>")]
         pub(crate) mass: f64,
         pub(crate) density: f64,
-        #[serde(default, deserialize_with = "list")]
+        #[serde(default, deserialize_with = "three_sizes")]
         pub(crate) at: [f64; 3],
         #[serde(default, deserialize_with = "list")]
         pub(crate) turn: [f64; 4],
@@ -98,6 +105,54 @@ fn vertices<'de, D: Deserializer<'de>>(from: D) -> Field<[[f64; 3]; 4], D::Error
     let span = found.span();
     let four = whole(found.into_inner(), "lists of 3 numbers each").map_err(D::Error::custom)?;
     Ok(Some(Spanned::new(span, four)))
+}
+
+/// A length or a mass: a number of m or kg, or a text with its unit.
+struct Size<const MASS: bool>(f64);
+
+#[derive(Deserialize)]
+#[serde(untagged, expecting = "a number is expected here, or a text with its unit such as \"77 mm\"")]
+enum Given {
+    Number(f64),
+    Text(String),
+}
+
+/// How many of each make a metre, and a kilogram.
+const UNITS: [&[(&str, f64)]; 2] = [&[("mm", 1e3), ("cm", 1e2), ("m", 1.0)], &[("kg", 1.0), ("g", 1e3)]];
+
+impl<'de, const MASS: bool> Deserialize<'de> for Size<MASS> {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        let text = match Given::deserialize(from)? {
+            Given::Number(number) => return Ok(Self(number)),
+            Given::Text(text) => text,
+        };
+        let read = |(unit, per): &(&str, f64)| {
+            let number: f64 = text.trim().strip_suffix(unit)?.trim().parse().ok()?;
+            Some(number / per).filter(|x| x.is_finite())
+        };
+        UNITS[usize::from(MASS)].iter().find_map(read).map(Self).ok_or_else(|| {
+            let such = if MASS { "\"200 g\"" } else { "\"77 mm\"" };
+            D::Error::custom(format!(
+                "a number is expected here, or one with its unit such as {such}, not `{text}`"
+            ))
+        })
+    }
+}
+
+fn size<'de, D: Deserializer<'de>, const MASS: bool>(from: D) -> Field<f64, D::Error> {
+    let found = Spanned::<Size<MASS>>::deserialize(from)?;
+    Ok(Some(Spanned::new(found.span(), found.into_inner().0)))
+}
+
+fn sizes<'de, D: Deserializer<'de>>(from: D) -> Field<Vec<f64>, D::Error> {
+    let found = Spanned::<Vec<Size<false>>>::deserialize(from)?;
+    let span = found.span();
+    Ok(Some(Spanned::new(span, found.into_inner().into_iter().map(|size| size.0).collect())))
+}
+
+fn three_sizes<'de, D: Deserializer<'de>>(from: D) -> Field<[f64; 3], D::Error> {
+    let Some(found) = sizes(from)? else { return Ok(None) };
+    Ok(Some(Spanned::new(found.span(), whole(found.into_inner(), "numbers").map_err(D::Error::custom)?)))
 }
 
 fn whole<T, const N: usize>(items: Vec<T>, of: &str) -> Result<[T; N], String> {

@@ -2,7 +2,7 @@
 //!
 //! A [`Drawing`] is read from an SVG document whose colours are plain. Its letters are set in the fonts that
 //! this crate carries, so that a file looks the same on a machine that has none. A [`Film`](film::Film) takes
-//! pictures of drawings, one after another, as APNG or GIF.
+//! pictures of drawings, one after another, as a GIF.
 
 mod drawing;
 mod error;

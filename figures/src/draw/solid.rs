@@ -12,14 +12,20 @@ use tumbling_bodies::Surface;
 /// Two faces that meet at less than this look like one that is bent.
 const BENT: f64 = 0.85; // the cosine of 32°
 
-/// Draws surfaces turned by `rotation`, those behind first. Flat faces that look along `mark`, an axis of the
-/// body, are dark, and a bent surface has a dot there, so that the body is seen to turn.
+/// How strong the colour of the marked half is.
+const MARK: f64 = 0.62;
+
+/// The half of a body on one side of its centre of mass, along an axis of the body, and its colour.
+pub(crate) type Marked<'a> = Option<(&'a Vector3<f64>, Ink)>;
+
+/// Draws surfaces turned by `rotation`, those behind first, one half in a colour of its own: so the body is
+/// seen to turn over.
 pub(crate) fn solid(
     canvas: &Canvas,
     view: &View,
     surfaces: &[Surface],
     rotation: &Matrix3<f64>,
-    mark: Option<&Vector3<f64>>,
+    marked: Marked<'_>,
 ) {
     let mut items: Vec<(f64, usize, Option<usize>)> = Vec::new();
     let depth = |p: &Vector3<f64>| (rotation * p).dot(&view.toward());
@@ -41,10 +47,14 @@ pub(crate) fn solid(
     for (_, part, face) in items {
         let (surface, places) = (&surfaces[part], &places[part]);
         match face {
-            None => convex(canvas, view, surface, places, rotation, mark),
+            None => convex(canvas, view, surface, places, rotation, marked),
             Some(face) => {
                 let corners: Vec<P> = surface.faces[face].iter().map(|&i| places[i]).collect();
                 canvas.area(&corners, Fill::new(Ink::Surface), Some(Pen::new(Ink::Text, 0.5).opacity(0.5)));
+                if let Some((along, ink)) = marked {
+                    let half: Vec<P> = cut(surface, face, along).map(|p| view.at(&(rotation * p))).collect();
+                    canvas.area(&half, Fill::new(ink).opacity(MARK), None);
+                }
             }
         }
     }
@@ -65,15 +75,29 @@ fn faces_viewer(view: &View, normal: &Vector3<f64>) -> bool {
     normal.dot(&view.toward()) > 1e-9
 }
 
+/// What of a face lies along this direction from the centre of mass.
+fn cut(surface: &Surface, face: usize, along: &Vector3<f64>) -> impl Iterator<Item = Vector3<f64>> {
+    let corners: Vec<_> = surface.faces[face].iter().map(|&i| surface.vertices[i]).collect();
+    let sides = corners.iter().zip(corners.iter().cycle().skip(1)).flat_map(|(a, b)| {
+        let (p, q) = (a.dot(along), b.dot(along));
+        [(p >= 0.0).then_some(*a), (p * q < 0.0).then(|| a + (b - a) * (p / (p - q)))]
+    });
+    sides.flatten().collect::<Vec<_>>().into_iter()
+}
+
 fn convex(
     canvas: &Canvas,
     view: &View,
     surface: &Surface,
     places: &[P],
     rotation: &Matrix3<f64>,
-    mark: Option<&Vector3<f64>>,
+    marked: Marked<'_>,
 ) {
     let edge = Pen::new(Ink::Text, 1.2);
+    let half = |along: &Vector3<f64>| -> Vec<P> {
+        let all = (0..surface.faces.len()).flat_map(|face| cut(surface, face, along));
+        all.map(|p| view.at(&(rotation * p))).collect()
+    };
     if surface.faces.iter().all(|face| face.len() < 3) {
         for face in &surface.faces {
             match face[..] {
@@ -82,12 +106,27 @@ fn convex(
                 _ => {}
             }
         }
+        if let Some((along, ink)) = marked {
+            half(along).into_iter().for_each(|p| canvas.disc(p, 4.0, Fill::new(ink), None));
+        }
         return;
     }
-    let normals: Vec<_> = surface.faces.iter().map(|face| normal(surface, face)).collect();
     let outline = hull(places);
     canvas.area(&outline, Fill::new(Ink::Surface), None);
+    if let Some((along, ink)) = marked {
+        // Both halves are convex: the nearer one hides what it covers of the other.
+        let mut halves = [(*along, Some(ink)), (-along, None)];
+        halves.sort_by(|a, b| {
+            (rotation * a.0).dot(&view.toward()).total_cmp(&(rotation * b.0).dot(&view.toward()))
+        });
+        for (along, ink) in halves {
+            let half = hull(&half(&along));
+            canvas.area(&half, Fill::new(Ink::Surface), None);
+            ink.into_iter().for_each(|ink| canvas.area(&half, Fill::new(ink).opacity(MARK), None));
+        }
+    }
     canvas.area(&outline, Fill::new(Ink::Text).opacity(0.05), Some(edge));
+    let normals: Vec<_> = surface.faces.iter().map(|face| normal(surface, face)).collect();
     let bent = bent_faces(surface, &normals);
     // Light from above the viewer's left shoulder.
     let light = Vector3::new(0.1, -0.3, 1.0).normalize();
@@ -96,18 +135,9 @@ fn convex(
         if bent[number] || !faces_viewer(view, &out) {
             continue;
         }
-        let dark = mark.is_some_and(|mark| normals[number].dot(mark) > 0.7);
-        let shade = if dark { 0.7 } else { 0.13 * (0.5 - 0.5 * out.dot(&light)) };
         let corners: Vec<P> = face.iter().map(|&i| places[i]).collect();
+        let shade = 0.13 * (0.5 - 0.5 * out.dot(&light));
         canvas.area(&corners, Fill::new(Ink::Text).opacity(shade), Some(edge));
-    }
-    let Some(mark) = mark else { return };
-    let most = (0..places.len())
-        .max_by(|&a, &b| surface.vertices[a].dot(mark).total_cmp(&surface.vertices[b].dot(mark)));
-    if let Some(most) =
-        most.filter(|_| bent.iter().any(|&bent| bent) && faces_viewer(view, &(rotation * mark)))
-    {
-        canvas.disc(places[most], 3.5, Fill::new(Ink::Text), None);
     }
 }
 

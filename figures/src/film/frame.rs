@@ -84,19 +84,19 @@ impl Film {
         let rotation = self.rotation(share)?;
         let arrows = view(BODY, 1.0, AZIMUTH);
         let axis = self.frame.column(self.request.axis as usize).into_owned();
-        let pole = rotation * axis;
+        let (pole, ink) = (rotation * axis, ink_of(self.request.axis));
         let of_body = view(BODY, REACH / self.reach, AZIMUTH);
         // A pin along the axis of the spin: it shows which way round the body is.
         let surface = self.support(&axis);
         let pin = |from: f64| {
             let [from, to] = [from, surface + PIN].map(|along| arrows.at(&(pole * along)));
-            canvas.line(from, to, Pen::new(ink_of(self.request.axis), 5.0));
+            canvas.line(from, to, Pen::new(ink, 5.0));
         };
         let before = pole.dot(&arrows.toward()) > 0.0;
         if !before {
             pin(0.0);
         }
-        solid(canvas, &of_body, &self.surfaces, rotation.to_rotation_matrix().matrix(), Some(&axis));
+        solid(canvas, &of_body, &self.surfaces, rotation.to_rotation_matrix().matrix(), Some((&axis, ink)));
         let whole: Vec<P> = self.trace(0.0, 1.0, 240)?;
         canvas.path(&whole, Pen::new(Ink::Omega, 1.2).opacity(0.4));
         let tail = TAIL / self.length.film;

@@ -1,7 +1,7 @@
 //! Three tosses, drawn after each turn.
 
 use super::{Kind, NAMES, Subject};
-use crate::draw::{Canvas, Label, P, View, solid};
+use crate::draw::{Canvas, Ink, Label, P, View, solid};
 use crate::motion;
 use crate::picture::{Drawing, ink_of};
 use nalgebra::{Matrix3, Vector3};
@@ -40,7 +40,7 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
             let centre: P = (58.0 + 96.0 * turn as f64, top + 68.0);
             let view = View::new(centre, 45.0 / subject.model.reach(), -90.0 + 22.0, 18.0);
             let seen = upright * rotation;
-            solid(&canvas, &view, &drawn, &seen, Some(&mark));
+            solid(&canvas, &view, &drawn, &seen, Some((&mark, Ink::Text)));
             sides.push(if (seen * mark).dot(&view.toward()) > 0.0 { "dark" } else { "light" });
         }
         said.push(format!("{}: {}", NAMES[axis as usize], sides.join(", ")));

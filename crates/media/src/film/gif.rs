@@ -1,7 +1,7 @@
 //! GIF.
 
+use super::Patch;
 use super::palette::{AS_BEFORE, Palette};
-use super::{Patch, Writer};
 use crate::error::Error;
 use gif::{DisposalMethod, Encoder, EncodingError, Frame, Repeat};
 
@@ -25,10 +25,8 @@ impl Gif {
         encoder.set_repeat(Repeat::Infinite).map_err(failed)?;
         Ok(Self { encoder, hundredths: (milliseconds + 5) / 10 })
     }
-}
 
-impl Writer for Gif {
-    fn add(&mut self, patch: &Patch) -> Result<(), Error> {
+    pub(super) fn add(&mut self, patch: &Patch) -> Result<(), Error> {
         let frame = Frame {
             delay: self.hundredths,
             dispose: DisposalMethod::Keep,
@@ -43,7 +41,7 @@ impl Writer for Gif {
         self.encoder.write_frame(&frame).map_err(failed)
     }
 
-    fn finish(self: Box<Self>) -> Result<Vec<u8>, Error> {
+    pub(super) fn finish(self) -> Result<Vec<u8>, Error> {
         self.encoder.into_inner().map_err(|e| Error::new("the GIF", e))
     }
 }

@@ -1,6 +1,6 @@
-//! Films: pictures one after another, in few colours, each stored by what it changes.
+//! Films: pictures one after another, in few colours, each stored by what it changes. They are GIFs, which
+//! slide programs, messengers and pages all play.
 
-mod apng;
 mod changes;
 mod gif;
 mod palette;
@@ -10,47 +10,22 @@ pub use palette::Palette;
 use crate::error::Error;
 use crate::picture::Picture;
 use changes::{Changes, Patch};
-
-/// How a film is written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Format {
-    /// An animated PNG.
-    Apng,
-    /// A GIF.
-    Gif,
-}
-
-/// A file of one format, as it grows.
-trait Writer {
-    fn add(&mut self, patch: &Patch) -> Result<(), Error>;
-
-    fn finish(self: Box<Self>) -> Result<Vec<u8>, Error>;
-}
+use gif::Gif;
 
 /// A film that grows picture by picture, and starts again at its end.
 pub struct Film {
-    writer: Box<dyn Writer>,
+    writer: Gif,
     palette: Palette,
     changes: Changes,
 }
 
 impl Film {
-    /// A film of `count` pictures of this size, each shown for `milliseconds`. A GIF counts in hundredths of
-    /// a second, so that its pictures stay for ten milliseconds or a multiple.
+    /// A film of pictures of this size, each shown for `milliseconds`, which count in tens.
     ///
     /// # Errors
     /// What the encoder reports, for instance of a size that the format does not have.
-    pub fn new(
-        format: Format,
-        palette: Palette,
-        size: [u32; 2],
-        count: u32,
-        milliseconds: u16,
-    ) -> Result<Self, Error> {
-        let writer: Box<dyn Writer> = match format {
-            Format::Apng => Box::new(apng::Apng::new(&palette, size, count, milliseconds)?),
-            Format::Gif => Box::new(gif::Gif::new(&palette, size, milliseconds)?),
-        };
+    pub fn new(palette: Palette, size: [u32; 2], milliseconds: u16) -> Result<Self, Error> {
+        let writer = Gif::new(&palette, size, milliseconds)?;
         Ok(Self { writer, palette, changes: Changes::new(size) })
     }
 
@@ -66,7 +41,7 @@ impl Film {
     /// The file.
     ///
     /// # Errors
-    /// Fewer pictures than were announced, or what the encoder reports.
+    /// What the encoder reports.
     pub fn finish(self) -> Result<Vec<u8>, Error> {
         self.writer.finish()
     }

@@ -1,0 +1,311 @@
+//! The book in another language: `book/words.CODE.toml` holds, by the English words, those of its pages,
+//! figures, films, sheets and widgets.
+//!
+//! A page `NAME-CODE.md` is the chapter `NAME.md` with each paragraph, heading and item replaced by its
+//! translation; code, figures, widgets and formulas stay where they are. So its numbers are held by the
+//! chapter's code: each translation has the same numbers, units, number words and targets of links in the same
+//! order. What the chapter says and the file lacks, or the other way round, is a fault: the page is behind.
+
+use crate::guard::number_words;
+use crate::site::{files, paths};
+use serde::Deserialize;
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
+
+type Words = BTreeMap<String, String>;
+
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Language {
+    #[serde(skip)]
+    pub(crate) code: String,
+    /// For each English number word those of the language, divided by blanks; none where it counts nothing.
+    numbers: Words,
+    /// Words of figures, films, sheets and widgets: whole labels and parts of them.
+    words: Words,
+    /// The paragraphs of each page.
+    page: BTreeMap<String, Words>,
+}
+
+/// What may stand behind a number as its unit.
+const UNITS: [&str; 14] = ["s", "ms", "min", "mm", "cm", "m", "kg", "g", "rad", "rad/s", "Hz", "J", "N", "×"];
+
+/// The attributes that are read out.
+const LABELS: [&str; 2] = ["aria-label=\"", "alt=\""];
+
+/// What may stand behind a unit.
+const MARKS: [char; 6] = ['.', ',', ';', ':', '*', ')'];
+
+impl Language {
+    /// The language of this code.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or a translation that has other numbers or links than the original.
+    pub(crate) fn read(code: &str) -> Result<Self, String> {
+        let file = format!("words.{code}.toml");
+        let text = files::text(&paths::book().join(&file))?;
+        Self::parse(code, &text)
+    }
+
+    fn parse(code: &str, text: &str) -> Result<Self, String> {
+        let found: Self = toml::from_str(text).map_err(|e| format!("book/words.{code}.toml: {e}"))?;
+        let found = Self { code: code.to_owned(), ..found };
+        let all = found.page.values().flatten().chain(&found.words);
+        let wrong: Vec<String> = all.filter_map(|(own, said)| found.differs(own, said)).collect();
+        if wrong.is_empty() { Ok(found) } else { Err(wrong.join("\n")) }
+    }
+
+    /// The page's language and the chapter that it translates, of a page `NAME-CODE`; none of the book's own.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub(crate) fn of(page: &str) -> Result<Option<(Self, &str)>, String> {
+        let parts = page.trim_end_matches(".md").rsplit_once('-');
+        let known = parts.filter(|(_, code)| paths::book().join(format!("words.{code}.toml")).is_file());
+        known.map(|(name, code)| Ok((Self::read(code)?, name))).transpose()
+    }
+
+    fn fault(&self, original: &str, what: &str) -> String {
+        let start: String = original.chars().take(70).collect();
+        format!("book/words.{}.toml: `{start}`: {what}", self.code)
+    }
+
+    /// What a translation says otherwise.
+    fn differs(&self, original: &str, said: &str) -> Option<String> {
+        let ((text, links), (own, own_links)) = (without_targets(original), without_targets(said));
+        let (there, here) = (self.original_numbers(&text), self.own_numbers(&own));
+        let unlike = there.iter().zip(&here).find(|(a, b)| a != b);
+        let what = if let Some((a, b)) = unlike {
+            format!("`{b}` where the original has `{a}`")
+        } else if there.len() != here.len() {
+            format!("the numbers {here:?} where the original has {there:?}")
+        } else if links != own_links && !original.starts_with("{{#") {
+            "other links than in the original".into()
+        } else {
+            return None;
+        };
+        Some(self.fault(original, &what))
+    }
+
+    fn original_numbers(&self, text: &str) -> Vec<String> {
+        let counts = |word: &String| self.numbers.get(word).is_none_or(|own| !own.is_empty());
+        let words = number_words(text).into_iter().filter(|(_, word)| counts(word));
+        in_order(digits(text).into_iter().chain(words))
+    }
+
+    fn own_numbers(&self, text: &str) -> Vec<String> {
+        let points = with(text, ',', '.');
+        let lower = text.to_lowercase();
+        let words = words_of(&lower).filter_map(|at| {
+            let word = &lower[at.clone()];
+            let known = self.numbers.iter().find(|(_, own)| own.split(' ').any(|own| own == word));
+            Some((at.start, known?.0.clone()))
+        });
+        in_order(digits(&points).into_iter().chain(words))
+    }
+
+    /// The chapter in this language.
+    ///
+    /// # Errors
+    /// Each paragraph without a translation, with its line, and each translation of what the chapter says no more.
+    pub(crate) fn page(&self, name: &str) -> Result<String, String> {
+        let text = files::text(&paths::chapters().join(format!("{name}.md")))?;
+        let none = Words::new();
+        let known = self.page.get(name).unwrap_or(&none);
+        let (mut out, mut end, mut used, mut wrong) = (String::new(), 0, BTreeSet::new(), Vec::new());
+        for item in items(&text) {
+            let lines = text[item.clone()].lines().map(|line| line.trim_start_matches(['>', ' ']));
+            let original = lines.collect::<Vec<_>>().join(" ");
+            match known.get(&original) {
+                Some(said) => {
+                    out.push_str(&text[end..item.start]);
+                    out.push_str(said);
+                    // A heading keeps the name by which links know it.
+                    if text[..item.start].ends_with("# ") && !said.contains("{#") {
+                        let plain = original.to_lowercase();
+                        let plain = plain.chars().filter(|c| c.is_alphanumeric() || [' ', '-'].contains(c));
+                        out.push_str(&format!(" {{#{}}}", plain.collect::<String>().replace(' ', "-")));
+                    }
+                    end = item.end;
+                    used.insert(original);
+                }
+                None if original.starts_with("{{#") => {}
+                None => {
+                    let line = 1 + text[..item.start].matches('\n').count();
+                    let place = format!("not there; it is in book/chapters/{name}.md:{line}");
+                    wrong.push(self.fault(&original, &place));
+                }
+            }
+        }
+        let unused = known.keys().filter(|key| !used.contains(*key));
+        wrong.extend(unused.map(|key| self.fault(key, &format!("{name}.md says it no more"))));
+        if wrong.is_empty() { Ok(out + &text[end..]) } else { Err(wrong.join("\n")) }
+    }
+
+    /// A label in this language: known as a whole, or part by part; with its words that are not known.
+    pub(crate) fn label(&self, text: &str) -> (String, Vec<String>) {
+        let own = text.trim();
+        if let Some(said) = self.words.get(own) {
+            return (text.replacen(own, said, 1), Vec::new());
+        }
+        let mut parts: Vec<&String> = self.words.keys().collect();
+        parts.sort_by_key(|part| std::cmp::Reverse(part.len()));
+        // What is said already stands between marks, so that no other part is found in it.
+        let mut out = with(text, '.', ',');
+        for (number, part) in parts.iter().enumerate() {
+            let beside = |at: usize| [out[..at].chars().next_back(), out[at + part.len()..].chars().next()];
+            let whole = |at: &usize| beside(*at).into_iter().flatten().all(|c| !c.is_alphabetic());
+            let places: Vec<usize> =
+                out.match_indices(part.as_str()).map(|(at, _)| at).filter(whole).collect();
+            for at in places.into_iter().rev() {
+                out.replace_range(at..at + part.len(), &format!("\u{1}{number}\u{2}"));
+            }
+        }
+        let words = words_of(&out).map(|at| out[at].to_owned());
+        let unknown =
+            words.filter(|word| word.chars().count() > 2 && !UNITS.contains(&word.as_str())).collect();
+        for (number, part) in parts.iter().enumerate() {
+            out = out.replace(&format!("\u{1}{number}\u{2}"), &self.words[*part]);
+        }
+        (out, unknown)
+    }
+
+    /// HTML or SVG with its words in this language: text between tags, and labels for those who see none.
+    ///
+    /// Returns too what labels have words that are not known.
+    pub(crate) fn markup(&self, html: &str) -> (String, Vec<String>) {
+        let (mut out, mut wrong, mut raw) = (String::new(), Vec::new(), false);
+        let mut said = |text: &str| {
+            let (label, unknown) = self.label(text);
+            if !unknown.is_empty() {
+                let what = format!("not there, as a label; of it, `{}` is not known", unknown.join(" "));
+                wrong.push(self.fault(text.trim(), &what));
+            }
+            label
+        };
+        for part in html.split_inclusive(['<', '>']) {
+            if let Some(text) = part.strip_suffix('<') {
+                out.push_str(&if raw { text.to_owned() } else { said(text) });
+                out.push('<');
+                continue;
+            }
+            let opens = ["style", "script", "code"].iter().any(|tag| part.starts_with(tag));
+            raw = opens || (raw && !part.starts_with('/'));
+            let mut rest = part;
+            let next =
+                |rest: &str| LABELS.iter().filter_map(|name| Some(rest.find(name)? + name.len())).min();
+            while let Some(at) = next(rest) {
+                let (before, after) = rest.split_at(at);
+                let (words, end) = after.split_once('"').unwrap_or((after, ""));
+                out.push_str(&format!("{before}{}\"", said(words)));
+                rest = end;
+            }
+            out.push_str(rest);
+        }
+        (out, wrong)
+    }
+
+    /// A page as shown, from Markdown with raw HTML: that in this language too, and what its scripts will say.
+    ///
+    /// # Errors
+    /// The labels with words that are not known.
+    pub(crate) fn shown(&self, text: &str) -> Result<String, String> {
+        let (mut out, mut wrong) = (String::new(), Vec::new());
+        for line in text.split_inclusive('\n') {
+            // Markdown is translated already.
+            let raw = line.starts_with('<');
+            let (line, faults) = if raw { self.markup(line) } else { (line.to_owned(), Vec::new()) };
+            out.push_str(&line);
+            wrong.extend(faults);
+        }
+        let ask = self.label("Predict.").0;
+        let words = serde_json::to_string(&self.words).unwrap_or_default().replace("</", "<\\/");
+        let script = include_str!("../theme/language.js");
+        let (out, code) = (out.replace("**Predict.**", &format!("**{ask}**")), &self.code);
+        let page = format!(
+            "<div lang=\"{code}\">\n\n{out}\n\n<script>\nvar tumblingWords = {words};\n{script}</script>\n</div>\n"
+        );
+        if wrong.is_empty() { Ok(page) } else { Err(wrong.join("\n")) }
+    }
+}
+
+/// A text without the targets of its links, and these.
+fn without_targets(text: &str) -> (String, Vec<&str>) {
+    let mut parts = text.split("](");
+    let mut out = parts.next().unwrap_or_default().to_owned();
+    let mut targets = Vec::new();
+    for part in parts {
+        let (target, rest) = part.split_once(')').unwrap_or((part, ""));
+        targets.push(target);
+        out.push_str(&format!("]{rest}"));
+    }
+    (out, targets)
+}
+
+/// Digits with this mark for decimals in place of that one.
+fn with(text: &str, mark: char, other: char) -> String {
+    let all: Vec<char> = text.chars().collect();
+    let digit = |at: Option<usize>| at.and_then(|at| all.get(at)).is_some_and(char::is_ascii_digit);
+    let decimal = |at: usize| all[at] == mark && digit(at.checked_sub(1)) && digit(Some(at + 1));
+    (0..all.len()).map(|at| if decimal(at) { other } else { all[at] }).collect()
+}
+
+/// The numbers in digits, with their units.
+fn digits(text: &str) -> Vec<(usize, String)> {
+    let mut found = Vec::new();
+    let mut end = 0;
+    while let Some(start) = text[end..].find(|c: char| c.is_ascii_digit()).map(|at| end + at) {
+        let rest = &text[start..];
+        let length = rest.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(rest.len());
+        let number = rest[..length].trim_end_matches('.');
+        end = start + number.len();
+        let unit = text[end..].split([' ', '\u{a0}']).nth(1).map(|unit| unit.trim_end_matches(MARKS));
+        let unit = unit.filter(|unit| UNITS.contains(unit)).unwrap_or_default();
+        let close: String = text[end..].chars().take_while(|c| ['°', '%'].contains(c)).collect();
+        found.push((start, format!("{number}{close} {unit}").trim_end().to_owned()));
+    }
+    found
+}
+
+fn in_order(numbers: impl Iterator<Item = (usize, String)>) -> Vec<String> {
+    let sorted: BTreeMap<usize, String> = numbers.collect();
+    sorted.into_values().collect()
+}
+
+/// Where the words of this text are.
+fn words_of(text: &str) -> impl Iterator<Item = Range<usize>> + '_ {
+    let mut end = 0;
+    std::iter::from_fn(move || {
+        let start = end + text[end..].find(char::is_alphabetic)?;
+        let length = text[start..].find(|c: char| !c.is_alphabetic() && c != '/');
+        end = length.map_or(text.len(), |length| start + length);
+        Some(start..end)
+    })
+}
+
+/// What a reader reads of a chapter: each paragraph, heading, item, without the marks before it.
+fn items(text: &str) -> Vec<Range<usize>> {
+    let mut found: Vec<Range<usize>> = Vec::new();
+    let (mut at, mut in_code, mut open) = (0, false, false);
+    for line in text.split_inclusive('\n') {
+        let start = at;
+        at += line.len();
+        in_code ^= line.starts_with("```");
+        let own = line.trim_start_matches(['>', ' ']);
+        let bare = own.trim_start_matches(['#', '-']).trim_start();
+        let bare = bare.strip_prefix("**Predict.** ").unwrap_or(bare);
+        let content = start + line.len() - bare.len()..start + line.trim_end().len();
+        match found.last_mut().filter(|_| open && bare.len() == own.len()) {
+            _ if in_code || bare.trim().is_empty() || line.starts_with("```") => open = false,
+            Some(last) => last.end = content.end,
+            None => {
+                open = true;
+                found.push(content);
+            }
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,66 @@
+use super::*;
+
+fn german() -> String {
+    files::text(&paths::book().join("words.de.toml")).unwrap()
+}
+
+/// What is said against the German book once these words stand in place of those.
+fn faults(said: &str, altered: &str) -> String {
+    assert!(german().contains(said), "{said}");
+    let language = Language::parse("de", &german().replacen(said, altered, 1));
+    language.and_then(|german| german.page("toss-a-book")).unwrap_err()
+}
+
+#[test]
+fn a_number_a_unit_a_number_word_or_a_link_that_is_altered_is_noticed() {
+    for (said, altered) in [
+        ("*0,64 s*", "*0,65 s*"),
+        ("alle 1,08 s", "alle 1,80 s"),
+        (
+            "= \"Die Zeiten sind die eines Taschenbuchs, 129",
+            "= \"Die Zeiten sind die eines Taschenbuchs, 127",
+        ),
+        ("Taschenbuchs, 129 × 198", "Taschenbuchs, 129 × 189"),
+        ("20 mm und 0,340", "20 cm und 0,340"),
+        ("0,340 kg", "0,34 kg"),
+        ("hat drei Achsen", "hat vier Achsen"),
+        ("zwei Umdrehungen in der Sekunde um", "drei Umdrehungen in der Sekunde um"),
+        ("danebenliegen: Mit einem Zwanzigstel", "danebenliegen: Mit einem Zehntel"),
+        ("die dritte ist es nicht", "die zweite ist es nicht"),
+        ("um 0,02 rad zur Seite", "um 0,2 rad zur Seite"),
+        ("](../../figures/three-tosses.svg)\"\n\"*", "](../../figures/coin.svg)\"\n\"*"),
+    ] {
+        let wrong = faults(said, altered);
+        assert!(
+            wrong.contains(" where the original has ") || wrong.contains("other links"),
+            "{said}: {wrong}"
+        );
+    }
+}
+
+#[test]
+fn a_page_that_has_fallen_behind_says_where() {
+    let wrong = faults("\"A book has three axes.", "\"The book has three axes.");
+    assert!(wrong.contains("`A book has three axes. One runs along"), "{wrong}");
+    assert!(wrong.contains("it is in book/chapters/toss-a-book.md:6\n"), "{wrong}");
+    assert!(wrong.contains("toss-a-book.md says it no more"), "{wrong}");
+    let page = Language::read("de").unwrap().page("toss-a-book").unwrap();
+    assert!(
+        page.contains("## Wie schnell es geschieht {#how-fast-it-happens}\n\n> **Predict.** Du"),
+        "{page}"
+    );
+    assert!(page.contains("> *0,64 s*: ein kleiner") && page.contains("\"0.64 s\""));
+}
+
+#[test]
+fn a_label_is_known_as_a_whole_or_by_its_parts() {
+    let german = Language::read("de").unwrap();
+    let (said, wrong) = german.markup("<text>the book, 1 turn/s, push 1.50 %</text><style>spin</style>");
+    assert_eq!(
+        (said.as_str(), wrong.len()),
+        ("<text>das Buch, 1 Umdrehung/s, Störung 1,50 %</text><style>spin</style>", 0)
+    );
+    let (said, wrong) = german.markup("<p aria-label=\"Again\">t = 2.5 s</p><p>spinning</p>");
+    assert_eq!(said, "<p aria-label=\"Noch einmal\">t = 2,5 s</p><p>spinning</p>");
+    assert!(wrong.len() == 1 && wrong[0].contains("`spinning` is not known"), "{wrong:?}");
+}
