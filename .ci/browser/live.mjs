@@ -2,11 +2,15 @@
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 import { foreignLetters, withFonts } from "./fonts.mjs";
+import { axle } from "./widgets/axle.mjs";
 import { coin, coinPlay } from "./widgets/coin.mjs";
-import { atTime, turnsAndPlays } from "./widgets/controls.mjs";
+import { atTime, playsOn, turnsAndPlays } from "./widgets/controls.mjs";
+import { engines } from "./widgets/engines.mjs";
 import { frames } from "./widgets/hands.mjs";
 import { judge } from "./widgets/judge.mjs";
+import { masses } from "./widgets/masses.mjs";
 import { pitfalls, pitfallsPlay } from "./widgets/pitfalls.mjs";
+import { racket } from "./widgets/racket.mjs";
 import { steps } from "./widgets/steps.mjs";
 import { top, topPlay } from "./widgets/top.mjs";
 import { toss, tossPlay, tosses, tossesPlay } from "./widgets/toss.mjs";
@@ -32,10 +36,11 @@ async function placed(folder, pages) {
   return all;
 }
 
-const TESTS = { coin, toss, tosses, "two-arrows": twoArrows, "your-body": yourBody, "your-box": yourBox, top, tumble, judge, pitfalls, steps, trading, turning, why };
+const TESTS = { axle, coin, engines, masses, racket, toss, tosses, "two-arrows": twoArrows, "your-body": yourBody, "your-box": yourBox, top, tumble, judge, pitfalls, steps, trading, turning, why };
 
 const PLAYS = {
   coin: coinPlay, toss: tossPlay, tosses: tossesPlay, top: topPlay, tumble: tumblePlay, pitfalls: pitfallsPlay, why: whyPlay,
+  ...Object.fromEntries(["axle", "engines", "masses", "racket", "two-arrows", "your-box"].map((widget) => [widget, playsOn(widget)])),
   ...Object.fromEntries(["trading", "turning"].map((widget) => [widget, (page, wants) => turnsAndPlays(page, wants, widget, atTime(page, widget))])),
 };
 
@@ -113,7 +118,7 @@ async function enlivened({ open }, base, name, widget, widgets, reducedMotion, w
   const box = page.locator(`#live-${widget}`);
   const far = await box.evaluate((e) => e.getBoundingClientRect().top > innerHeight + 300);
   const modules = (await box.getAttribute("data-modules")).split(" ");
-  wants("it waits until it comes into view", !far || !modules.some((module) => asked.includes(`${module}.wasm.js`)));
+  wants("it waits until it comes into view", !far || !asked.includes(`${widget}.js`)); // its modules may have come for another
   await box.scrollIntoViewIfNeeded();
   try {
     await page.waitForFunction((w) => document.querySelector(`#live-${w}`).dataset.state === "live", widget, { timeout: 60000 });

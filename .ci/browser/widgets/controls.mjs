@@ -1,5 +1,5 @@
 // How a reader works a widget, and what it says then.
-import { finger } from "./hands.mjs";
+import { finger, frames } from "./hands.mjs";
 
 /** Sets a control as a reader does who moves it. */
 export const set = (page, selector, value) =>
@@ -62,3 +62,16 @@ export async function turnsAndPlays(page, wants, widget, time) {
   await page.click(`#${widget}-play`);
   wants("and it can be paused", (await page.textContent(`#${widget}-play`)) === "Play");
 }
+
+/** A widget that plays and can be paused, by what its last canvas shows. */
+export const playsOn = (widget) => async (page, wants) => {
+  const at = () => page.locator(`#live-${widget}`).evaluate((box) => JSON.stringify([...box.querySelectorAll("canvas, svg")].map((it) => it.shows)));
+  const stood = await at();
+  await page.click(`#${widget}-play`);
+  await frames(page, 20);
+  wants("played, it moves", (await at()) !== stood);
+  await page.click(`#${widget}-play`);
+  const rests = await at();
+  await frames(page, 6);
+  wants("paused, it rests", (await at()) === rests);
+};

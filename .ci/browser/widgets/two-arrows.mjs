@@ -52,6 +52,18 @@ export async function twoArrows(page, wants) {
   wants("a screen reader gets the answer", /gap/.test(await page.getAttribute(spin, "aria-valuetext")));
   wants(...await said(page, "two-arrows", /Gap 0\.0°/));
 
+  // Let go, the momentum's arrow stands where it stood; the spin, worked out from what is drawn, has the same product with it.
+  await set(page, spin, 40);
+  const arrow = (name) => page.locator(`#live-two-arrows .live-head.${name}`).getAttribute("d");
+  const [stood, ahead] = [await arrow("live-momentum"), await arrow("live-omega")];
+  for (let i = 0; i < 3; i += 1) await page.click("#two-arrows-play");
+  const free = await page.locator("#live-two-arrows svg").evaluate((svg) => svg.shows);
+  const [easy, hard] = [Math.cos(40 * Math.PI / 180), Math.sin(40 * Math.PI / 180)]; // the plate's moments are as 1 to 4
+  wants("let go, the momentum stays and the spin moves", (await arrow("live-momentum")) === stood && (await arrow("live-omega")) !== ahead);
+  wants(`the energy stays: ${free.spin}`, Math.abs(free.spin[0] * easy + free.spin[1] * 4 * hard - easy * easy - 4 * hard * hard) < 1e-9);
+  await page.click("#two-arrows-back");
+  wants("back, it stands as before", (await arrow("live-omega")) === ahead);
+
   // Dragged fast, far out of the drawing and back.
   await set(page, spin, 30);
   await page.locator("#live-two-arrows .live-handle").scrollIntoViewIfNeeded();

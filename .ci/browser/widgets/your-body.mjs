@@ -8,7 +8,7 @@ export async function yourBody(page, wants) {
   const wrong = "#live-your-body .live-wrong";
   const fill = async (values) => { for (const [field, value] of Object.entries(values)) await set(page, `#your-body-${field}`, value); };
   const choose = (kind) => page.selectOption("#your-body-kind", kind);
-  await fill({ a: 2, b: 1, c: 3, m: 1 });
+  await fill({ a: 2000, b: 1000, c: 3000, m: 1000 }); // mm, g
   for (const [k, moment, along] of [[1, 5 / 12, "0.000, 0.000, 1.000"], [2, 10 / 12, "1.000, 0.000, 0.000"], [3, 13 / 12, "0.000, 1.000, 0.000"]]) {
     const text = await tell(`axis-${k}`);
     wants(`the box's moment ${k} and its axis: ${text}`, Math.abs(parseFloat(text) - moment) < 1e-3 && text.includes(along));
@@ -26,6 +26,19 @@ export async function yourBody(page, wants) {
   await page.waitForFunction(() => location.hash.startsWith("#your-body?kind=box&m=1&a=2&b=1&c=3"), null, { timeout: 60000 }).catch(() => {});
   wants(`the address keeps the box: ${page.url()}`, page.url().endsWith("#your-body?kind=box&m=1&a=2&b=1&c=3"));
 
+  // It tumbles: in the turned axes the momentum stands in the room, the energy is kept, and the flips are those that the table foretells.
+  const motion = () => page.locator("#live-your-body [data-drawing=body]").evaluate((svg) => svg.shows);
+  const moments = [5 / 12, 10 / 12, 13 / 12];
+  const momentum = ({ axes, spin }) => [0, 1, 2].map((i) => axes.reduce((sum, axis, k) => sum + moments[k] * spin[k] * axis[i], 0));
+  const held = momentum(await motion());
+  for (let i = 0; i < 10; i += 1) await page.click("#your-body-play");
+  const free = await motion();
+  wants(`tumbled for 4 s the momentum stands at ${momentum(free)}`, Math.abs(free.t - 4) < 1e-9 && free.axes.some((axis, k) => Math.abs(axis[k]) < 0.9)
+    && momentum(free).every((x, i) => Math.abs(x - held[i]) < 1e-9));
+  wants(`flips after 4 s: ${await tell("tumbles")}`, (await tell("tumbles")).endsWith(`flips: ${Math.floor(4 / Number(flips[1]) + 0.5)}`));
+  await page.click("#your-body-back");
+  wants("back, it lies as before", (await motion()).t === 0 && (await tell("tumbles")) === "");
+
   // All paths lie inside the outline of their ellipsoid.
   const inside = await page.locator("#live-your-body [data-drawing=polhodes]").evaluate((svg) => {
     const box = (path) => path.getBBox();
@@ -37,7 +50,7 @@ export async function yourBody(page, wants) {
 
   for (const [kind, never] of [["ball", "any spin stays"], ["cylinder", "equal"], ["disk", "equal"]]) {
     await choose(kind);
-    await fill({ a: 0.1, b: 0.02 });
+    await fill({ a: 100, b: 20 });
     wants(`a ${kind}: ${await tell("growth")}`, (await tell("growth")).includes(never) && !(await page.isVisible(".your-body-flips")));
   }
   await choose("moments");
@@ -50,7 +63,7 @@ export async function yourBody(page, wants) {
   const link = '<link name="arm"><inertial><origin xyz="0 0 1" rpy="0 0 1.5707963267948966"/><mass value="2"/><inertia ixx="1" iyy="2" izz="2.5" ixy="0.1" ixz="0" iyz="0"/></inertial></link>';
   await page.fill("#your-body-urdf", link);
   const taken = await Promise.all(["xx", "yy", "zz", "xy", "m"].map(async (field) => Number(await page.inputValue(`#your-body-${field}`))));
-  wants(`a link is turned into its own axes: ${taken}`, [2, 1, 2.5, -0.1, 2].every((x, k) => Math.abs(taken[k] - x) < 1e-9));
+  wants(`a link is turned into its own axes: ${taken}`, [2, 1, 2.5, -0.1, 2000].every((x, k) => Math.abs(taken[k] - x) < 1e-9));
   await page.fill("#your-body-urdf", "<link><inertial><mass value='2'/></inertial></link>");
   wants(`half a link is refused: ${await tell("urdf")}`, (await tell("urdf")).includes("missing"));
   await page.locator("#live-your-body summary").click();

@@ -36,6 +36,18 @@ export async function yourBox(page, wants) {
   wants("arrow keys change a number and turn no page", (await page.inputValue("#your-box-a")) === "2.1" && page.url() === address);
   await set(page, "#your-box-a", 2);
 
+  // Let go, the momentum stands in the room, and the spin moves; the energy, half of their product, is kept.
+  const motion = () => page.locator("#live-your-box svg").evaluate((svg) => svg.shows);
+  const held = await motion();
+  for (let i = 0; i < 5; i += 1) await page.click("#your-box-play");
+  const free = await motion();
+  wants(`let go for 1.5 s: ${free.time}`, Math.abs(free.time - 1.5) < 1e-9 && String(free.momentum) === String(held.momentum));
+  const product = ({ spin, momentum }) => spin.reduce((sum, x, i) => sum + x * momentum[i], 0);
+  wants(`the spin moves and keeps the energy: ${free.spin}`, free.spin.some((x, i) => Math.abs(x - held.spin[i]) > 0.05) && Math.abs(product(free) / product(held) - 1) < 1e-12);
+  wants("let go, nothing is dragged by its tip", (await page.locator("#live-your-box .live-handle").count()) === 0);
+  await page.click("#your-box-back");
+  wants("back, it is as it was", String((await motion()).spin) === String(held.spin) && (await shown(page, "your-box", "gap")) === "7.4°");
+
   // The spin's tip follows a finger, its size stays, and onto an axis the gap closes without a leap.
   const values = () => Promise.all(["x", "y", "z"].map(async (axis) => Number(await page.inputValue(`#your-box-${axis}`))));
   const gap = async () => parseFloat(await shown(page, "your-box", "gap"));

@@ -22,14 +22,19 @@ const CARRIED: [(&str, &str, &str); 1] =
     [("judge", "example", "crates/judge/data/rapier3d-f64-0.36.1--major.csv")];
 
 /// The modules of a widget that has others than one of its own name.
-const MODULES: [(&str, &[&str]); 10] = [
+const MODULES: [(&str, &[&str]); 15] = [
+    ("axle", &["two-arrows", "your-body", "tumble"]),
     ("coin", &["tumble"]),
+    ("engines", &["steps", "tumble"]),
+    ("masses", &["two-arrows"]),
     ("pitfalls", &["pitfalls", "tumble"]),
+    ("racket", &["tumble"]),
     ("steps", &["steps", "tumble"]),
     ("toss", &["tumble"]),
     ("tosses", &["tumble"]),
     ("trading", &["tumble"]),
     ("turning", &["tumble"]),
+    ("two-arrows", &["two-arrows", "tumble"]),
     ("why", &["tumble"]),
     ("your-body", &["your-body", "tumble"]),
     ("your-box", &["your-body", "tumble"]),

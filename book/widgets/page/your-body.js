@@ -1,9 +1,10 @@
 // Your body: sizes, moments or a robot's link in; axes, stability, times between flips, paths of the spin out.
 "use strict";
 
-tumblingLive.widget("your-body", async (stage) => {
-    const { module, short, raised, draw, arrow, drawing, sayer } = tumblingLive;
-    const body = await module("your-body");
+tumblingLive.widget("your-body", async (stage, from) => {
+    const { load, module, fixed, short, raised, draw, arrow, drawing, sayer } = tumblingLive;
+    const [body, exact] = await Promise.all([...["your-body", "tumble"].map(module), load(`${from}live.bodies.js`)]);
+    const { rows, clock } = tumblingLive.bodies;
     const field = (id) => stage.querySelector(`#your-body-${id}`);
     const shown = (what) => stage.querySelector(`[data-shows=${what}]`);
     const say = sayer(stage);
@@ -21,11 +22,25 @@ tumblingLive.widget("your-body", async (stage) => {
     const unit = (a) => a.map((x) => x / (Math.hypot(...a) || 1));
     let found = null; // what the module answers, by name
 
+    /** Sizes and mass are typed in mm and g; asked, and kept in the address, in m and kg. */
+    const UNIT = (name) => (TENSOR.includes(name) ? 1 : 1000);
+    const exactly = (x) => Number(x.toPrecision(15));
     /** What is asked now, by the fields: names and values. */
     function given() {
         const names = KINDS[kind.value].length > 0 ? ["m", ...SIZES.slice(0, KINDS[kind.value].length)] : ["m", ...TENSOR];
-        return names.map((name) => [name, field(name).value]);
+        return names.map((name) => [name, field(name).value === "" ? "" : String(exactly(field(name).value / UNIT(name)))]);
     }
+
+    // ---- It tumbles, spun about axis 2: where it is, and its spin along its axes.
+    const [SPIN, SLIP] = [2 * Math.PI, 0.01]; // rad/s; the slip about axis 3, as a share
+    const motion = { t: 0, turned: null, spin: [0, SPIN, SLIP * SPIN], flips: [] };
+    /** A direction of the body as it lies, and where it points now. */
+    const inRoom = (p) => {
+        if (!motion.turned) return p;
+        const along = found.axes.map((axis) => dot(axis, p));
+        return inBody(motion.turned.map((row) => dot(row, along)));
+    };
+    const axesNow = () => found.axes.map(inRoom);
 
     function ask() {
         const values = given();
@@ -54,21 +69,22 @@ tumblingLive.widget("your-body", async (stage) => {
     const inBody = (p) => [0, 1, 2].map((i) => p.reduce((sum, x, k) => sum + x * found.axes[k][i], 0));
     const path = (svg, name, places, close = "") => draw("path", svg, { class: name, d: `M${places.map((p) => p.map((x) => x.toFixed(1)).join(" ")).join("L")}${close}` });
 
-    /** The outline of an ellipsoid along the principal axes. */
-    function outline(semiaxes, at) {
-        const toward = found.axes.map((axis) => dot(axis, eye()[2]));
+    /** The outline of an ellipsoid along the principal axes, or where they point now. */
+    function outline(semiaxes, at, leads = found.axes) {
+        const toward = leads.map((axis) => dot(axis, eye()[2]));
         const pole = unit(toward.map((x, k) => x / Math.max(semiaxes[k], 1e-6)));
         const first = unit(cross(pole, Math.abs(pole[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0]));
         const second = cross(pole, first);
         return Array.from({ length: 72 }, (_, k) => {
             const [c, s] = [Math.cos((k * Math.PI) / 36), Math.sin((k * Math.PI) / 36)];
-            return at(inBody(first.map((x, i) => (x * c + second[i] * s) * semiaxes[i])));
+            const place = first.map((x, i) => (x * c + second[i] * s) * semiaxes[i]);
+            return at([0, 1, 2].map((i) => leads.reduce((sum, axis, n) => sum + place[n] * axis[i], 0)));
         });
     }
 
     /** An arrow along each principal axis from where it leaves what is drawn, with its number. */
-    function axes(svg, at, from) {
-        found.axes.forEach((axis, k) => {
+    function axes(svg, at, from, leads = found.axes) {
+        leads.forEach((axis, k) => {
             const lead = dot(axis, eye()[2]) < -0.05 ? -1 : 1;
             const [near, far] = [from[k], from[k] + 0.42].map((x) => at(axis.map((part) => lead * part * x)));
             const tip = arrow(svg, near, far, `your-body-${k + 1}`, 3);
@@ -95,8 +111,9 @@ tumblingLive.widget("your-body", async (stage) => {
         const at = looking(width, height, 0.31 * Math.min(width, height));
         if (edges) {
             const half = edges.map((edge) => edge / 2 / longest);
-            const corner = (bits) => half.map((far, i) => (bits >> i & 1 ? far : -far));
-            const farthest = eye()[2].reduce((bits, leads, i) => bits | (leads < 0) << i, 0);
+            const corner = (bits) => inRoom(half.map((far, i) => (bits >> i & 1 ? far : -far)));
+            const toward = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((edge) => dot(inRoom(edge), eye()[2]));
+            const farthest = toward.reduce((bits, leads, i) => bits | (leads < 0) << i, 0);
             for (let from = 0; from < 8; from += 1) {
                 for (const bit of [1, 2, 4]) {
                     if (from & bit) continue;
@@ -104,12 +121,13 @@ tumblingLive.widget("your-body", async (stage) => {
                     path(svg, hidden ? "live-edge live-hidden" : "live-edge", [at(corner(from)), at(corner(from | bit))]);
                 }
             }
-            axes(svg, at, found.axes.map((axis) => Math.min(...half.map((far, i) => far / Math.max(Math.abs(axis[i]), 1e-9)))));
+            axes(svg, at, found.axes.map((axis) => Math.min(...half.map((far, i) => far / Math.max(Math.abs(axis[i]), 1e-9)))), axesNow());
         } else {
             const semiaxes = found.semiaxes.map((x) => x / longest);
-            path(svg, "live-body", outline(semiaxes, at), "z");
-            axes(svg, at, semiaxes);
+            path(svg, "live-body", outline(semiaxes, at, axesNow()), "z");
+            axes(svg, at, semiaxes, axesNow());
         }
+        svg.shows = { t: motion.t, spin: motion.spin, turned: motion.turned, axes: axesNow() }; // for those who test it
     }));
 
     redraws.push(drawing(pictures.polhodes, square, (width, height) => {
@@ -139,6 +157,11 @@ tumblingLive.widget("your-body", async (stage) => {
         }
         if (found.equal === 0) for (const sign of [1, -1]) curve("your-body-path your-body-edge", 0, sign, 1);
         axes(svg, at, reach);
+        if (motion.t === 0) return;
+        // The spin on its path, as paths are given: of equal energy, in parts of the longest.
+        const energy = motion.spin.reduce((sum, x, k) => sum + found.moments[k] * x * x, 0);
+        const at_ = at(inBody(motion.spin.map((x, k) => (x * Math.sqrt(found.moments[0] / energy) / true_[k]) * reach[k])));
+        draw("circle", svg, { class: "live-point live-omega", cx: at_[0], cy: at_[1], r: 5 });
     }));
 
     /** Two axes and the gap between spin and momentum from the easier to the harder. */
@@ -165,6 +188,18 @@ tumblingLive.widget("your-body", async (stage) => {
         curves.forEach((gap, k) => { if (gap.length > 0) path(svg, `live-curve ${PLANES[k][2]}`, gap.map((y, x) => at(x, y))); });
     }));
     const redraw = () => redraws.forEach((again) => again());
+
+    /** Moves the body to an instant; returns it in words. */
+    function go(t) {
+        const omega = [0, SPIN, SLIP * SPIN];
+        const now = found && t > 0 ? exact.answer(4, ...found.moments, ...omega, t, 0) : null;
+        Object.assign(motion, { t: now ? t : 0, turned: now && rows(now.slice(3)), spin: now ? Array.from(now.slice(0, 3)) : omega });
+        const flips = motion.flips.filter((flip) => flip <= motion.t).length;
+        const text = motion.t > 0 ? `${fixed(motion.t, 1)} s, flips: ${flips}` : "";
+        if (shown("tumbles").textContent !== text) shown("tumbles").textContent = text;
+        redraws.slice(0, 2).forEach((again) => again());
+        return `After ${text}.`;
+    }
 
     // Dragged, the view goes round; the sliders do the same for a keyboard.
     for (const svg of [pictures.body, pictures.polhodes]) {
@@ -194,7 +229,7 @@ tumblingLive.widget("your-body", async (stage) => {
         if (Object.hasOwn(KINDS, said.get("kind") ?? "")) kind.value = said.get("kind");
         for (const name of ["m", ...SIZES, ...TENSOR]) {
             const value = said.get(name);
-            if (value !== null && (value === "" || Number.isFinite(Number(value)))) field(name).value = value;
+            if (value !== null && (value === "" || Number.isFinite(Number(value)))) field(name).value = value === "" ? "" : exactly(value * UNIT(name));
         }
     }
     let later = 0;
@@ -233,6 +268,12 @@ tumblingLive.widget("your-body", async (stage) => {
             field(name).setAttribute("aria-label", called?.length === 1 ? `the side along ${called}` : called ?? "");
         });
         const why = ask();
+        pause();
+        if (why === null) {
+            const [count, ...times] = found.equal === 0 ? exact.answer(5, ...found.moments, 0, SPIN, SLIP * SPIN, 60, 1) ?? [0] : [0];
+            motion.flips = times.slice(0, count);
+        }
+        go(0);
         wrong.hidden = why === null;
         wrong.textContent = why === null ? "" : why + (found ? " The drawings are of the last body that was right." : "");
         for (const svg of Object.values(pictures)) svg.classList.toggle("live-dim", why !== null);
@@ -259,11 +300,16 @@ tumblingLive.widget("your-body", async (stage) => {
         const answer = body.answer(3, ...tensor, ...turned);
         if (!answer) return `${body.words()}.`;
         kind.value = "moments";
-        field("m").value = mass;
+        field("m").value = exactly(mass * UNIT("m"));
         TENSOR.forEach((name, k) => { field(name).value = answer[k]; });
         show();
         return "Read: its tensor about its centre of mass, in the link’s axes.";
     }
+    const { pause } = clock(stage, field("play"), { step: 0.4, start: "Let it tumble", go: (seconds) => Boolean(go(motion.t + seconds)), pressed: () => say(go(motion.t)) });
+    field("back").addEventListener("click", () => {
+        pause();
+        go(0);
+    });
     field("urdf").addEventListener("input", () => { shown("urdf").textContent = field("urdf").value.trim() === "" ? "" : link(field("urdf").value); });
 
     field("copy").addEventListener("click", async () => {

@@ -1,9 +1,11 @@
 // Your box: edges, mass and spin in; moments, momentum and gap out, or the library's own words on why not.
 "use strict";
 
-tumblingLive.widget("your-box", async (stage) => {
-    const { module, fixed, short, draw, arrow, drawing, sayer } = tumblingLive;
-    const [box, motion] = await Promise.all([module("your-body"), module("tumble")]);
+tumblingLive.widget("your-box", async (stage, from) => {
+    const { load, module, fixed, short, draw, arrow, drawing, sayer } = tumblingLive;
+    const [box, motion] = await Promise.all([...["your-body", "tumble"].map(module), load(`${from}live.bodies.js`)]);
+    const { rows, clock } = tumblingLive.bodies;
+    const [play, back] = ["play", "back"].map((id) => stage.querySelector(`#your-box-${id}`));
     const svg = stage.querySelector("svg");
     const fields = ["a", "b", "c", "m", "x", "y", "z"].map((id) => stage.querySelector(`#your-box-${id}`));
     const wrong = stage.querySelector(".live-wrong");
@@ -12,6 +14,8 @@ tumblingLive.widget("your-box", async (stage) => {
     const say = sayer(stage);
     let found = null;
     let last = null; // the last box that was right, and its answer
+    const RISE = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+    let [time, turned, rate] = [0, RISE, null]; // since it was let go; the box's axes in the room, as rows; its spin along them
 
     // The eye: at first it looks nearly along z, so that angles between x and y are seen as they are. Dragged, it goes round.
     let [turn, tilt] = [-0.18, 0.4];
@@ -21,6 +25,7 @@ tumblingLive.widget("your-box", async (stage) => {
         return [[c, s, 0], [-s * low, c * low, high], [s * high, -c * high, low]];
     };
     const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    const inRoom = (place) => turned.map((row) => dot(row, place));
     const seen = (place) => {
         const [right, up] = eye();
         return [dot(right, place), -dot(up, place)];
@@ -34,9 +39,10 @@ tumblingLive.widget("your-box", async (stage) => {
         const half = values.slice(0, 3).map((edge) => edge / largest);
         const scale = 0.3 * height;
         const at = (place) => seen(place).map((far, i) => [width, height][i] / 2 + scale * far);
-        const corner = (bits) => half.map((far, i) => (bits >> i & 1 ? far : -far));
+        const corner = (bits) => inRoom(half.map((far, i) => (bits >> i & 1 ? far : -far)));
         // The three edges of the corner that lies farthest from the eye are hidden.
-        const farthest = eye()[2].reduce((bits, leads, i) => bits | (leads < 0) << i, 0);
+        const toEye = [0, 1, 2].map((i) => dot(turned.map((row) => row[i]), eye()[2]));
+        const farthest = toEye.reduce((bits, leads, i) => bits | (leads < 0) << i, 0);
         for (let from = 0; from < 8; from += 1) {
             for (const bit of [1, 2, 4]) {
                 if (from & bit) continue;
@@ -46,18 +52,18 @@ tumblingLive.widget("your-box", async (stage) => {
             }
         }
         ["x", "y", "z"].forEach((name, i) => {
-            const [near, far] = [half[i], half[i] + 0.28].map((x) => at([0, 1, 2].map((j) => (j === i ? x : 0))));
+            const [near, far] = [half[i], half[i] + 0.28].map((x) => at(inRoom([0, 1, 2].map((j) => (j === i ? x : 0)))));
             draw("path", svg, { class: "live-axis", d: `M${near.join(" ")}L${far.join(" ")}` });
             draw("text", svg, { x: far[0], y: far[1] + 5, "text-anchor": "middle" }, name);
         });
         const length = (vector) => Math.hypot(...vector);
-        // A momentum too small for any number has no arrow.
-        const along = (vector) => at(vector.map((x) => (length(vector) > 0 ? 1.5 * (x / length(vector)) : 0)));
-        const [spin, momentum] = [values.slice(4), Array.from(found.slice(3, 6))];
+        // A momentum too small for any number has no arrow. The spin grows and shrinks with its size since it was let go.
+        const along = (vector, whole = length(vector)) => at(vector.map((x) => (whole > 0 ? 1.5 * (x / whole) : 0)));
+        const [spin, momentum] = [time > 0 ? inRoom(rate) : values.slice(4), Array.from(found.slice(3, 6))];
         const centre = [width / 2, height / 2];
         [middle, reach] = [centre, 1.5 * scale];
         const tip = arrow(svg, centre, along(momentum), "live-momentum", 6);
-        const end = arrow(svg, centre, along(spin), "live-omega", 3.5);
+        const end = arrow(svg, centre, along(spin, length(values.slice(4))), "live-omega", 3.5);
         // The spin's name on from its tip; the momentum's beside its own, on the side where the spin is not.
         const toward = ([x, y]) => {
             const [right, down] = [x - centre[0], y - centre[1]];
@@ -68,7 +74,8 @@ tumblingLive.widget("your-box", async (stage) => {
         const side = my * (end[0] - tip[0]) - mx * (end[1] - tip[1]) > 0 ? -1 : 1;
         draw("text", svg, { class: "live-omega", x: end[0] + 15 * ox, y: end[1] + 15 * oy + 5, "text-anchor": "middle" }, "ω");
         draw("text", svg, { class: "live-momentum", x: tip[0] + side * 20 * my - 6 * mx, y: tip[1] - side * 20 * mx - 6 * my + 6, "text-anchor": "middle" }, "L");
-        if (length(spin) > 0) {
+        svg.shows = { time, spin, momentum }; // for those who test it
+        if (length(spin) > 0 && time === 0) {
             draw("circle", svg, { class: "live-arc live-omega live-ring", cx: end[0], cy: end[1], r: 7 });
             draw("circle", svg, { class: "live-handle", cx: end[0], cy: end[1], r: 16 });
         }
@@ -104,8 +111,21 @@ tumblingLive.widget("your-box", async (stage) => {
     });
     for (const end of ["pointerup", "pointercancel"]) svg.addEventListener(end, () => { held = null; });
 
+    /** Moves the box to an instant after it was let go; returns that in words. */
+    function go(t) {
+        const now = last && motion.answer(4, ...last.found.slice(0, 3), ...last.values.slice(4), t, 0);
+        if (!now) return "";
+        [time, rate, turned] = [t, Array.from(now.slice(0, 3)), t > 0 ? rows(now.slice(3)) : RISE];
+        const text = `${fixed(box.answer(4, ...last.values.slice(0, 4), ...rate)?.[6] ?? 0, 1)}°`;
+        if (shown("gap").textContent !== text) shown("gap").textContent = text;
+        redraw();
+        return `After ${fixed(t, 1)} s the gap is ${text}. The momentum stands where it stood.`;
+    }
+
     /** Shows what the module answers now; returns it in words. */
     function show() {
+        pause();
+        [time, turned] = [0, RISE];
         found = box.answer(4, ...fields.map((field) => (field.value === "" ? NaN : Number(field.value))));
         if (found) last = { values: fields.map((field) => Number(field.value)), found };
         wrong.hidden = found !== null;
@@ -138,6 +158,8 @@ tumblingLive.widget("your-box", async (stage) => {
         redraw();
         return found ? `Moments ${three(0)}. Momentum ${three(3)}. Gap ${fixed(found[6], 1)}°.` : ""; // what is wrong is said by itself
     }
+    const { pause } = clock(stage, play, { step: 0.3, start: "Let go", go: (seconds) => Boolean(go(time + seconds)), pressed: () => say(go(time)) });
+    back.addEventListener("click", () => say(show()));
     for (const field of fields) field.addEventListener("input", () => say(show()));
     show();
 });

@@ -62,10 +62,15 @@ impl Numbers {
 
     /// Writes these from the start; returns how many there are.
     pub fn fill(&self, numbers: &[f64]) -> usize {
-        for (place, &number) in numbers.iter().enumerate() {
+        self.fill_from(0, numbers)
+    }
+
+    /// Writes these from a place on; returns the place after them.
+    pub fn fill_from(&self, from: usize, numbers: &[f64]) -> usize {
+        for (place, &number) in (from..).zip(numbers) {
             self.set(place, number);
         }
-        numbers.len()
+        from + numbers.len()
     }
 
     /// Where the row begins in the module's memory.

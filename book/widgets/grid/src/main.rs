@@ -74,6 +74,14 @@ fn two_arrows(ask: &mut Ask<'_>) -> io::Result<()> {
     for odd in [f64::NAN, f64::INFINITY, -1e300, 1e-300, 0.0] {
         ask("two-arrows", widget_two_arrows::answer, 0, &[0.0, 0.0, odd, 1.0], None)?;
         ask("two-arrows", widget_two_arrows::answer, 0, &[odd, odd, odd, odd], None)?;
+        let pair = [1.0, 0.9, 0.4, 0.0, odd, -0.3, 0.7, 0.1];
+        ask(
+            "two-arrows",
+            widget_two_arrows::answer,
+            1,
+            &[&[1.0, 1.0, odd, 0.2, 2.0], &pair[..]].concat(),
+            None,
+        )?;
     }
     Ok(())
 }
@@ -249,6 +257,8 @@ fn methods(ask: &mut Ask<'_>) -> io::Result<()> {
                 for count in [1.0, 6.0, 25.0, 200.0] {
                     let run = [10.0, count, f64::from(method), 0.6, 0.0, -0.8, 0.0];
                     ask(name, answer, 1, &[&moments[..], &spin, &run].concat(), None)?;
+                    let on = [0.6, 0.0, -0.8, 0.0, spin[0], spin[1], spin[2], f64::from(method), 0.01, count];
+                    ask(name, answer, 2, &[&moments[..], &on].concat(), None)?;
                 }
             }
         }

@@ -47,26 +47,41 @@ const HEAD: usize = 6;
 /// `f64` holds, 3 for other reasons, and the text says what; the greatest errors of the energy and of the
 /// length of the momentum, in parts of them; the attitude's at the end, degrees; the greatest spin about x;
 /// and the spin about x at the start and after each step.
+///
+/// 2, on from a state: the moments about x, y and z, kg m², the attitude, real part first, the momentum along
+/// the body's axes, kg m²/s, which method, the step, s, and how many steps. The answer: how many were taken,
+/// the attitude and the momentum then, and the spin along the body's axes, rad/s.
 pub fn answer(what: u32, row: &Numbers) -> usize {
     if what == 0 {
         let Some(method) = Method::ALL.get(row.get(0) as usize) else { return 0 };
         let info = method.info();
         WORDS.say(info.name);
         let keeps = info.conserved;
+        let kept = [keeps.energy, keeps.momentum, keeps.direction, keeps.unit, keeps.reversible];
         let yes = |it: bool| f64::from(u8::from(it));
-        return row.fill(&[
-            f64::from(info.order),
-            yes(info.implicit),
-            yes(keeps.energy),
-            yes(keeps.momentum),
-            yes(keeps.direction),
-            yes(keeps.unit),
-            yes(keeps.reversible),
-        ]);
+        let at = row.fill(&[f64::from(info.order), yes(info.implicit)]);
+        return row.fill_from(at, &kept.map(yes));
     }
     let moments = Vector3::from(row.take::<3>(0));
-    let Some(&method) = Method::ALL.get(row.get(8) as usize) else { return 0 };
-    moments.try_into().and_then(System::free).map_or(0, |system| run(method, &system, row))
+    let place = if what == 2 { 10 } else { 8 };
+    let Some(&method) = Method::ALL.get(row.get(place) as usize) else { return 0 };
+    let asked = if what == 2 { go_on } else { run };
+    moments.try_into().and_then(System::free).map_or(0, |system| asked(method, &system, row))
+}
+
+fn go_on(method: Method, system: &System<f64>, row: &Numbers) -> usize {
+    let ([w, i, j, k], [step, count]) = (row.take(3), row.take(11));
+    let mut motion = State { attitude: Quaternion::new(w, i, j, k), momentum: row.take(7).into() };
+    let mut taken = 0;
+    while taken < (count as usize).min(MOST) {
+        let Ok(next) = method.step(system, &motion, step) else { break };
+        motion = next;
+        taken += 1;
+    }
+    let State { attitude: q, momentum } = motion;
+    let at = row.fill(&[taken as f64, q.w, q.i, q.j, q.k]);
+    let at = row.fill_from(at, momentum.as_slice());
+    row.fill_from(at, system.omega(&momentum).as_slice())
 }
 
 fn run(method: Method, system: &System<f64>, row: &Numbers) -> usize {

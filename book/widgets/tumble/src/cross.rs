@@ -30,21 +30,16 @@ pub(crate) fn pulls([t, rate]: [f64; 2], row: &Numbers) -> Result<usize, Why> {
     let turns = frame * (now.attitude * now.omega) - rate * up;
     let attitude = frame * now.attitude;
     let mut place = 0;
-    let mut put = |vector: Vector3<f64>| {
-        for number in vector.iter() {
-            row.set(place, *number);
-            place += 1;
-        }
-    };
     for (mass, at) in MASSES {
         let at = attitude * Vector3::from(at);
-        put(at);
-        put(mass * rate * rate * (at - up.dot(&at) * up));
-        put(-2.0 * mass * rate * up.cross(&turns.cross(&at)));
+        let out = mass * rate * rate * (at - up.dot(&at) * up);
+        for vector in [at, out, -2.0 * mass * rate * up.cross(&turns.cross(&at))] {
+            place = row.fill_from(place, vector.as_slice());
+        }
     }
-    put(attitude * euler::coupling(&moments, &(attitude.inverse() * (rate * up))));
-    row.set(place, motion.period()?.unwrap_or(f64::NAN));
-    Ok(place + 1)
+    let twist = attitude * euler::coupling(&moments, &(attitude.inverse() * (rate * up)));
+    let place = row.fill_from(place, twist.as_slice());
+    Ok(row.fill_from(place, &[motion.period()?.unwrap_or(f64::NAN)]))
 }
 
 #[cfg(test)]

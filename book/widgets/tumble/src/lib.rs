@@ -59,7 +59,7 @@ const MOST_SAMPLES: f64 = 1000.0;
 pub fn answer(what: u32, row: &Numbers) -> usize {
     let [which, own @ ..] = row.take::<4>(0);
     let found = match what {
-        0 => prepared(row.take(0)).map(|found| row.fill(&found)),
+        0 => prepared(row.take(0), row),
         1 => instant(row.get(0)).map(|found| row.fill(&found)),
         2 => stretch(row.take(0), row),
         4 | 5 => return beside::answer(what - 4, row),
@@ -132,7 +132,7 @@ fn start([spin, push, about]: [f64; 3], given: Vector3<f64>) -> (Vector3<f64>, u
     (Vector3::from(parts), along)
 }
 
-fn prepared([which, spin, push, about, a, b, c, x, y, z]: [f64; 10]) -> Result<[f64; 17], Why> {
+fn prepared([which, spin, push, about, a, b, c, x, y, z]: [f64; 10], row: &Numbers) -> Result<usize, Why> {
     let (moments, centre) = body(which, [a, b, c])?;
     let (omega, along) = start([spin, push, about], Vector3::new(x, y, z));
     let motion = FreeMotion::new(moments.try_into()?, &omega)?;
@@ -151,25 +151,11 @@ fn prepared([which, spin, push, about, a, b, c, x, y, z]: [f64; 10]) -> Result<[
     let depth = moments.component_mul(&unit).norm_squared() / energy;
     let onto = (moments.z / energy).sqrt() / size;
     let momentum = moments.component_mul(&omega);
-    Ok([
-        beat.unwrap_or(f64::NAN),
-        moments.x,
-        moments.y,
-        moments.z,
-        centre[0],
-        centre[1],
-        centre[2],
-        momentum.x,
-        momentum.y,
-        momentum.z,
-        around,
-        depth,
-        onto,
-        omega.x,
-        omega.y,
-        omega.z,
-        along as f64,
-    ])
+    let mut at = row.fill(&[beat.unwrap_or(f64::NAN)]);
+    for vector in [moments, centre, momentum, Vector3::new(around, depth, onto), omega] {
+        at = row.fill_from(at, vector.as_slice());
+    }
+    Ok(row.fill_from(at, &[along as f64]))
 }
 
 fn instant(t: f64) -> Result<[f64; 11 + NEXT], Why> {
@@ -270,10 +256,8 @@ mod tests {
                         if way > 0.0 {
                             for later in 0..NEXT as u32 {
                                 let (given, right) = (row.get(11 + later as usize), half(count + later));
-                                assert!(
-                                    (given - right).abs() < 1e-9 * beat,
-                                    "{which}, at {t}: {given}, not {right}"
-                                );
+                                let off = (given - right).abs();
+                                assert!(off < 1e-9 * beat, "{which}, at {t}: {given}, not {right}");
                             }
                         }
                     }
@@ -338,10 +322,8 @@ mod tests {
         for point in &points {
             let [a, b, c] = [x * point.x.powi(2), y * point.y.powi(2), z * point.z.powi(2)];
             assert!(((a + b + c) / z - 1.0).abs() < 1e-13, "on the ellipsoid of energy: {point}");
-            assert!(
-                ((x * a + y * b + z * c) / (z * depth) - 1.0).abs() < 1e-13,
-                "of the same momentum: {point}"
-            );
+            let momentum = (x * a + y * b + z * c) / (z * depth);
+            assert!((momentum - 1.0).abs() < 1e-13, "of the same momentum: {point}");
         }
         for part in 0..50 {
             row.set(0, 0.0437 * f64::from(part) * beat);

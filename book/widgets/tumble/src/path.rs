@@ -18,10 +18,8 @@ pub(crate) fn path([from, to, samples]: [f64; 3], row: &Numbers) -> Result<usize
     let mut place = 0;
     for i in 0..samples as u32 {
         let now = motion.at(from + f64::from(i) / (samples - 1.0) * (to - from))?;
-        for part in now.omega.iter().chain(&(now.attitude * now.omega)) {
-            row.set(place, *part);
-            place += 1;
-        }
+        place = row.fill_from(place, now.omega.as_slice());
+        place = row.fill_from(place, (now.attitude * now.omega).as_slice());
     }
     Ok(place)
 }

@@ -1,9 +1,10 @@
 //! Two arrows: a spin turned from one principal axis of a body to another, and the momentum that leaves it on
-//! the way.
+//! the way; and masses that are moved, and the tensor that answers.
 
 use exchange::Numbers;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 use tumbling::body::named::{self, Even};
+use tumbling::inertia::point_mass;
 use tumbling::solid::{Ball, Cuboid, Cylinder, Shape, ThinPlate};
 
 /// The edges along x and y of a thin plate, twice as wide as high.
@@ -34,17 +35,39 @@ fn body(which: f64) -> (Vector3<f64>, [f64; 3]) {
     }
 }
 
-/// Of the row it takes: which body (the plate, the box, the book, the phone, a pencil, a ball); between which
-/// two of its principal axes (0 the smallest and the middle moment, 1 the middle and the largest, 2 the
-/// smallest and the largest); and the spin along the lighter and along the heavier of them, rad/s, neither
-/// below zero.
+/// 0, two arrows. Of the row it takes: which body (the plate, the box, the book, the phone, a pencil, a
+/// ball); between which two of its principal axes (0 the smallest and the middle moment, 1 the middle and the
+/// largest, 2 the smallest and the largest); and the spin along the lighter and along the heavier of them,
+/// rad/s, neither below zero.
 ///
 /// It answers with the angles of spin and momentum from the lighter axis and the gap, degrees; the momentum
-/// along the two axes, kg m²/s; the two moments, kg m²; the body's size along the two, m; and which body axes
-/// the two are, 0, 1 or 2.
-pub fn answer(_what: u32, row: &Numbers) -> usize {
+/// along the two axes, kg m²/s; the two moments, kg m²; the body's size along the two, m; which body axes
+/// the two are, 0, 1 or 2; and all three moments and sizes, along x, y and z.
+///
+/// 1, point masses: a twist, N m; an axis, of any length; how many; and of each its mass, kg, and its place
+/// from their common centre, m. The answer: the tensor, xx, yy, zz, xy, xz, yz, kg m²; the momentum for a
+/// spin of 1 rad/s about the axis; the moment about it; and how much faster the twist has it turn each
+/// second, on an axle there, rad/s². No answer where nothing resists: all masses lie on the axle.
+pub fn answer(what: u32, row: &Numbers) -> usize {
+    if what == 1 {
+        return masses(row);
+    }
     let [which, between, along, up] = row.take(0);
-    row.fill(&arrows(which, between as u32, [along, up]))
+    let (moments, size) = body(which);
+    let at = row.fill(&arrows(which, between as u32, [along, up]));
+    row.fill_from(row.fill_from(at, moments.as_slice()), &size)
+}
+
+fn masses(row: &Numbers) -> usize {
+    let [twist, x, y, z, count] = row.take(0);
+    let axis = Vector3::new(x, y, z).normalize();
+    let piece = |i: usize| point_mass(&row.get(5 + 4 * i), &Vector3::from(row.take(6 + 4 * i)));
+    let t: Matrix3<f64> = (0..(count as usize).min(64)).map(piece).sum();
+    let momentum = t * axis;
+    let about = axis.dot(&momentum);
+    let at = row.fill(&[t.m11, t.m22, t.m33, t.m12, t.m13, t.m23]);
+    let at = row.fill_from(at, momentum.as_slice());
+    if about > 0.0 { row.fill_from(at, &[about, twist / about]) } else { 0 }
 }
 
 /// The momentum of a spin along principal axes is each component times its own moment. These moments need no
@@ -106,20 +129,30 @@ mod tests {
                     omega[found[9] as usize] = along;
                     omega[found[10] as usize] = up;
                     let momentum = inertia.momentum(&omega);
-                    assert_eq!(
-                        [momentum[found[9] as usize], momentum[found[10] as usize]],
-                        [found[3], found[4]]
-                    );
+                    let along = [found[9], found[10]].map(|axis| momentum[axis as usize]);
+                    assert_eq!(along, [found[3], found[4]]);
                     let gap = inertia.angle_to_momentum(&omega).unwrap().to_degrees();
-                    assert!(
-                        (gap - found[2]).abs() < 1e-12,
-                        "body {which}, {between}, {degrees}: {gap} {}",
-                        found[2]
-                    );
+                    let off = (gap - found[2]).abs();
+                    assert!(off < 1e-12, "body {which}, {between}, {degrees}: {gap}, off by {off}");
                     assert!(found[5] <= found[6]);
                 }
             }
         }
+    }
+
+    #[test]
+    fn masses_resist_as_the_sum_of_their_squared_distances_from_the_axle_says() {
+        let points = [(1.0, [0.9, 0.4, -0.2]), (2.0, [-0.5, 0.1, 0.3]), (0.5, [0.2, -1.2, -0.8])];
+        let row = Numbers::new();
+        let (twist, axis) = (3.0, Vector3::new(2.0, -1.0, 0.5));
+        let at = row.fill(&[twist, axis.x, axis.y, axis.z, 3.0]);
+        points.iter().fold(at, |at, (mass, place)| row.fill_from(row.fill_from(at, &[*mass]), place));
+        assert_eq!(answer(1, &row), 11);
+        let about = points.map(|(mass, r)| mass * Vector3::from(r).cross(&axis.normalize()).norm_squared());
+        assert!((row.get(9) - about.iter().sum::<f64>()).abs() < 1e-15);
+        assert!((row.get(10) - twist / row.get(9)).abs() < 1e-15);
+        row.fill(&[1.0, 1.0, 0.0, 0.0, 1.0, 1.0, 5.0, 0.0, 0.0]);
+        assert_eq!(answer(1, &row), 0);
     }
 
     #[test]
