@@ -190,7 +190,7 @@ pub fn widths(moments: [f64; 3], omega: [f64; 3], flips: f64) -> Result<[f64; 2]
     Ok([widest(spin.as_slice()) / size, widest(turn.coords.as_slice())])
 }
 
-/// A row of the book's table for each of [`BODIES`]: the widest spin, and the attitude after each of [`FLIPS`].
+/// A row of the book's table for each of [`BODIES`]: the widest spin, and the attitude after [`FLIPS`].
 ///
 /// # Errors
 /// As [`FreeMotion::new`].
