@@ -72,6 +72,10 @@ pub(crate) struct Report {
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "numbers and equations: {} in {} files", self.held.len(), self.chapters)?;
+        for kind in equations::KINDS {
+            let so = |held: &&String| held.contains(&format!("`: {kind}: "));
+            writeln!(f, "equations, {kind}: {}", self.held.iter().filter(so).count())?;
+        }
         write!(f, "offences: {}", self.offences.len())
     }
 }

@@ -6,6 +6,11 @@ use super::laws;
 use super::offence::Offence;
 use tumbling_proofs::equations::{Equation, Fault, read};
 
+/// How an equation is held: by what functions of the library give, or less.
+#[rustfmt::skip]
+pub(super) const KINDS: [&str; 6] = ["proven", "proven of a formula written again", "as text, a part of it proven",
+    "exempt", "notation", "values"];
+
 /// The maths of a chapter, as it stands there.
 fn maths(chapter: &Chapter) -> Vec<Equation> {
     let passages = chapter.sections.iter().flat_map(|section| &section.passages);
@@ -32,13 +37,9 @@ fn offence(file: &str, fault: Fault) -> Offence {
 /// Proves the equations of a chapter; what cannot be proven is an offence.
 pub(crate) fn offences(chapter: &Chapter, held: &mut Vec<String>) -> Vec<Offence> {
     let read = read(&laws::of(&chapter.name), &maths(chapter));
-    for (settled, how) in [
-        (&read.proven, "proven"),
-        (&read.apart, "as text, a part of it proven"),
-        (&read.exempt, "exempt"),
-        (&read.notation, "notation"),
-        (&read.values, "values"),
-    ] {
+    let (again, proven): (Vec<_>, _) = read.proven.into_iter().partition(|s| s.again);
+    let kinds = [proven, again, read.apart, read.exempt, read.notation, read.values];
+    for (settled, how) in kinds.into_iter().zip(KINDS) {
         held.extend(settled.iter().map(|s| {
             let (file, line) = (&chapter.path, s.line);
             format!("{file}:{line}: `{}`: {how}: {}", s.tex, s.why)

@@ -3,7 +3,8 @@
    real numbers, derivatives and integrals are Coquelicot's. *)
 From Coq Require Import Reals List.
 From Coquelicot Require Import Coquelicot.
-Require Tumbling.bodies Tumbling.box Tumbling.motion Tumbling.closed Tumbling.world Tumbling.steps Tumbling.stage.
+Require Tumbling.bodies Tumbling.box Tumbling.motion Tumbling.closed Tumbling.world Tumbling.angle Tumbling.steps
+  Tumbling.stage.
 Open Scope R_scope.
 
 (* ---- Definitions. Axes are the principal axes of the body unless the world's are named. *)
@@ -159,6 +160,35 @@ Theorem splitting_keeps_momentum (turns : list steps.turn) (L : R * R * R) :
   List.Forall steps.proper turns -> steps.square (fold_right steps.turned L turns) = steps.square L.
 Proof. exact (steps.splitting_keeps_momentum turns L). Qed.
 
+(* 11. The attitude of a free motion, with the momentum of length L along the third axis of the world: the turn that
+   takes the momentum to this axis by the shortest way, followed by a turn by psi about it, if psi has the rate below
+   and the momentum is never opposite to the third axis of the body. *)
+Theorem attitude_by_the_angle (I1 I2 I3 L : R) (w1 w2 w3 psi : R -> R) :
+  body I1 I2 I3 -> motion I1 I2 I3 w1 w2 w3 -> 0 < L ->
+  momentum2 I1 I2 I3 (w1 0) (w2 0) (w3 0) = L ^ 2 -> (forall t, 0 < L + I3 * w3 t) ->
+  (forall t, is_derive psi t ((2 * energy I1 I2 I3 (w1 t) (w2 t) (w3 t) + L * w3 t) / (L + I3 * w3 t))) ->
+  let r t := sqrt ((L + I3 * w3 t) / (2 * L)) in
+  let b1 t := I2 * w2 t / (2 * L * r t) in let b2 t := - (I1 * w1 t / (2 * L * r t)) in
+  let c t := cos (psi t / 2) in let s t := sin (psi t / 2) in
+  turns (fun t => c t * r t) (fun t => c t * b1 t - s t * b2 t) (fun t => c t * b2 t + s t * b1 t)
+    (fun t => s t * r t) w1 w2 w3.
+Proof.
+  intros B M P L0 O T. assert (K := fun t => proj2 (energy_and_momentum_stay _ _ _ _ _ _ B M t 0)).
+  unfold momentum2 in K, L0. destruct B as (P1 & P2 & P3 & _). apply Rgt_not_eq in P1, P2, P3.
+  assert (Q : forall t, (I1 * w1 t) ^ 2 + (I2 * w2 t) ^ 2 + (I3 * w3 t) ^ 2 = L ^ 2)
+    by (intros t; rewrite (K t); exact L0).
+  unfold energy in T.
+  assert (T' : forall t, is_derive psi t ((I1 * w1 t ^ 2 + I2 * w2 t ^ 2 + I3 * w3 t ^ 2 + L * w3 t) / (L + I3 * w3 t)))
+    by (intros t; replace (_ / (L + I3 * w3 t)) with
+      ((2 * ((I1 * w1 t ^ 2 + I2 * w2 t ^ 2 + I3 * w3 t ^ 2) / 2) + L * w3 t) / (L + I3 * w3 t));
+      [exact (T t) | field; apply Rgt_not_eq, O]).
+  intros r b1 b2 c s t. split; [ | split; [ | split]].
+  - apply angle.first_part; auto.
+  - apply angle.second_part; auto.
+  - apply angle.third_part; auto.
+  - apply angle.fourth_part; auto.
+Qed.
+
 (* ---- That the hypotheses above can be met. *)
 
 Theorem a_body : body 4 5 7.
@@ -192,3 +222,10 @@ Proof. exact (closed.separatrix_of_all_signs a c e). Qed.
 (* A stage with three real roots. *)
 Theorem a_stage : exists v1 v2 v3 c1 c2 c3, stage 4 5 7 1 (1 / 2) 0 1 1 1 v1 v2 v3 c1 c2 c3.
 Proof. exact stage.a_stage. Qed.
+
+(* An angle with this rate, where the momentum is along the third axis. *)
+Theorem an_angle (w : R) : 0 < w -> forall t,
+  0 < 7 * w + 7 * w /\ is_derive (fun t => w * t) t ((2 * energy 4 5 7 0 0 w + 7 * w * w) / (7 * w + 7 * w)).
+Proof.
+  intros P t. split; [Lra.lra | ]. unfold energy. auto_derive; [exact I | field; Lra.lra].
+Qed.

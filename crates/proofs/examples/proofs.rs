@@ -1,12 +1,16 @@
 //! Lists the proofs with the time each takes, and what their altered laws leave over.
 //!
-//! `cargo run --example proofs [-- [mutants] [NAME ...]]`
+//! `cargo run --example proofs [-- [mutants] [NAME ...]]`; with `widths` alone, the table of enclosures.
 
 use std::time::Instant;
-use tumbling_proofs::proofs;
+use tumbling_proofs::{interval::motion, proofs};
 
 fn main() {
     let mut names: Vec<String> = std::env::args().skip(1).collect();
+    if names == ["widths"] {
+        motion::table().iter().flatten().for_each(|row| println!("{row}"));
+        return;
+    }
     let with_mutants = names.iter().any(|name| name == "mutants");
     names.retain(|name| name != "mutants");
     let start = Instant::now();

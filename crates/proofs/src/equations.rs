@@ -70,6 +70,8 @@ pub struct Settled {
     pub tex: String,
     /// What it was proven to be; or the reason why it need not be.
     pub why: &'static str,
+    /// Whether it was proven to be a formula that is written here a second time.
+    pub again: bool,
 }
 
 /// What a text is to state: each law and exemption as often as it stands there.
@@ -200,7 +202,7 @@ pub fn read(expected: &Expected, equations: &[Equation]) -> Found {
     for equation in equations {
         if let Some(notation) = ledger.find_notation(equation) {
             let tex = equation.tex.replace(' ', "");
-            found.notation.push(Settled { line: equation.line, tex, why: notation.reason });
+            found.notation.push(Settled { line: equation.line, tex, why: notation.reason, again: false });
             continue;
         }
         match standings(equation, &mut ledger) {
@@ -219,7 +221,7 @@ pub fn read(expected: &Expected, equations: &[Equation]) -> Found {
 impl Found {
     /// Settles one statement of an equation.
     fn take(&mut self, equation: &Equation, statement: &Statement, standing: Option<Standing>) {
-        let settled = |why| Settled { line: equation.line, tex: statement.text.clone(), why };
+        let settled = |why| Settled { line: equation.line, tex: statement.text.clone(), why, again: false };
         let problem = match standing {
             Some(Standing::Exempt(exemption)) => match (exemption.prove(), exemption.proof) {
                 (Ok(()), Some(_)) => return self.apart.push(settled(exemption.reason)),
@@ -228,7 +230,7 @@ impl Found {
             },
             Some(Standing::Values) => return self.values.push(settled("only values")),
             Some(Standing::Law(law)) => match law.prove(statement) {
-                Ok(()) => return self.proven.push(settled(law.says)),
+                Ok(()) => return self.proven.push(Settled { again: law.again, ..settled(law.says) }),
                 Err(problem) => problem,
             },
             Some(Standing::Name) => return,

@@ -16,7 +16,6 @@ macro_rules! proofs {
     };
 }
 
-pub(crate) mod closed_forms;
 mod conserved;
 mod engines;
 mod errata;
@@ -45,7 +44,7 @@ pub(crate) fn is_of_an_order(proof: &Proof) -> bool {
 /// Every proof.
 #[must_use]
 pub fn proofs() -> Vec<&'static Proof> {
-    let parts: [&[Proof]; 18] = [
+    let parts: [&[Proof]; 17] = [
         solids::PROOFS,
         inertia::PROOFS,
         turning::PROOFS,
@@ -54,7 +53,6 @@ pub fn proofs() -> Vec<&'static Proof> {
         stability::PROOFS,
         gap::PROOFS,
         engines::PROOFS,
-        closed_forms::PROOFS,
         theta::PROOFS,
         klein::PROOFS,
         integrals::PROOFS,

@@ -29,6 +29,9 @@ pub struct Law {
     pub in_general: fn(&Statement) -> Result<Statement, String>,
     /// For an example with numbers: the values of its variables there. Without any, no number is passed.
     pub example: &'static [(&'static str, i64)],
+    /// Whether its names mean formulas that are written here a second time, put into the library's laws where
+    /// there is such a law.
+    pub again: bool,
     /// Whether it is a bare expression, the sentence around it saying what it is; then `left` is all of it.
     pub bare: bool,
 }
@@ -117,8 +120,13 @@ const fn law(left: &'static str, cases: &'static [fn() -> Scope], says: &'static
         attained: &[],
         example: &[],
         in_general: |statement| Ok(statement.clone()),
+        again: false,
         bare: false,
     }
+}
+
+const fn again(left: &'static str, cases: &'static [fn() -> Scope], says: &'static str) -> Law {
+    Law { again: true, ..law(left, cases, says) }
 }
 
 /// Of the axes across, middle and circled: cyclic and not.
@@ -159,75 +167,75 @@ laws! {
     COIN_1 = law(r"\dot{\omega}_1", &[tops::coin], "euler::angular_acceleration with two equal moments");
     COIN_2 = law(r"\dot{\omega}_2", &[tops::coin], "euler::angular_acceleration with two equal moments");
     COIN_RATE = law(r"\Omega", &[tops::coin], "the rate by euler::angular_acceleration");
-    COIN_COSINE = law(r"\omega_1", &[tops::coin_in_time], "a motion along which euler::angular_acceleration holds");
-    COIN_SINE = law(r"\omega_2", &[tops::coin_in_time], "a motion along which euler::angular_acceleration holds");
+    COIN_COSINE = again(r"\omega_1", &[tops::coin_in_time], "a motion along which euler::angular_acceleration holds");
+    COIN_SINE = again(r"\omega_2", &[tops::coin_in_time], "a motion along which euler::angular_acceleration holds");
     COIN_SPIN = law(r"\boldsymbol{\omega}", &[tops::coin], "the spin, with the rate by euler::angular_acceleration");
     COIN_AXIS = law(r"\dot{\mathbf{e}}", &[tops::coin], "the rate of the axis");
-    STEADY_TOP = law("Wh", &[tops::steady_top], "the torque that keeps a precessing momentum going round");
-    NODDING_TOP = law(r"\lambda^2", &[tops::nodding], "the second rate of the lean, with both momenta constant");
-    SLEEPING_TOP = law(r"I_3^2\omega_3^2", &[tops::sleeping_top], "where the two rates of an upright precession are one");
+    STEADY_TOP = again("Wh", &[tops::steady_top], "the torque that keeps a precessing momentum going round");
+    NODDING_TOP = again(r"\lambda^2", &[tops::nodding], "the second rate of the lean, with both momenta constant");
+    SLEEPING_TOP = again(r"I_3^2\omega_3^2", &[tops::sleeping_top], "where the two rates of an upright precession are one");
     JACOBI_SN = law(r"\operatorname{sn}'", &[tops::jacobi], "the rates with which the closed form satisfies euler::angular_acceleration");
     JACOBI_CN = law(r"\operatorname{cn}'", &[tops::jacobi], "the same");
     JACOBI_DN = law(r"\operatorname{dn}'", &[tops::jacobi], "the same");
-    JACOBI_1 = law(r"\omega_1", &[tops::jacobi_motion], "a motion along which euler::angular_acceleration holds");
-    JACOBI_2 = law(r"\omega_2", &[tops::jacobi_motion], "a motion along which euler::angular_acceleration holds");
-    JACOBI_3 = law(r"\omega_3", &[tops::jacobi_motion], "a motion along which euler::angular_acceleration holds");
-    JACOBI_RATE = law("p^2", &[tops::jacobi_motion], "the rate of that motion, with observe::energy");
-    JACOBI_PARAMETER = law("m", &[tops::jacobi_motion], "the parameter of that motion, with observe::energy");
-    JACOBI_A1 = law("a_1^2", &[tops::jacobi_motion], "an amplitude of that motion, with observe::energy");
-    JACOBI_A2 = law("a_2^2", &[tops::jacobi_motion], "an amplitude of that motion, with observe::energy");
-    JACOBI_A3 = law("a_3^2", &[tops::jacobi_motion], "an amplitude of that motion, with observe::energy");
-    CLOSED_EULER_X = law(r"I_X\dot{\omega}_X", BOTH_ORDERS, "euler::angular_acceleration along the closed form");
-    CLOSED_EULER_M = law(r"I_M\dot{\omega}_M", BOTH_ORDERS, "euler::angular_acceleration along the closed form");
-    CLOSED_EULER_C = law(r"I_C\dot{\omega}_C", BOTH_ORDERS, "euler::angular_acceleration along the closed form");
-    CLOSED_DISTANCES = law("d_{CX}", &[closed::at_any_time], "the distances of the moments");
-    CLOSED_DISTANCES_BY_MOMENTS = law("I_Md_{CX}", &[closed::at_any_time], "the same times the moments");
-    CLOSED_WITHOUT_C = law("2EI_C-L^2", &[closed::at_any_time], "observe::energy and the momentum without the circled component");
-    CLOSED_WITHOUT_X = law("L^2-2EI_X", &[closed::at_any_time], "the same without the component across");
-    CLOSED_ELLIPSE = law(r"\frac{\omega_X^2}{A_X^2}+\frac{\omega_M^2}{A_M^2}", &[closed::at_any_time], "two components of the closed form");
-    CLOSED_CIRCLED = law(r"\omega_C^2", &[closed::at_any_time], "the third component of the closed form");
-    CLOSED_BALANCE = law(r"I_M\eta A_M", BOTH_ORDERS, "euler::angular_acceleration of the middle component");
-    CLOSED_ENERGY = law("2E", &[closed::at_any_time], "observe::energy of the closed form");
-    CLOSED_MOMENTUM = law("L^2", &[closed::at_any_time], "the length of its momentum");
-    CLOSED_DISCRIMINANT = law("D", &[closed::at_any_time], "the discriminant of the closed form");
-    CLOSED_P = law("P^2", &[closed::at_any_time], "its combination of one sign");
-    CLOSED_Q = law("Q^2", &[closed::at_any_time], "its other combination of one sign");
-    CLOSED_MODULUS = law("k^2", &[closed::at_any_time], "the modulus with which it satisfies euler::angular_acceleration");
-    CLOSED_COMPLEMENT = law("k'^2", &[closed::at_any_time], "the complement of that modulus");
-    CLOSED_AX = law("A_X^2", &[closed::at_any_time], "an amplitude of the closed form");
-    CLOSED_AM = law("A_M^2", &[closed::at_any_time], "an amplitude of the closed form");
-    CLOSED_AC = law("A_C^2", &[closed::at_any_time], "an amplitude of the closed form");
-    CLOSED_RATE = law(r"\eta", BOTH_ORDERS, "the rate with which it satisfies euler::angular_acceleration");
-    CLOSED_RATE_SQUARED = law(r"\eta^2", &[closed::at_any_time], "the square of that rate");
-    CLOSED_X = law(r"\omega_X", &[closed::at_any_time], "a component of the closed form");
-    CLOSED_M = law(r"\omega_M", &[closed::at_any_time], "a component of the closed form");
-    CLOSED_C = law(r"\omega_C", &[closed::at_any_time], "a component of the closed form");
-    CLOSED_PHASE_ERROR = law(r"\mu", &[closed::at_any_time], "what takes the difference of two relative errors away, to first order");
-    CLOSED_SIZE_ERROR = law(r"\lambda", &[closed::at_any_time], "what then takes both away, to first order");
-    CLOSED_DRIFT = law(r"\nu", &[closed::drift], "half the rate about the momentum where the phase is zero, less that of the angle of a there");
-    CLOSED_DRIFT_AT_THE_SADDLE = law(r"\nu", &[closed::drift_at_the_saddle], "the same at the saddle, with ComplementaryPair::turning_at_saddle");
+    JACOBI_1 = again(r"\omega_1", &[tops::jacobi_motion], "a motion along which euler::angular_acceleration holds");
+    JACOBI_2 = again(r"\omega_2", &[tops::jacobi_motion], "a motion along which euler::angular_acceleration holds");
+    JACOBI_3 = again(r"\omega_3", &[tops::jacobi_motion], "a motion along which euler::angular_acceleration holds");
+    JACOBI_RATE = again("p^2", &[tops::jacobi_motion], "the rate of that motion, with observe::energy");
+    JACOBI_PARAMETER = again("m", &[tops::jacobi_motion], "the parameter of that motion, with observe::energy");
+    JACOBI_A1 = again("a_1^2", &[tops::jacobi_motion], "an amplitude of that motion, with observe::energy");
+    JACOBI_A2 = again("a_2^2", &[tops::jacobi_motion], "an amplitude of that motion, with observe::energy");
+    JACOBI_A3 = again("a_3^2", &[tops::jacobi_motion], "an amplitude of that motion, with observe::energy");
+    CLOSED_EULER_X = again(r"I_X\dot{\omega}_X", BOTH_ORDERS, "euler::angular_acceleration along the closed form");
+    CLOSED_EULER_M = again(r"I_M\dot{\omega}_M", BOTH_ORDERS, "euler::angular_acceleration along the closed form");
+    CLOSED_EULER_C = again(r"I_C\dot{\omega}_C", BOTH_ORDERS, "euler::angular_acceleration along the closed form");
+    CLOSED_DISTANCES = again("d_{CX}", &[closed::at_any_time], "the distances of the moments");
+    CLOSED_DISTANCES_BY_MOMENTS = again("I_Md_{CX}", &[closed::at_any_time], "the same times the moments");
+    CLOSED_WITHOUT_C = again("2EI_C-L^2", &[closed::at_any_time], "observe::energy and the momentum without the circled component");
+    CLOSED_WITHOUT_X = again("L^2-2EI_X", &[closed::at_any_time], "the same without the component across");
+    CLOSED_ELLIPSE = again(r"\frac{\omega_X^2}{A_X^2}+\frac{\omega_M^2}{A_M^2}", &[closed::at_any_time], "two components of the closed form");
+    CLOSED_CIRCLED = again(r"\omega_C^2", &[closed::at_any_time], "the third component of the closed form");
+    CLOSED_BALANCE = again(r"I_M\eta A_M", BOTH_ORDERS, "euler::angular_acceleration of the middle component");
+    CLOSED_ENERGY = again("2E", &[closed::at_any_time], "observe::energy of the closed form");
+    CLOSED_MOMENTUM = again("L^2", &[closed::at_any_time], "the length of its momentum");
+    CLOSED_DISCRIMINANT = again("D", &[closed::at_any_time], "the discriminant of the closed form");
+    CLOSED_P = again("P^2", &[closed::at_any_time], "its combination of one sign");
+    CLOSED_Q = again("Q^2", &[closed::at_any_time], "its other combination of one sign");
+    CLOSED_MODULUS = again("k^2", &[closed::at_any_time], "the modulus with which it satisfies euler::angular_acceleration");
+    CLOSED_COMPLEMENT = again("k'^2", &[closed::at_any_time], "the complement of that modulus");
+    CLOSED_AX = again("A_X^2", &[closed::at_any_time], "an amplitude of the closed form");
+    CLOSED_AM = again("A_M^2", &[closed::at_any_time], "an amplitude of the closed form");
+    CLOSED_AC = again("A_C^2", &[closed::at_any_time], "an amplitude of the closed form");
+    CLOSED_RATE = again(r"\eta", BOTH_ORDERS, "the rate with which it satisfies euler::angular_acceleration");
+    CLOSED_RATE_SQUARED = again(r"\eta^2", &[closed::at_any_time], "the square of that rate");
+    CLOSED_X = again(r"\omega_X", &[closed::at_any_time], "a component of the closed form");
+    CLOSED_M = again(r"\omega_M", &[closed::at_any_time], "a component of the closed form");
+    CLOSED_C = again(r"\omega_C", &[closed::at_any_time], "a component of the closed form");
+    CLOSED_PHASE_ERROR = again(r"\mu", &[closed::at_any_time], "what takes the difference of two relative errors away, to first order");
+    CLOSED_SIZE_ERROR = again(r"\lambda", &[closed::at_any_time], "what then takes both away, to first order");
+    CLOSED_DRIFT = again(r"\nu", &[closed::drift], "half the rate about the momentum where the phase is zero, less that of the angle of a there");
+    CLOSED_DRIFT_AT_THE_SADDLE = again(r"\nu", &[closed::drift_at_the_saddle], "the same at the saddle, with ComplementaryPair::turning_at_saddle");
     COMPLEMENTARY_N_2 = law("m_2", &[closed::complementary], "ComplementarySeries::constants");
     COMPLEMENTARY_N_3 = law("m_3", &[closed::complementary], "ComplementarySeries::constants");
     COMPLEMENTARY_N_4 = law("m_4", &[closed::complementary], "ComplementarySeries::constants");
-    CLOSED_FLIP = law("t_N", &[closed::flips], "the time where the argument is zero");
-    CLOSED_TWIST = law(r"\upsilon", &[closed::flips], "twice the phase that the drift adds in half a period");
+    CLOSED_FLIP = again("t_N", &[closed::flips], "the time where the argument is zero");
+    CLOSED_TWIST = again(r"\upsilon", &[closed::flips], "twice the phase that the drift adds in half a period");
     VARIATION = law(r"I_1\dot{W}_1", &[|| closed::variation(0), || closed::variation(1), || closed::variation(2)], "the derivative of euler::angular_acceleration along a change of the spin");
-    CARLSON_FIRST = law("r_F", &[|| closed::carlson(3, 1)], "the binomial series of the integrand, integrated term by term");
-    CARLSON_SECOND = law("r_D", &[|| closed::carlson(5, 3)], "the binomial series of the integrand, integrated term by term");
-    CLOSED_SN = law(r"\operatorname{sn}(u_0)", &[closed::at_any_time], "sn, from the spin");
-    CLOSED_CN = law(r"\operatorname{cn}(u_0)", &[closed::at_any_time], "cn, from the spin");
-    CLOSED_DN = law(r"\operatorname{dn}(u_0)", &[closed::at_any_time], "dn, from the spin");
-    CLOSED_SHARE = law(r"\chi", &[closed::at_any_time], "the share with which a + b j satisfies attitude::rate");
-    CLOSED_BETA = law(r"\beta^2", &[closed::at_any_time], "of the zero with which a + b j satisfies attitude::rate");
-    CLOSED_GAMMA = law(r"\gamma^2", &[closed::at_any_time], "of the same zero");
-    CLOSED_DELTA = law(r"\delta^2", &[closed::at_any_time], "of the same zero");
-    CLOSED_TURNING = law(r"\dot{\psi}", &[closed::at_any_time], "the phase with which a + b j satisfies attitude::rate");
-    CLOSED_TILT = law(r"\kappa", &[closed::at_the_saddle], "the quotient of b and a at the saddle");
-    CLOSED_TURNING_AT_THE_SADDLE = law(r"\dot{\psi}", &[closed::at_the_saddle], "the same phase at the saddle");
-    CLOSED_COMPLEMENT_SQUARED = law("k'^2A_C^2", &[closed::at_any_time], "a square of the closed form");
-    CLOSED_R = law("R", &[closed::at_any_time], "the quotient of two amplitudes squared");
-    CLOSED_S = law("S", &[closed::at_any_time], "the same of two others");
-    CLOSED_T = law("T", &[closed::at_any_time], "the same of two others");
+    CARLSON_FIRST = again("r_F", &[|| closed::carlson(3, 1)], "the binomial series of the integrand, integrated term by term");
+    CARLSON_SECOND = again("r_D", &[|| closed::carlson(5, 3)], "the binomial series of the integrand, integrated term by term");
+    CLOSED_SN = again(r"\operatorname{sn}(u_0)", &[closed::at_any_time], "sn, from the spin");
+    CLOSED_CN = again(r"\operatorname{cn}(u_0)", &[closed::at_any_time], "cn, from the spin");
+    CLOSED_DN = again(r"\operatorname{dn}(u_0)", &[closed::at_any_time], "dn, from the spin");
+    CLOSED_SHARE = again(r"\chi", &[closed::at_any_time], "the share with which a + b j satisfies attitude::rate");
+    CLOSED_BETA = again(r"\beta^2", &[closed::at_any_time], "of the zero with which a + b j satisfies attitude::rate");
+    CLOSED_GAMMA = again(r"\gamma^2", &[closed::at_any_time], "of the same zero");
+    CLOSED_DELTA = again(r"\delta^2", &[closed::at_any_time], "of the same zero");
+    CLOSED_TURNING = again(r"\dot{\psi}", &[closed::at_any_time], "the phase with which a + b j satisfies attitude::rate");
+    CLOSED_TILT = again(r"\kappa", &[closed::at_the_saddle], "the quotient of b and a at the saddle");
+    CLOSED_TURNING_AT_THE_SADDLE = again(r"\dot{\psi}", &[closed::at_the_saddle], "the same phase at the saddle");
+    CLOSED_COMPLEMENT_SQUARED = again("k'^2A_C^2", &[closed::at_any_time], "a square of the closed form");
+    CLOSED_R = again("R", &[closed::at_any_time], "the quotient of two amplitudes squared");
+    CLOSED_S = again("S", &[closed::at_any_time], "the same of two others");
+    CLOSED_T = again("T", &[closed::at_any_time], "the same of two others");
     SN_BY_THETAS = law(r"\operatorname{sn}", &[closed::direct_quotients], "the quotient of the library's sums");
     CN_BY_THETAS = law(r"\operatorname{cn}", &[closed::direct_quotients], "the quotient of the library's sums");
     DN_BY_THETAS = law(r"\operatorname{dn}", &[closed::direct_quotients], "the quotient of the library's sums");
@@ -275,34 +283,34 @@ laws! {
     HEAVY_ENERGY = law("e", &[heavy::turning], "observe::energy and the height, without the spin about the axis");
     HEAVY_RISING = law(r"\dot{c}", &[heavy::turning], "the rate of the height, by attitude::rate");
     HEAVY_CUBIC = law(r"\dot{c}^2", &[heavy::turning], "the square of that rate");
-    HEAVY_ROOTS = law(r"\dot{c}^2", &[heavy::any_height], "the cubic by its roots");
-    HEAVY_FROM_START = law(r"\dot{c}^2", &[heavy::from_the_start], "the cubic by the height above the start");
-    HEAVY_SLOPE = law("F", &[heavy::from_the_start], "the derivative of the cubic at the start");
-    HEAVY_FROM_TOP = law(r"-\dot{c}^2", &[heavy::from_the_top], "the cubic by the depth below the top");
-    HEAVY_FROM_BOTTOM = law(r"-\dot{c}^2", &[heavy::from_the_bottom], "the cubic by the height above the bottom");
-    HEAVY_THIRD = law("g(c_3-1)", &[heavy::any_height], "the third root by the sum of the roots");
-    HEAVY_AT_BOTTOM = law("(l+n)^2", &[heavy::any_height], "the cubic at -1");
-    HEAVY_AT_TOP = law("(l-n)^2", &[heavy::any_height], "the cubic at 1");
-    HEAVY_SWING = law("c", &[heavy::swinging], "a height whose rate has the cubic as its square");
-    HEAVY_RATE = law(r"\eta^2", &[heavy::swinging], "the rate with which it has");
-    HEAVY_MODULUS = law("k^2", &[heavy::swinging], "the modulus with which it has");
-    HEAVY_COMPLEMENT = law("k'^2", &[heavy::swinging], "the complement of that modulus");
-    HEAVY_SN = law(r"\operatorname{sn}(u_0)^2", &[heavy::swinging], "sn, from the height");
-    HEAVY_CN = law(r"\operatorname{cn}(u_0)^2", &[heavy::swinging], "cn, from the height");
-    HEAVY_DN = law(r"\operatorname{dn}(u_0)^2", &[heavy::swinging], "dn, from the height");
+    HEAVY_ROOTS = again(r"\dot{c}^2", &[heavy::any_height], "the cubic by its roots");
+    HEAVY_FROM_START = again(r"\dot{c}^2", &[heavy::from_the_start], "the cubic by the height above the start");
+    HEAVY_SLOPE = again("F", &[heavy::from_the_start], "the derivative of the cubic at the start");
+    HEAVY_FROM_TOP = again(r"-\dot{c}^2", &[heavy::from_the_top], "the cubic by the depth below the top");
+    HEAVY_FROM_BOTTOM = again(r"-\dot{c}^2", &[heavy::from_the_bottom], "the cubic by the height above the bottom");
+    HEAVY_THIRD = again("g(c_3-1)", &[heavy::any_height], "the third root by the sum of the roots");
+    HEAVY_AT_BOTTOM = again("(l+n)^2", &[heavy::any_height], "the cubic at -1");
+    HEAVY_AT_TOP = again("(l-n)^2", &[heavy::any_height], "the cubic at 1");
+    HEAVY_SWING = again("c", &[heavy::swinging], "a height whose rate has the cubic as its square");
+    HEAVY_RATE = again(r"\eta^2", &[heavy::swinging], "the rate with which it has");
+    HEAVY_MODULUS = again("k^2", &[heavy::swinging], "the modulus with which it has");
+    HEAVY_COMPLEMENT = again("k'^2", &[heavy::swinging], "the complement of that modulus");
+    HEAVY_SN = again(r"\operatorname{sn}(u_0)^2", &[heavy::swinging], "sn, from the height");
+    HEAVY_CN = again(r"\operatorname{cn}(u_0)^2", &[heavy::swinging], "cn, from the height");
+    HEAVY_DN = again(r"\operatorname{dn}(u_0)^2", &[heavy::swinging], "dn, from the height");
     HEAVY_ANGLE_1 = law(r"\dot{\phi}_1", &[heavy::turning], "the rate of the angle by attitude::rate, without the steady turn");
     HEAVY_ANGLE_2 = law(r"\dot{\phi}_2", &[heavy::turning], "the rate of the angle by attitude::rate, without the steady turn");
     HEAVY_ANGLE_3 = law(r"\dot{\phi}_3", &[heavy::turning], "the rate of the angle by euler::angular_acceleration, without the steady turn");
-    HEAVY_S1 = law("S_1^2", &[heavy::lowest_zero], "where the height is -1");
-    HEAVY_C1 = law("C_1^2", &[heavy::lowest_zero], "the same zero");
-    HEAVY_D1 = law("D_1^2", &[heavy::lowest_zero], "the same zero");
-    HEAVY_SJ = law("S_j^2", &[heavy::other_zero], "where the height is that of the zero");
-    HEAVY_CJ = law("C_j^2", &[heavy::other_zero], "the same zero");
-    HEAVY_DJ = law("D_j^2", &[heavy::other_zero], "the same zero");
-    HEAVY_TURNING = law(r"\rho_j", &[heavy::sums], "the first terms of the rate of a theta function's angle");
-    HEAVY_ODD = law("A", &[heavy::sums], "the sum of its first terms, in hyperbolic functions");
-    HEAVY_EVEN = law("B", &[heavy::sums], "the sum of its first terms, in hyperbolic functions");
-    HEAVY_BELOW = law("N", &[heavy::sums], "the sum of its first terms, in hyperbolic functions");
+    HEAVY_S1 = again("S_1^2", &[heavy::lowest_zero], "where the height is -1");
+    HEAVY_C1 = again("C_1^2", &[heavy::lowest_zero], "the same zero");
+    HEAVY_D1 = again("D_1^2", &[heavy::lowest_zero], "the same zero");
+    HEAVY_SJ = again("S_j^2", &[heavy::other_zero], "where the height is that of the zero");
+    HEAVY_CJ = again("C_j^2", &[heavy::other_zero], "the same zero");
+    HEAVY_DJ = again("D_j^2", &[heavy::other_zero], "the same zero");
+    HEAVY_TURNING = again(r"\rho_j", &[heavy::sums], "the first terms of the rate of a theta function's angle");
+    HEAVY_ODD = again("A", &[heavy::sums], "the sum of its first terms, in hyperbolic functions");
+    HEAVY_EVEN = again("B", &[heavy::sums], "the sum of its first terms, in hyperbolic functions");
+    HEAVY_BELOW = again("N", &[heavy::sums], "the sum of its first terms, in hyperbolic functions");
     HEAVY_ROUND = law("P", &[heavy::turning], "the rate at which the axis goes round, by attitude::rate");
     PRODUCT_WHEN_TURNED = law("I'_{xy}", &[motion::turned_axes], "inertia::turned, by an angle about the third axis");
     TANGENT_OF_THE_GAP = law(r"\tan(\text{gap})", &[motion::slant], "the tangent of the gap, by euler::coupling");
@@ -346,11 +354,11 @@ laws! {
     TURN_J = law("L'_j", turn::ALL, "the momentum in the axes of a body turned by attitude::rotation_matrix, next axis");
     TURN_K = law("L'_k", turn::ALL, "the same, the axis after that");
     TURN_ANGLE = bare("hL_i/I_i", &[steps::angle], "the step times the spin by inertia::omega_world");
-    MEAN_MOMENTUM = law(r"\mathbf{M}", &[steps::midpoint], "the mean of both ends of a midpoint step");
-    MIDPOINT_STEP = law(r"\mathbf{L}'", &[steps::midpoint], "euler::momentum_rate at the mean, held for the step");
-    MIDPOINT_WORK = law("E'-E", &[steps::midpoint], "the change of observe::energy in that step, for a torque that is constant in it", );
-    DISCRETE_START = law(r"(1+\mathbf{c}\cdot\mathbf{c})\tfrac{h}{2}\mathbf{L}", &[steps::discrete], "the equation of Moser and Veselov's step");
-    DISCRETE_END = law(r"(1+\mathbf{c}\cdot\mathbf{c})\tfrac{h}{2}\mathbf{L}'", &[steps::discrete], "the same momentum after the turn, by attitude::rotation_matrix", );
+    MEAN_MOMENTUM = again(r"\mathbf{M}", &[steps::midpoint], "the mean of both ends of a midpoint step");
+    MIDPOINT_STEP = again(r"\mathbf{L}'", &[steps::midpoint], "euler::momentum_rate at the mean, held for the step");
+    MIDPOINT_WORK = again("E'-E", &[steps::midpoint], "the change of observe::energy in that step, for a torque that is constant in it", );
+    DISCRETE_START = again(r"(1+\mathbf{c}\cdot\mathbf{c})\tfrac{h}{2}\mathbf{L}", &[steps::discrete], "the equation of Moser and Veselov's step");
+    DISCRETE_END = again(r"(1+\mathbf{c}\cdot\mathbf{c})\tfrac{h}{2}\mathbf{L}'", &[steps::discrete], "the same momentum after the turn, by attitude::rotation_matrix", );
     NEWTON_MATRIX = law(r"A\boldsymbol{\delta}", &[steps::newton], "the tensor less the step times the derivative of euler::coupling by the spin", );
     PRODUCT_OF_INERTIA = law(r"I_{xy}", &[body], "the product in inertia::point_mass, of any points");
     ATTITUDE_RATE = law(r"\dot{q}", &[attitude], "attitude::rate");

@@ -1,12 +1,11 @@
 //! What the names mean where the book gives a motion in closed form.
 
 use crate::number::{Derivation, Fraction, Relations};
-use crate::proofs::closed_forms::about_the_largest_axis;
+use crate::proofs::klein::{Change, momentum, motion};
 use crate::symbols::{Vector, diagonal, variables};
 use crate::tex::{Scope, Value};
 use num_traits::{One, Zero};
 use tumbling::dynamics::euler::angular_acceleration;
-use tumbling::dynamics::observe::energy;
 
 /// A body with two equal moments, its axis of symmetry the third; the rate by the library's equations.
 pub(super) fn coin() -> Scope {
@@ -110,21 +109,22 @@ pub(super) fn jacobi() -> Scope {
     })
 }
 
-/// The motion that circles the axis of the largest moment, if the library's equations hold along it; nothing
-/// has a meaning if not. Worked out once.
+/// The motion, its circled axis the third, if the library's equations hold along it; nothing has a meaning if
+/// not. Worked out once.
 pub(super) fn jacobi_motion() -> Scope {
-    let Ok(motion) = about_the_largest_axis() else { return Scope::default() };
-    let reduced = |x: &Fraction| motion.relations.reduce_fraction(x);
-    let momentum = diagonal(&motion.moments) * &motion.omega;
-    let square = reduced(&momentum.dot(&momentum));
-    let scope = Scope::default().with_each("I", &motion.moments).with_each("a", &motion.amplitudes);
+    let (Ok(()), Ok(motion)) = (momentum(1, Change::None), motion(1, Change::None)) else {
+        return Scope::default();
+    };
+    let mut amplitudes = motion.amplitudes.clone();
+    amplitudes[2] *= Fraction::variable("sigma");
+    let scope = Scope::default().with_each("I", &motion.moments).with_each("a", &amplitudes);
     let scope =
         ["cn", "sn", "dn"].into_iter().fold(scope.with_each(r"\omega", &motion.omega), |scope, name| {
             scope.with(&format!(r"\operatorname{{{name}}}(u)"), Fraction::variable(name))
         });
+    let [h, p] = variables(["h", "p"]);
     scope
-        .with_all([("m", Fraction::variable("m")), ("p", motion.rate.clone())])
-        .with("E", reduced(&energy(&motion.omega, &momentum)))
-        .with("L", Value::Root(square))
+        .with_all([("m", (h * p).pow(2)), ("p", motion.rate), ("L", motion.momentum)])
+        .with("E", motion.twice_energy / Fraction::from(2))
         .under(motion.relations)
 }

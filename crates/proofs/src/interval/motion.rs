@@ -152,3 +152,57 @@ impl FreeMotion {
         if self.flip(count) > end { whole(count) } else { Interval::ALL }
     }
 }
+
+/// Moments (kg m²) and spins (rad/s) of six bodies, all floats: see [`widths`].
+pub const BODIES: [(&str, [f64; 3], [f64; 3]); 6] = [
+    ("box", [10.0, 13.0, 5.0], [1.0, 0.25, 0.5]),
+    ("racket", [1.25, 16.5, 17.75], [0.25, 10.0, 0.125]),
+    ("needle", [1.0, 1.00048828125, 0.0009765625], [0.5, 0.25, 8.0]),
+    ("plate", [1.0, 2.0, 3.0], [0.5, 1.0, 2.0]),
+    ("next to the separatrix", [5.0, 10.0, 13.0], [0.0, 1.0, 9.094947017729282e-13]),
+    ("nearly a ball", [1.0, 1.0009765625, 1.00390625], [1.0, 0.5, 0.25]),
+];
+
+/// The numbers of flips after which their widths are listed.
+pub const FLIPS: [f64; 4] = [1.0, 1e3, 1e6, 1e9];
+
+/// The free motion of a body whose moments and spin are these floats, and the float next to the time of this
+/// many times that between its flips.
+///
+/// # Errors
+/// As [`FreeMotion::new`].
+pub fn of_floats(moments: [f64; 3], omega: [f64; 3], flips: f64) -> Result<(FreeMotion, f64), Open> {
+    let numbers = |x: [f64; 3]| x.map(|x| Interval { low: x, high: x }).into();
+    let motion = FreeMotion::new(&numbers(moments), &numbers(omega))?;
+    let late = flips * motion.between_flips().low();
+    Ok((motion, late))
+}
+
+/// How wide spin, for its size, and attitude are enclosed at that time.
+///
+/// # Errors
+/// As [`FreeMotion::new`].
+pub fn widths(moments: [f64; 3], omega: [f64; 3], flips: f64) -> Result<[f64; 2], Open> {
+    let (motion, t) = of_floats(moments, omega, flips)?;
+    let (spin, turn) = motion.at(Interval { low: t, high: t });
+    let widest = |x: &[Interval]| x.iter().map(|x| x.width()).fold(0.0, f64::max);
+    let size = spin.iter().map(|x| x.abs().high()).fold(0.0, f64::max);
+    Ok([widest(spin.as_slice()) / size, widest(turn.coords.as_slice())])
+}
+
+/// A row of the book's table for each of [`BODIES`]: the widest spin, and the attitude after [`FLIPS`].
+///
+/// # Errors
+/// As [`FreeMotion::new`].
+pub fn table() -> Result<Vec<String>, Open> {
+    let row = |(name, moments, omega): &(&str, [f64; 3], [f64; 3])| {
+        let mut found = [[0.0; 2]; 4];
+        for (found, flips) in found.iter_mut().zip(FLIPS) {
+            *found = widths(*moments, *omega, flips)?;
+        }
+        let spin = found.iter().map(|widths| widths[0]).fold(0.0, f64::max);
+        let attitude: Vec<_> = found.iter().map(|widths| format!("{:.0e}", widths[1])).collect();
+        Ok(format!("| {name} | {spin:.0e} | {} |", attitude.join(" | ")))
+    };
+    BODIES.iter().map(row).collect()
+}

@@ -6,7 +6,6 @@
 
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
 use crate::proof::{Outcome, Residue, same, same_entries_under, same_under, vanishes};
-use crate::proofs::closed_forms::{Side, moments, roots};
 use crate::symbols::{Vector, changing, pure, square, variables, vector};
 use nalgebra::Quaternion;
 use num_traits::One;
@@ -47,12 +46,26 @@ proofs! {
     }
 }
 
+/// The squares of the roots of the moments: the moments, in order of size.
+fn moments() -> Vector {
+    Vector::from(variables(["x1", "x2", "x3"])).map(|x| x.pow(2))
+}
+
+/// Which end the spin circles.
+#[derive(Clone, Copy, PartialEq)]
+enum Side {
+    Smallest,
+    Largest,
+}
+
 /// The roots of the moments and of their differences, the functions and the signs; `more` goes before.
 fn relations(mut more: Vec<(&str, Polynomial)>) -> Result<Relations, Residue> {
     let (sn2, m, one) = (square("sn"), Polynomial::variable("m"), Polynomial::one);
     more.extend([("cn", one() - &sn2), ("dn", one() - &m * sn2), ("sech", one() - square("tanh"))]);
     more.extend([("k", m), ("s", one()), ("s'", one())]);
-    roots(more)
+    let (i1, p, q) = (square("x1"), square("p"), square("q"));
+    more.extend([("x2", &i1 + &p), ("x3", &i1 + &p + &q), ("r", p + q)]);
+    Ok(Relations::new(more)?)
 }
 
 /// That the momentum, whose symbols change at these rates, obeys the library's Euler's equations.

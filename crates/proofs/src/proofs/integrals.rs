@@ -1,5 +1,5 @@
-//! The integrals of the closed form: Gauss's mean, Carlson's integrals by duplication and by their series,
-//! and Legendre's integrals as Carlson writes them.
+//! The integrals of the closed form: Gauss's mean, Carlson's integrals by duplication, and Legendre's
+//! integrals as Carlson writes them.
 //!
 //! Two integrals are equal if a change of variable takes one integrand and its range to the other; each claim
 //! is about integrands, and no check is about the ranges. The roots in them are symbols, tied by their
@@ -25,10 +25,6 @@ proofs! {
             Scaling and limits of the integrals are no part of it.";
             but "a product of roots the other way": duplication(-1, 3),
             but "another term taken off": duplication(1, 2),
-        "carlson-series": carlson_series(24, 26),
-            "The sums for R_F and R_D near three equal numbers, as the book prints them, are through the seventh order the binomial series of the integrands, integrated term by term.";
-            but "a coefficient of R_F": carlson_series(22, 26),
-            but "a coefficient of R_D": carlson_series(24, 28),
         "legendre-by-carlson": legendre(1, 6),
             "By t = s²/sin² - 1 Legendre's integrand becomes that of s R_F(1 - s², 1 - m s², 1), and its derivative by m that of s³ R_D(1 - s², 1, 1 - m s²)/6; cn/dn, k' sn/dn and k'/dn are the functions \
             of what is left to the quarter period; and the squares of the theta zero's functions are tied by the complementary modulus. The limits are no part of it.";
@@ -88,84 +84,6 @@ fn duplication(sign: i64, thrice: i64) -> Outcome {
     let before = Fraction::from(3) / (&two * z.pow(2) * &roots);
     let after = Fraction::from(3) * by_t.of(&s) / (&sums[1] * &sums[2] * &product);
     same("the integrand of R_D", &(before - after), &-by_t.of(&taken))
-}
-
-/// A coefficient, and the powers of the sums of products of two to five of the five relative distances.
-type Term = (i64, i64, [u32; 4]);
-
-/// Claims that the terms with `E_n h^n` for `E_n`, each over the integral of its power of `t`, are the
-/// inverse root of the product of all `1 - h X`, `last` at most, through the seventh power. `weigh` is one
-/// over that integral.
-fn is_inverse_root(claim: &str, last: u32, terms: &[Term], weigh: impl Fn(u32) -> Fraction) -> Outcome {
-    const ORDER: usize = 7;
-    let e = variables(["E2", "E3", "E4", "E5"]);
-    let h = Fraction::variable("h");
-    let sized = |(n, e): (u32, &Fraction)| if n > last { Fraction::from(0) } else { e * h.pow(n) };
-    let sized: Vec<Fraction> = (2..).zip(&e).map(sized).collect();
-    let root = terms.iter().fold(Fraction::one(), |sum, (n, d, powers)| {
-        let weight = (2..).zip(powers).map(|(n, power)| n * power).sum();
-        let product = sized.iter().zip(powers).fold(Fraction::one(), |all, (e, &n)| all * e.pow(n));
-        sum + product * weigh(weight) * Fraction::ratio(*n, *d)
-    });
-    let [e2, e3, e4, e5] = [0, 1, 2, 3].map(|n| &sized[n]);
-    let all = root.pow(2) * (Fraction::one() + e2 - e3 + e4 - e5);
-    let powers = all.numerator().in_powers_of(&"h".into());
-    let below = Fraction::from(all.denominator().clone());
-    for (n, part) in powers.into_iter().enumerate().take(ORDER + 1) {
-        let part = Fraction::from(part) / &below;
-        same(&format!("{claim}, power {n}"), &part, &Fraction::from(i64::from(n == 0)))?;
-    }
-    Ok(())
-}
-
-/// The product of all `t - X` for these distances.
-fn roots(all: &[&Fraction]) -> Fraction {
-    all.iter().fold(Fraction::one(), |product, x| product * (Fraction::variable("t") - *x))
-}
-
-fn carlson_series(square_of_first: i64, fifth_of_second: i64) -> Outcome {
-    let [a, b, t] = variables(["a", "b", "t"]);
-    let whole = Fraction::from;
-    // Of R_F: three distances from the mean, which sum to zero.
-    let c = -(&a + &b);
-    let (e2, e3) = (&a * &b - c.pow(2), &a * &b * &c);
-    same("three distances", &roots(&[&a, &b, &c]), &(t.pow(3) + &e2 * &t - e3))?;
-    let first: [Term; 7] = [
-        (-1, 10, [1, 0, 0, 0]),
-        (1, 14, [0, 1, 0, 0]),
-        (1, square_of_first, [2, 0, 0, 0]),
-        (-3, 44, [1, 1, 0, 0]),
-        (-5, 208, [3, 0, 0, 0]),
-        (3, 104, [0, 2, 0, 0]),
-        (1, 16, [2, 1, 0, 0]),
-    ];
-    // Half the integral of t^(-3/2 - n) from 1 on is 1/(2n + 1).
-    is_inverse_root("R_F", 3, &first, |n| whole(i64::from(2 * n + 1)))?;
-    // Of R_D: the third distance counts three times.
-    let c = -(&a + &b) / whole(3);
-    let (ab, c2) = (&a * &b, c.pow(2));
-    let e2 = &ab - whole(6) * &c2;
-    let e3 = (whole(3) * &ab - whole(8) * &c2) * &c;
-    let e4 = whole(3) * (&ab - &c2) * &c2;
-    let e5 = &ab * &c2 * &c;
-    let polynomial = t.pow(5) + e2 * t.pow(3) - e3 * t.pow(2) + e4 * &t - e5;
-    same("five distances", &roots(&[&a, &b, &c, &c, &c]), &polynomial)?;
-    let second: [Term; 12] = [
-        (-3, 14, [1, 0, 0, 0]),
-        (1, 6, [0, 1, 0, 0]),
-        (9, 88, [2, 0, 0, 0]),
-        (-3, 22, [0, 0, 1, 0]),
-        (-9, 52, [1, 1, 0, 0]),
-        (3, fifth_of_second, [0, 0, 0, 1]),
-        (-1, 16, [3, 0, 0, 0]),
-        (3, 40, [0, 2, 0, 0]),
-        (3, 20, [1, 0, 1, 0]),
-        (45, 272, [2, 1, 0, 0]),
-        (-9, 68, [0, 1, 1, 0]),
-        (-9, 68, [1, 0, 0, 1]),
-    ];
-    // Three halves of the integral of t^(-5/2 - n) from 1 on is 3/(2n + 3).
-    is_inverse_root("R_D", 5, &second, |n| Fraction::ratio(i64::from(2 * n + 3), 3))
 }
 
 fn legendre(sign: i64, over: i64) -> Outcome {

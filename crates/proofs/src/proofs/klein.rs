@@ -5,8 +5,8 @@
 //! the moments, so that nothing is divided by `p`.
 
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
-use crate::proof::{Outcome, Residue, same_entries_under, same_under, vanishes};
-use crate::symbols::{Vector, diagonal, pure, quaternion, square, variables};
+use crate::proof::{Outcome, Residue, same, same_entries_under, same_under, vanishes};
+use crate::symbols::{Vector, diagonal, pure, quaternion, square, variables, vector};
 use nalgebra::Quaternion;
 use num_traits::{One, Zero};
 use tumbling::attitude::{product, rate};
@@ -25,6 +25,10 @@ proofs! {
             sense. That a theta function's angle has this rate is no part of it.";
             but "the zero on the other side": both(|sense| attitude(sense, Change::Zero)),
             but "the theta function's angle reversed": both(|sense| attitude(sense, Change::Angle)),
+        "which-side": sides(1),
+            "L² - 2 E I2 = I3 (I3 - I2) w3² - I1 (I2 - I1) w1²: the sum of one positive and one negative square that says which end the spin circles; likewise 2 E I3 - L² and L² - 2 E I1 are sums of \
+            positive squares.";
+            but "a plus between the squares": sides(-1),
         "limit-coin": coin(1),
             "With p = 0 and dn = 1, where the middle moment equals the one across: the rate is the symmetric top's, the two amplitudes across are equal, and |a|² is constant.";
             but "the rate reversed": coin(-1),
@@ -151,7 +155,8 @@ impl Motion {
     }
 }
 
-fn momentum(sense: i64, change: Change) -> Outcome {
+/// That the spin obeys the library's equations, with its energy and momentum, and where the momentum points.
+pub(crate) fn momentum(sense: i64, change: Change) -> Outcome {
     let motion = motion(sense, change)?;
     let (omega, moments) = (motion.arranged(&motion.omega, sense), motion.arranged(&motion.moments, sense));
     let moved = omega.map(|x| motion.time.of(&x));
@@ -233,4 +238,16 @@ fn steady(change: Change) -> Outcome {
     }
     let spin = limit(&motion.omega[2]) * Fraction::from(sense);
     same_under(&motion.relations, "the turn", &limit(&motion.turning), &spin)
+}
+
+fn sides(sign: i64) -> Outcome {
+    let (moments, omega) = (vector("I"), vector("omega"));
+    let momentum = diagonal(&moments) * &omega;
+    let twice_energy = energy(&omega, &momentum) * Fraction::from(2);
+    let square = momentum.dot(&momentum);
+    let term = |i: usize, j: usize, k: usize| &moments[i] * (&moments[j] - &moments[k]) * omega[i].pow(2);
+    let two_terms = term(2, 2, 1) - term(0, 1, 0) * Fraction::from(sign);
+    same("L² - 2 E I2", &(&square - &twice_energy * &moments.y), &two_terms)?;
+    same("2 E I3 - L²", &(&twice_energy * &moments.z - &square), &(term(0, 2, 0) + term(1, 2, 1)))?;
+    same("L² - 2 E I1", &(square - twice_energy * &moments.x), &(term(1, 1, 0) + term(2, 2, 0)))
 }
