@@ -29,6 +29,7 @@ mod methods;
 mod order;
 mod position_stage;
 mod sensitivity;
+mod shares;
 mod solids;
 mod stability;
 mod theta;
@@ -38,13 +39,13 @@ use crate::proof::Proof;
 
 /// Whether a proof is that two steps agree through a power of the step, with series too long for Coq.
 pub(crate) fn is_of_an_order(proof: &Proof) -> bool {
-    methods::PROOFS.iter().chain(order::PROOFS).any(|other| other.name == proof.name)
+    methods::PROOFS.iter().chain(order::PROOFS).chain(shares::PROOFS).any(|other| other.name == proof.name)
 }
 
 /// Every proof.
 #[must_use]
 pub fn proofs() -> Vec<&'static Proof> {
-    let parts: [&[Proof]; 17] = [
+    let parts: [&[Proof]; 18] = [
         solids::PROOFS,
         inertia::PROOFS,
         turning::PROOFS,
@@ -59,6 +60,7 @@ pub fn proofs() -> Vec<&'static Proof> {
         sensitivity::PROOFS,
         order::PROOFS,
         methods::PROOFS,
+        shares::PROOFS,
         kept::PROOFS,
         position_stage::PROOFS,
         errata::PROOFS,

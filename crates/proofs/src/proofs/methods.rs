@@ -6,7 +6,10 @@
 //! agrees no further, and which laws it breaks; that it keeps the others for these is a test ([`kept`] proves
 //! why it does). The numbers are chosen so that spin, momentum and attitude have lengths without a root.
 //!
+//! The weights of the longest splitting are decimals: [`shares`] proves that exact ones lie next to them.
+//!
 //! [`kept`]: super::kept
+//! [`shares`]: super::shares
 
 use crate::number::expression::recording;
 use crate::number::{Fraction, Polynomial, Relations};
@@ -31,7 +34,7 @@ macro_rules! methods {
                  momentum, its direction in the world, the attitude's length and reversibility it keeps for these two, through \
                  two to four powers more, those that it is said to keep, and no other: a test of the first, a proof of the second. \
                  Weights that are no roots of whole numbers stand with 27 digits, and what they leave over has no \
-                 coefficient above 1e-18."
+                 coefficient above 1e-18; exact ones lie next to them."
             ),
             check: || holds(Method::$method, 0),
             mutants: &[
@@ -85,7 +88,7 @@ fn any() -> (System<Number>, State<Number>) {
 }
 
 /// Moments, spin with a length that is a fraction and momentum with one, and a unit attitude.
-fn cases() -> [(System<Number>, State<Number>); 2] {
+pub(super) fn cases() -> [(System<Number>, State<Number>); 2] {
     let number = |n: i64, d: i64| constant(&Fraction::ratio(n, d));
     let vector = |x: [i64; 3], d: i64| Vector3::from(x.map(|n| number(n, d)));
     let case = |moments: Vector3<Number>, omega: Vector3<Number>, q: [i64; 4], length: i64| {
@@ -136,7 +139,7 @@ fn alike(claim: &str, method: Method, a: &[Number], b: &[Number], powers: RangeI
     Ok(())
 }
 
-fn step(
+pub(super) fn step(
     method: Method,
     system: &System<Number>,
     start: &State<Number>,
