@@ -69,7 +69,9 @@ export const playsOn = (widget) => async (page, wants) => {
   const stood = await at();
   await page.click(`#${widget}-play`);
   await frames(page, 20);
-  wants("played, it moves", (await at()) !== stood);
+  const later = await at();
+  await frames(page, 20);
+  wants("played, it moves, and goes on moving", new Set([stood, later, await at()]).size === 3);
   await page.click(`#${widget}-play`);
   const rests = await at();
   await frames(page, 6);

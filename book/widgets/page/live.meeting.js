@@ -24,8 +24,11 @@ tumblingLive.meeting = (canvas, colours, half, names, { get, moved, ended }) => 
         const pen = sheet.getContext("2d");
         const image = pen.createImageData(dots, dots);
         const triple = (colour) => colour.match(/[\d.]+/g).map(Number);
-        const [shades, warm] = [colours.plain.map(triple), triple(colours.momentum)];
-        const light = [0, 1, 2].map((k) => LIGHT[0] * eye[0][k] + LIGHT[1] * eye[1][k] + LIGHT[2] * eye[2][k]);
+        // Whole pixels in the machine's own order of bytes, so that no point of a hundred thousand makes a list.
+        const pixels = new Uint32Array(image.data.buffer);
+        const warm = triple(colours.momentum);
+        const whole = (colour) => new Uint32Array(Uint8ClampedArray.from([...colour, 255]).buffer)[0];
+        const [grey, warmed] = [0, 0.5].map((part) => colours.plain.map((shade) => whole(triple(shade).map((x, k) => x + part * (warm[k] - x)))));
         const [A, uu, uv, vv, ut, vt] = [by(eye[2], eye[2]), by(eye[0], eye[0]), by(eye[0], eye[1]), by(eye[1], eye[1]), by(eye[0], eye[2]), by(eye[1], eye[2])];
         const reach = 1.04 * Math.max(...half);
         for (let row = 0; row < dots; row += 1) {
@@ -38,11 +41,11 @@ tumblingLive.meeting = (canvas, colours, half, names, { get, moved, ended }) => 
                 const [deep, near] = [inside > 0 ? (Math.sqrt(inside) - b) / A : -Infinity, round > 0 ? Math.sqrt(round) : -Infinity];
                 const z = Math.max(deep, near);
                 if (z === -Infinity) continue;
-                const p = [0, 1, 2].map((k) => u * eye[0][k] + v * eye[1][k] + z * eye[2][k]);
-                const out = near > deep ? p : p.map((x, k) => x / half[k] ** 2);
-                const shade = shades[Math.round(32 * Math.max(0, Math.min(1, 0.5 + 0.5 * dot(out, light) / Math.hypot(...out))))];
-                const part = near > deep ? 0.5 : 0;
-                image.data.set([...shade.map((x, k) => x + part * (warm[k] - x)), 255], 4 * (row * dots + column));
+                // What points outward, to the right, up and toward the reader.
+                const sphere = near > deep;
+                const [right, up, toward] = sphere ? [u, v, z] : [u * uu + v * uv + z * ut, u * uv + v * vv + z * vt, u * ut + v * vt + z * A];
+                const lit = 0.5 + 0.5 * (LIGHT[0] * right + LIGHT[1] * up + LIGHT[2] * toward) / Math.sqrt(right * right + up * up + toward * toward);
+                pixels[row * dots + column] = (sphere ? warmed : grey)[Math.round(32 * Math.max(0, Math.min(1, lit)))];
             }
         }
         pen.putImageData(image, 0, 0);

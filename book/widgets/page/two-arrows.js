@@ -126,7 +126,7 @@ tumblingLive.widget("two-arrows", async (stage, origin) => {
         const turned = rows(it.slice(3));
         Object.assign(free, { t, turned, spin: turned.map((row) => dot(row, it)) });
         redraw();
-        return t > 0 ? `After ${fixed(t, 1)} s the spin has moved; the momentum stands where it stood.` : show();
+        return t > 0 ? `After ${fixed(t, 1)} s the spin has moved; the momentum stands where it stood.` : "Let go.";
     }
 
     /** Shows what the module answers now; returns it in words. */
