@@ -125,10 +125,8 @@ pub(crate) fn run(cli: Cli) -> Result<ExitCode, Box<dyn Error>> {
         Command::Figures { names, check, body, export } => {
             let named = !names.is_empty();
             let figures = if named { names } else { registry().iter().collect() };
-            if export.wanted() {
+            if export.wanted() || body.is_some() {
                 export::export(&figures, body.as_ref(), !named, &export)?;
-            } else if let Some(body) = body {
-                draw::draw_for(&body, &figures, !named)?;
             } else if check {
                 draw::check(&figures, &paths::figures())?;
             } else {
@@ -231,19 +229,8 @@ mod tests {
             &["list"][..],
             &["build"],
             &["figures"],
-            &[
-                "figures",
-                "two-arrows",
-                "--slide",
-                "--format",
-                "pdf",
-                "--theme",
-                "print",
-                "--width",
-                "800",
-                "--out",
-                "x",
-            ],
+            &["figures", "two-arrows", "--format", "pdf", "--theme", "print", "--width", "800", "--out", "x"],
+            &["figures", "--slide"],
             &["film", "book"],
             &[
                 "film",

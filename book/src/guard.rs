@@ -54,6 +54,7 @@ use crate::language::Language;
 use crate::preprocess;
 use crate::site::{files, manifests, paths};
 use chapter::{Chapter, Reader};
+pub(crate) use digits::{plain as numerals, with_unit};
 use holding::Beside;
 use offence::Offence;
 use std::collections::HashMap;

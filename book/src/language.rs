@@ -3,10 +3,10 @@
 //!
 //! A page `NAME-CODE.md` is the chapter `NAME.md` with each paragraph, heading and item replaced by its
 //! translation; code, figures, widgets and formulas stay where they are. So its numbers are held by the
-//! chapter's code: each translation has the same numbers, units, number words and targets of links in the same
+//! chapter's code: each translation has the same numbers, units, number words and targets of links in their
 //! order. What the chapter says and the file lacks, or the other way round, is a fault: the page is behind.
 
-use crate::guard::number_words;
+use crate::guard::{number_words, numerals, with_unit};
 use crate::site::{files, paths};
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
@@ -28,13 +28,11 @@ pub(crate) struct Language {
 }
 
 /// What may stand behind a number as its unit.
-const UNITS: [&str; 14] = ["s", "ms", "min", "mm", "cm", "m", "kg", "g", "rad", "rad/s", "Hz", "J", "N", "×"];
+const UNITS: [&str; 16] =
+    ["s", "ms", "min", "mm", "cm", "m", "kg", "g", "rad", "rad/s", "Hz", "J", "N", "×", "°", "%"];
 
 /// The attributes that are read out.
 const LABELS: [&str; 2] = ["aria-label=\"", "alt=\""];
-
-/// What may stand behind a unit.
-const MARKS: [char; 6] = ['.', ',', ';', ':', '*', ')'];
 
 impl Language {
     /// The language of this code.
@@ -74,10 +72,7 @@ impl Language {
     fn differs(&self, original: &str, said: &str) -> Option<String> {
         let ((text, links), (own, own_links)) = (without_targets(original), without_targets(said));
         let (there, here) = (self.original_numbers(&text), self.own_numbers(&own));
-        let unlike = there.iter().zip(&here).find(|(a, b)| a != b);
-        let what = if let Some((a, b)) = unlike {
-            format!("`{b}` where the original has `{a}`")
-        } else if there.len() != here.len() {
+        let what = if there != here {
             format!("the numbers {here:?} where the original has {there:?}")
         } else if links != own_links && !original.starts_with("{{#") {
             "other links than in the original".into()
@@ -90,7 +85,7 @@ impl Language {
     fn original_numbers(&self, text: &str) -> Vec<String> {
         let counts = |word: &String| self.numbers.get(word).is_none_or(|own| !own.is_empty());
         let words = number_words(text).into_iter().filter(|(_, word)| counts(word));
-        in_order(digits(text).into_iter().chain(words))
+        in_order(digits(text).chain(words))
     }
 
     fn own_numbers(&self, text: &str) -> Vec<String> {
@@ -101,13 +96,13 @@ impl Language {
             let known = self.numbers.iter().find(|(_, own)| own.split(' ').any(|own| own == word));
             Some((at.start, known?.0.clone()))
         });
-        in_order(digits(&points).into_iter().chain(words))
+        in_order(digits(&points).chain(words))
     }
 
     /// The chapter in this language.
     ///
     /// # Errors
-    /// Each paragraph without a translation, with its line, and each translation of what the chapter says no more.
+    /// Each paragraph without a translation, with its line, and each translation of what is said no more.
     pub(crate) fn page(&self, name: &str) -> Result<String, String> {
         let text = files::text(&paths::chapters().join(format!("{name}.md")))?;
         let none = Words::new();
@@ -120,12 +115,6 @@ impl Language {
                 Some(said) => {
                     out.push_str(&text[end..item.start]);
                     out.push_str(said);
-                    // A heading keeps the name by which links know it.
-                    if text[..item.start].ends_with("# ") && !said.contains("{#") {
-                        let plain = original.to_lowercase();
-                        let plain = plain.chars().filter(|c| c.is_alphanumeric() || [' ', '-'].contains(c));
-                        out.push_str(&format!(" {{#{}}}", plain.collect::<String>().replace(' ', "-")));
-                    }
                     end = item.end;
                     used.insert(original);
                 }
@@ -148,26 +137,25 @@ impl Language {
         if let Some(said) = self.words.get(own) {
             return (text.replacen(own, said, 1), Vec::new());
         }
-        let mut parts: Vec<&String> = self.words.keys().collect();
-        parts.sort_by_key(|part| std::cmp::Reverse(part.len()));
-        // What is said already stands between marks, so that no other part is found in it.
-        let mut out = with(text, '.', ',');
-        for (number, part) in parts.iter().enumerate() {
-            let beside = |at: usize| [out[..at].chars().next_back(), out[at + part.len()..].chars().next()];
-            let whole = |at: &usize| beside(*at).into_iter().flatten().all(|c| !c.is_alphabetic());
-            let places: Vec<usize> =
-                out.match_indices(part.as_str()).map(|(at, _)| at).filter(whole).collect();
-            for at in places.into_iter().rev() {
-                out.replace_range(at..at + part.len(), &format!("\u{1}{number}\u{2}"));
+        let text = with(text, '.', ',');
+        let (mut out, mut unknown, mut at) = (String::new(), Vec::new(), 0);
+        for word in words_of(&text) {
+            if word.start < at {
+                continue;
+            }
+            let rest = &text[word.start..];
+            let whole = |part: &&String| !rest[part.len()..].starts_with(char::is_alphabetic);
+            let parts = self.words.keys().filter(|part| rest.starts_with(*part)).filter(whole);
+            let known = parts.max_by_key(|part| part.len());
+            let own = &text[word.clone()];
+            out.push_str(&text[at..word.start]);
+            out.push_str(known.map_or(own, |part| &self.words[part]));
+            at = known.map_or(word.end, |part| word.start + part.len());
+            if known.is_none() && own.chars().count() > 2 && !UNITS.contains(&own) {
+                unknown.push(own.to_owned());
             }
         }
-        let words = words_of(&out).map(|at| out[at].to_owned());
-        let unknown =
-            words.filter(|word| word.chars().count() > 2 && !UNITS.contains(&word.as_str())).collect();
-        for (number, part) in parts.iter().enumerate() {
-            out = out.replace(&format!("\u{1}{number}\u{2}"), &self.words[*part]);
-        }
-        (out, unknown)
+        (out + &text[at..], unknown)
     }
 
     /// HTML or SVG with its words in this language: text between tags, and labels for those who see none.
@@ -205,7 +193,7 @@ impl Language {
         (out, wrong)
     }
 
-    /// A page as shown, from Markdown with raw HTML: that in this language too, and what its scripts will say.
+    /// A page as shown, from Markdown with raw HTML: that in this language too, and what scripts will say.
     ///
     /// # Errors
     /// The labels with words that are not known.
@@ -251,20 +239,12 @@ fn with(text: &str, mark: char, other: char) -> String {
 }
 
 /// The numbers in digits, with their units.
-fn digits(text: &str) -> Vec<(usize, String)> {
-    let mut found = Vec::new();
-    let mut end = 0;
-    while let Some(start) = text[end..].find(|c: char| c.is_ascii_digit()).map(|at| end + at) {
-        let rest = &text[start..];
-        let length = rest.find(|c: char| !c.is_ascii_digit() && c != '.').unwrap_or(rest.len());
-        let number = rest[..length].trim_end_matches('.');
-        end = start + number.len();
-        let unit = text[end..].split([' ', '\u{a0}']).nth(1).map(|unit| unit.trim_end_matches(MARKS));
-        let unit = unit.filter(|unit| UNITS.contains(unit)).unwrap_or_default();
-        let close: String = text[end..].chars().take_while(|c| ['°', '%'].contains(c)).collect();
-        found.push((start, format!("{number}{close} {unit}").trim_end().to_owned()));
-    }
-    found
+fn digits(text: &str) -> impl Iterator<Item = (usize, String)> + '_ {
+    numerals(text).into_iter().map(|numeral| {
+        let (number, all) = (&text[numeral.at.clone()], with_unit(text, &numeral));
+        let known = UNITS.contains(&all[number.len()..].trim());
+        (numeral.at.start, if known { all } else { number }.to_owned())
+    })
 }
 
 fn in_order(numbers: impl Iterator<Item = (usize, String)>) -> Vec<String> {

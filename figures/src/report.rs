@@ -46,16 +46,11 @@ pub fn report(body: &BodyModel) -> Result<String, Box<dyn Error>> {
     page += "<div class=\"pair\">\n";
     // Each with the rows of its sheet that are shown: the page has the names and moments beside them.
     let pictures = [
-        ("body", moments::draw(&subject)?, "520 5000 4160"),
-        ("polhodes", polhodes::draw(&subject)?, "340 5000 4080"),
-        ("gap", gaps::draw(&subject)?, "340 5000 4120"),
+        ("body", "The body and its principal axes", moments::draw(&subject)?, "520 5000 4160"),
+        ("polhodes", "The paths that its spin can take", polhodes::draw(&subject)?, "340 5000 4080"),
+        ("gap", "The gap between spin and momentum", gaps::draw(&subject)?, "340 5000 4120"),
     ];
-    let titles = [
-        "The body and its principal axes",
-        "The paths that its spin can take",
-        "The gap between spin and momentum",
-    ];
-    let mut drawn = pictures.into_iter().zip(titles).map(|((name, picture, rows), title)| {
+    let mut drawn = pictures.into_iter().map(|(name, title, picture, rows)| {
         let picture::Picture { canvas, description } = picture;
         let svg = canvas.finish(name, title, &with_powers(&description));
         let (head, rest) = svg.split_once("viewBox=\"0 0 ").unwrap_or((&svg, ""));

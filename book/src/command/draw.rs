@@ -1,7 +1,6 @@
 //! Drawing figures into their committed files, or checking that these are what would be drawn.
 
 use crate::site::files::write_changed;
-use crate::site::paths;
 use crate::{complain, say};
 use std::any::Any;
 use std::collections::BTreeMap;
@@ -42,29 +41,6 @@ pub(crate) fn draw(figures: &[&Figure], folder: &Path) -> Result<(), String> {
     none_or(&failures)?;
     say!("Drew {} figures ({changed} changed) in {:.1} s.", figures.len(), start.elapsed().as_secs_f64());
     Ok(())
-}
-
-/// Draws these figures for a body into a folder of its name; with `all`, those that follow a body.
-///
-/// # Errors
-/// A figure that follows no body, or that shows what this body does not have, each in a sentence; after
-/// drawing the others.
-pub(crate) fn draw_for(body: &BodyModel, figures: &[&Figure], all: bool) -> Result<(), String> {
-    let folder = paths::figures().join("of-bodies").join(folder_name(&body.name));
-    fs::create_dir_all(&folder).map_err(|error| format!("{}: {error}", folder.display()))?;
-    let mut failures = Vec::new();
-    for figure in figures.iter().filter(|figure| !all || figure.follows_a_body()) {
-        match figure.draw_for(body) {
-            Ok(svg) => {
-                let file = file_of(figure, &folder);
-                write_changed(&file, svg.as_bytes())?;
-                say!("  {}", file.display());
-            }
-            Err(why) if all => say!("  {}: not drawn: {why}", figure.name),
-            Err(why) => failures.push(format!("figure `{}`: {why}", figure.name)),
-        }
-    }
-    none_or(&failures)
 }
 
 /// The body of a name or a file; whether other units were meant is asked at once.
@@ -190,6 +166,7 @@ fn words_of(panic: &(dyn Any + Send)) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::site::paths;
 
     #[test]
     fn a_drawing_that_no_figure_draws_is_named() {

@@ -1,6 +1,6 @@
 //! Figures as files for other programs: slides, papers, printers.
 
-use crate::command::draw::{each_made, none_or};
+use crate::command::draw::{each_made, folder_name, none_or};
 use crate::say;
 use crate::site::files::write_changed;
 use crate::site::paths;
@@ -25,7 +25,7 @@ pub(crate) struct Arguments {
     /// Each in the middle of a slide, 16 to 9
     #[arg(long)]
     slide: bool,
-    /// The folder for those files [default: the one you are in]
+    /// The folder for those files [default: the one you are in, or of a body its own]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }
@@ -71,7 +71,8 @@ pub(crate) fn export(
     all: bool,
     wanted: &Arguments,
 ) -> Result<(), String> {
-    let folder = wanted.out.clone().unwrap_or_else(|| PathBuf::from("."));
+    let of_body = |body: &BodyModel| paths::figures().join("of-bodies").join(folder_name(&body.name));
+    let folder = wanted.out.clone().unwrap_or_else(|| body.map_or_else(|| ".".into(), of_body));
     own_folder_refused(&folder)?;
     let (format, theme) = (wanted.format.unwrap_or(Format::Svg), wanted.theme.unwrap_or(Theme::Light));
     let mut failures = Vec::new();

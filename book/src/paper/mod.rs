@@ -136,30 +136,29 @@ fn mended(printed: Vec<u8>, about: &About) -> Vec<u8> {
 /// How widely a sheet may be set, from the widest on: `fit-N` in `print.css`.
 const FITS: usize = 8;
 
-/// A sheet as HTML, and as PDF where a browser is found: on as few pages as the closest fit needs, and then as
-/// wide as these pages allow.
-fn printed(stem: &Path, about: &About, make: impl Fn(usize) -> Result<String, String>) -> Result<(), String> {
-    let (html, pdf) = (stem.with_extension("html"), stem.with_extension("pdf"));
+/// A sheet as HTML, and as PDF where a browser is found: on as few pages as the closest fit needs, as wide
+/// as these pages allow.
+fn printed(to: &Path, about: &About, make: impl Fn(usize) -> Result<String, String>) -> Result<(), String> {
+    let (html, pdf) = (to.with_extension("html"), to.with_extension("pdf"));
     let Some(browser) = browser::found() else {
         write(&html, make(FITS / 2)?.as_bytes())?;
         say!("{NO_BROWSER}");
         return Ok(());
     };
-    let fit = |fit: usize| -> Result<Vec<u8>, String> {
+    let set = |fit: usize| -> Result<Vec<u8>, String> {
         write_changed(&html, make(fit)?.as_bytes())?;
         browser::pdf(&browser, &html)
     };
-    let closest = fit(FITS - 1)?;
-    let mut best = None;
-    for wider in 0..FITS - 1 {
-        best = Some(fit(wider)?).filter(|pdf| browser::count(pdf) <= browser::count(&closest));
-        if best.is_some() {
+    let fewest = browser::count(&set(FITS - 1)?);
+    let mut printed = Vec::new();
+    for fit in 0..FITS {
+        printed = set(fit)?;
+        if browser::count(&printed) <= fewest {
             break;
         }
     }
-    let best = best.map_or_else(|| fit(FITS - 1), Ok)?;
     say!("{}", html.display());
-    write(&pdf, &mended(best, about))
+    write(&pdf, &mended(printed, about))
 }
 
 #[cfg(test)]

@@ -72,7 +72,7 @@ impl Paper {
             }
         }
         pages.extend(ends.pages());
-        linked(&mut pages)?;
+        linked(&mut pages, &translated)?;
         Ok(Self { about, pages, translated })
     }
 }
@@ -177,7 +177,7 @@ fn math_words(element: &Element) -> String {
 ///
 /// # Errors
 /// A link that leads to nothing in the book.
-fn linked(pages: &mut [Page]) -> Result<(), String> {
+fn linked(pages: &mut [Page], translated: &[Page]) -> Result<(), String> {
     let mut places: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     for page in pages.iter() {
         let of = places.entry(page.name.clone()).or_default();
@@ -195,7 +195,7 @@ fn linked(pages: &mut [Page]) -> Result<(), String> {
             let (file, place) = target.split_once('#').unwrap_or((&target, ""));
             let file = if file.is_empty() { &name } else { file.strip_suffix(".html").unwrap_or(file) };
             let known = places.get(file);
-            if file.contains('/') {
+            if file.contains('/') || translated.iter().any(|page| page.name == file) {
                 return element.children;
             }
             if known.is_none_or(|known| !place.is_empty() && !known.contains(place)) {

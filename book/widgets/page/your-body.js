@@ -372,7 +372,7 @@ tumblingLive.widget("your-body", async (stage, from) => {
         return a[1] >= 0 ? [a, ...cut] : cut;
     });
     async function film() {
-        const type = ["video/mp4", "video/webm"].find((type) => window.MediaRecorder?.isTypeSupported(type));
+        const type = ["video/mp4;codecs=avc1.42E01E", "video/webm", "video/mp4"].find((type) => window.MediaRecorder?.isTypeSupported(type));
         if (!type) return "This browser records no film.";
         const exact = await module("tumble");
         const [canvas, parts, drawn, moments] = [document.createElement("canvas"), [], faces(), found.moments];
@@ -412,11 +412,15 @@ tumblingLive.widget("your-body", async (stage, from) => {
         }
         recorder.stop();
         await stopped;
-        return save(`your-body.${type.slice(6)}`, new Blob(parts, { type }), type);
+        return save(`your-body.${type.slice(6, 10).replace(";", "")}`, new Blob(parts, { type }), type);
     }
     function sheet() {
+        const head = document.createElement("p");
+        head.textContent = `Given by ${kind.selectedOptions[0].text}: ${given().map(([name, value]) => `${name} = ${value}`).join(", ")}, in m, kg and kg m².`;
+        stage.prepend(head);
         document.body.classList.add("your-body-sheet");
         print();
+        head.remove();
         document.body.classList.remove("your-body-sheet");
         return "";
     }

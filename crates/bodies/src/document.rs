@@ -42,15 +42,12 @@ pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
 pub(crate) fn decimal_comma(text: &str, at: usize) -> String {
     let start = text.get(..at).and_then(|before| before.rfind('\n')).map_or(0, |end| end + 1);
     let line = text.get(start..).unwrap_or_default().lines().next().unwrap_or_default();
-    let comma = line
-        .bytes()
-        .collect::<Vec<_>>()
-        .windows(3)
-        .position(|part| part[1] == b',' && part[0].is_ascii_digit() && part[2].is_ascii_digit());
+    let is_comma = |b: &[u8]| b[1] == b',' && b[0].is_ascii_digit() && b[2].is_ascii_digit();
+    let comma = line.as_bytes().windows(3).position(is_comma);
     let digits = |c: char| !c.is_ascii_digit() && c != ',';
     comma.map_or_else(String::new, |at| {
         let from = line[..at].rfind(digits).map_or(0, |before| before + 1);
-        let number = line[from..].split(digits).next().unwrap_or_default();
+        let number = line[from..].split(digits).next().unwrap_or_default().trim_end_matches(',');
         format!("; write {}", number.replacen(',', ".", 1))
     })
 }

@@ -192,24 +192,23 @@ impl<'a> Reader<'a> {
         let sides = self.sides(if name == "plate" { 2 } else { 3 })?;
         let (properties, surface) =
             shaped(name, self.table, &sides, self.weight()?).map_err(|error| self.refused(&error))?;
-        let thin = ["plate", "disk", "rod"].contains(&name);
-        let question = if thin { None } else { self.question(name, &sides, needed) };
+        let question = self.question(name, &sides, needed);
         let sides = if name == "box" { sides.try_into().ok() } else { None };
         Ok(BodyModel { sides, question, ..BodyModel::of(properties, vec![surface]) })
     }
 
-    /// Bare numbers that make a body lighter than air or heavier than any metal, where another unit would not.
+    /// Of bare numbers that make a body lighter than air or heavier than any metal: whether in another unit.
     fn question(&self, name: &str, sides: &[f64], sizes: &[&str]) -> Option<String> {
         let given = self.present.iter().filter(|(field, _)| sizes.contains(field) || *field == "mass");
         let given: Vec<&str> = given.map(|(_, span)| &self.text[span.clone()]).collect();
         let volume = shaped(name, self.table, sides, Weight::Density(1.0)).ok()?.0.mass();
         let density = self.table.mass.as_ref()?.get_ref() / volume;
-        let of_things = |density: f64| (10.0..25_000.0).contains(&density);
-        if (1.0..25_000.0).contains(&density) || given.iter().any(|text| text.contains(['"', '\''])) {
+        let clear = given.iter().any(|text| text.contains(['"', '\'']));
+        if clear || (1.0..25_000.0).contains(&density) || ["plate", "disk", "rod"].contains(&name) {
             return None;
         }
         let units = [("cm", 1e6), ("mm", 1e9), ("g", 1e-3)];
-        let (unit, _) = units.into_iter().find(|(_, more)| of_things(density * more))?;
+        let (unit, _) = units.iter().find(|(_, more)| (10.0..25_000.0).contains(&(density * more)))?;
         let (mass, sizes) = given.split_last()?;
         let sizes = sizes.join(" × ").replace(['[', ']'], "").replace(',', " ×");
         Some(format!("{mass} kg in {sizes} m: is this in {unit}?"))
@@ -217,14 +216,13 @@ impl<'a> Reader<'a> {
 
     /// The sides, which must be of this number; none where there are none.
     fn sides(&self, count: usize) -> Result<Vec<f64>, Error> {
-        match self.table.sides.as_ref().map(Spanned::get_ref) {
-            Some(sides) if sides.len() != count => {
-                let start = self.table.sides.as_ref().map_or(0, |sides| sides.span().start);
-                let hint = decimal_comma(self.text, start);
-                Err(self
-                    .wrong("sides", format!("{count} numbers are expected here, not {}{hint}", sides.len())))
+        match &self.table.sides {
+            Some(sides) if sides.get_ref().len() != count => {
+                let hint = decimal_comma(self.text, sides.span().start);
+                let found = sides.get_ref().len();
+                Err(self.wrong("sides", format!("{count} numbers are expected here, not {found}{hint}")))
             }
-            sides => Ok(sides.cloned().unwrap_or_default()),
+            sides => Ok(sides.as_ref().map(|sides| sides.get_ref().clone()).unwrap_or_default()),
         }
     }
 
@@ -419,7 +417,7 @@ mod tests {
             ),
             ("shape = 'ball'\nradius = 0,07\nmass = 1", "; write 0.07"),
             ("shape = 'ball'\nradius = '7,5 cm'\nmass = 1", "not `7,5 cm`; write 7.5"),
-            ("sides = [7,7, 0,78, 16]\nmass = 1", "3 numbers are expected here, not 5; write 7.7"),
+            ("sides = [7,7, 0.78, 16]\nmass = 1", "3 numbers are expected here, not 4; write 7.7"),
             ("moments = [1, 2]", "line 1, `moments`: 3 numbers are expected here, not 2"),
             ("moments = [1, 2, 2.5, 0]", "line 1, `moments`: 3 numbers are expected here, not 4"),
             ("moments = [1, 2, 2.5]\nproducts = [0, 0, 0, 1]", "line 2, `products`: 3 numbers are expected"),

@@ -27,37 +27,20 @@ pub(crate) fn solid(
     rotation: &Matrix3<f64>,
     marked: Marked<'_>,
 ) {
-    let mut items: Vec<(f64, usize, Option<usize>)> = Vec::new();
-    let depth = |p: &Vector3<f64>| (rotation * p).dot(&view.toward());
-    for (part, surface) in surfaces.iter().enumerate() {
-        if surface.convex {
-            items.push((depth(&middle(&surface.vertices)), part, None));
-            continue;
-        }
-        for (number, face) in surface.faces.iter().enumerate() {
-            let corners: Vec<_> = face.iter().map(|&i| surface.vertices[i]).collect();
-            if faces_viewer(view, &(rotation * normal(surface, face))) {
-                items.push((depth(&middle(&corners)), part, Some(number)));
-            }
-        }
-    }
-    items.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let seen = |surface: &Surface| surface.vertices.iter().map(|p| view.at(&(rotation * p))).collect();
-    let places: Vec<Vec<P>> = surfaces.iter().map(seen).collect();
-    for (_, part, face) in items {
-        let (surface, places) = (&surfaces[part], &places[part]);
-        match face {
-            None => convex(canvas, view, surface, places, rotation, marked),
-            Some(face) => {
-                let corners: Vec<P> = surface.faces[face].iter().map(|&i| places[i]).collect();
-                canvas.area(&corners, Fill::new(Ink::Surface), Some(Pen::new(Ink::Text, 0.5).opacity(0.5)));
-                if let Some((along, ink)) = marked {
-                    let half: Vec<P> = cut(surface, face, along).map(|p| view.at(&(rotation * p))).collect();
-                    canvas.area(&half, Fill::new(ink).opacity(MARK), None);
-                }
-            }
-        }
-    }
+    let depth = |piece: &Surface| (rotation * middle(&piece.vertices)).dot(&view.toward());
+    let mut pieces: Vec<Surface> = surfaces.iter().flat_map(pieces).collect();
+    pieces.sort_by(|a, b| depth(a).total_cmp(&depth(b)));
+    pieces.iter().for_each(|piece| convex(canvas, view, piece, rotation, marked));
+}
+
+/// A convex surface as it is; of another each face by itself.
+fn pieces(surface: &Surface) -> Vec<Surface> {
+    let alone = |face: &Vec<usize>| Surface {
+        vertices: face.iter().map(|&i| surface.vertices[i]).collect(),
+        faces: vec![(0..face.len()).collect()],
+        convex: false,
+    };
+    if surface.convex { vec![surface.clone()] } else { surface.faces.iter().map(alone).collect() }
 }
 
 fn middle(points: &[Vector3<f64>]) -> Vector3<f64> {
@@ -76,27 +59,26 @@ fn faces_viewer(view: &View, normal: &Vector3<f64>) -> bool {
 }
 
 /// What of a face lies along this direction from the centre of mass.
-fn cut(surface: &Surface, face: usize, along: &Vector3<f64>) -> impl Iterator<Item = Vector3<f64>> {
+fn cut(surface: &Surface, face: usize, along: &Vector3<f64>) -> Vec<Vector3<f64>> {
     let corners: Vec<_> = surface.faces[face].iter().map(|&i| surface.vertices[i]).collect();
     let sides = corners.iter().zip(corners.iter().cycle().skip(1)).flat_map(|(a, b)| {
         let (p, q) = (a.dot(along), b.dot(along));
         [(p >= 0.0).then_some(*a), (p * q < 0.0).then(|| a + (b - a) * (p / (p - q)))]
     });
-    sides.flatten().collect::<Vec<_>>().into_iter()
+    sides.flatten().collect()
 }
 
-fn convex(
-    canvas: &Canvas,
-    view: &View,
-    surface: &Surface,
-    places: &[P],
-    rotation: &Matrix3<f64>,
-    marked: Marked<'_>,
-) {
-    let edge = Pen::new(Ink::Text, 1.2);
+/// Draws a convex surface, or a face of another where it looks at the viewer.
+fn convex(canvas: &Canvas, view: &View, surface: &Surface, rotation: &Matrix3<f64>, marked: Marked<'_>) {
+    let normals: Vec<_> = surface.faces.iter().map(|face| normal(surface, face)).collect();
+    if !surface.convex && !faces_viewer(view, &(rotation * normals[0])) {
+        return;
+    }
+    let edge = if surface.convex { Pen::new(Ink::Text, 1.2) } else { Pen::new(Ink::Text, 0.5).opacity(0.5) };
+    let place = |p: Vector3<f64>| view.at(&(rotation * p));
+    let places: Vec<P> = surface.vertices.iter().map(|&p| place(p)).collect();
     let half = |along: &Vector3<f64>| -> Vec<P> {
-        let all = (0..surface.faces.len()).flat_map(|face| cut(surface, face, along));
-        all.map(|p| view.at(&(rotation * p))).collect()
+        (0..surface.faces.len()).flat_map(|face| cut(surface, face, along)).map(place).collect()
     };
     if surface.faces.iter().all(|face| face.len() < 3) {
         for face in &surface.faces {
@@ -111,14 +93,13 @@ fn convex(
         }
         return;
     }
-    let outline = hull(places);
+    let outline = hull(&places);
     canvas.area(&outline, Fill::new(Ink::Surface), None);
     if let Some((along, ink)) = marked {
         // Both halves are convex: the nearer one hides what it covers of the other.
         let mut halves = [(*along, Some(ink)), (-along, None)];
-        halves.sort_by(|a, b| {
-            (rotation * a.0).dot(&view.toward()).total_cmp(&(rotation * b.0).dot(&view.toward()))
-        });
+        let near = |half: &(Vector3<f64>, _)| (rotation * half.0).dot(&view.toward());
+        halves.sort_by(|a, b| near(a).total_cmp(&near(b)));
         for (along, ink) in halves {
             let half = hull(&half(&along));
             canvas.area(&half, Fill::new(Ink::Surface), None);
@@ -126,7 +107,6 @@ fn convex(
         }
     }
     canvas.area(&outline, Fill::new(Ink::Text).opacity(0.05), Some(edge));
-    let normals: Vec<_> = surface.faces.iter().map(|face| normal(surface, face)).collect();
     let bent = bent_faces(surface, &normals);
     // Light from above the viewer's left shoulder.
     let light = Vector3::new(0.1, -0.3, 1.0).normalize();

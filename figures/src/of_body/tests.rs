@@ -54,3 +54,16 @@ fn a_body_that_never_flips_has_no_figure_of_flips_and_the_refusal_says_why() {
     let fixed = registry().iter().find(|figure| figure.name == "drift").unwrap();
     assert!(fixed.draw_for(&coin).unwrap_err().to_string().contains("not one body"));
 }
+
+#[test]
+fn a_body_of_its_own_is_seen_to_turn_over_in_the_toss_about_its_middle_axis_alone() {
+    let tosses = registry().iter().find(|figure| figure.name == "three-tosses").unwrap();
+    for (name, text) in BODIES.iter().filter(|(name, _)| ["a phone", "a hammer", "a racket"].contains(name)) {
+        let said = drawn(tosses, &BodyModel::from_toml(text, "".as_ref()).unwrap()).unwrap().description;
+        let turns = ["smallest: ", "largest: ", "middle: "].map(|axis| {
+            let seen = said.split(axis).nth(1).unwrap().split([';', '.']).next().unwrap();
+            seen.starts_with("dark") && seen.contains("light")
+        });
+        assert_eq!(turns, [false, false, true], "{name}: {said}");
+    }
+}

@@ -19,7 +19,9 @@ fn after_each_turn(subject: &Subject<'_>, about: usize) -> Result<Vec<Matrix3<f6
     let motion = FreeMotion::of(&motion::tossed(subject.inertia()?, about, PUSH)?)?;
     let attitude =
         |step: u32| Ok(motion.attitude(f64::from(step) * 0.005)?.to_rotation_matrix().into_inner());
-    motion::after_each_turn((0..=12_000).map(attitude), about, (about + 1) % 3, TURNS)
+    // Not the side that is seen: it would be toward the viewer after each turn.
+    let watched = if about == 0 { 2 } else { 0 };
+    motion::after_each_turn((0..=12_000).map(attitude), about, watched, TURNS)
 }
 
 pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
