@@ -3,14 +3,8 @@
 use tumbling::step::Torque;
 use tumbling_scenes::{Answer, InitialState, Outputs, Plan, Scene, Times};
 
-pub const ALL: Outputs = Outputs {
-    spin: true,
-    attitude: true,
-    energy: true,
-    angle_to_momentum: true,
-    flips: false,
-    polhode: false,
-};
+pub const ALL: Outputs =
+    Outputs { spin: true, attitude: true, energy: true, angle_to_momentum: true, ..Outputs::NOTHING };
 
 pub const SPIN: Outputs = Outputs { spin: true, ..Outputs::NOTHING };
 

@@ -19,14 +19,8 @@ pub fn hash(rounds: u32) -> Hash {
     hash
 }
 
-const OUTPUTS: Outputs = Outputs {
-    spin: true,
-    attitude: true,
-    energy: true,
-    angle_to_momentum: true,
-    flips: false,
-    polhode: false,
-};
+const OUTPUTS: Outputs =
+    Outputs { spin: true, attitude: true, energy: true, angle_to_momentum: true, ..Outputs::NOTHING };
 
 fn answer(hash: &mut Hash, answer: &Answer) {
     hash.all(&answer.spin.unwrap_or_default());
