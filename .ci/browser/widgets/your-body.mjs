@@ -31,11 +31,11 @@ export async function yourBody(page, wants) {
   const moments = [5 / 12, 10 / 12, 13 / 12];
   const momentum = ({ axes, spin }) => [0, 1, 2].map((i) => axes.reduce((sum, axis, k) => sum + moments[k] * spin[k] * axis[i], 0));
   const held = momentum(await motion());
-  for (let i = 0; i < 10; i += 1) await page.click("#your-body-play");
+  for (let i = 0; i < 15; i += 1) await page.click("#your-body-play");
   const free = await motion();
-  wants(`tumbled for 4 s the momentum stands at ${momentum(free)}`, Math.abs(free.t - 4) < 1e-9 && free.axes.some((axis, k) => Math.abs(axis[k]) < 0.9)
+  wants(`tumbled for 6 s the momentum stands at ${momentum(free)}`, Math.abs(free.t - 6) < 1e-9 && free.axes.some((axis, k) => Math.abs(axis[k]) < 0.9)
     && momentum(free).every((x, i) => Math.abs(x - held[i]) < 1e-9));
-  wants(`flips after 4 s: ${await tell("tumbles")}`, (await tell("tumbles")).endsWith(`flips: ${Math.floor(4 / Number(flips[1]) + 0.5)}`));
+  wants(`flips after 6 s: ${await tell("tumbles")}`, (await tell("tumbles")).endsWith(`flips: ${Math.floor(6 / Number(flips[1]) + 0.5)}`));
   await page.click("#your-body-back");
   wants("back, it lies as before", (await motion()).t === 0 && (await tell("tumbles")) === "");
 
