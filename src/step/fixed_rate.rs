@@ -115,7 +115,7 @@ fn drifted<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<S
     let rough = (start.momentum.dot(&omega).size() * largest).sqrt() * h.size();
     let parts = if rough <= LONGEST { 1 } else { parts(fastest(system, &omega).sqrt() * h.size())? };
     let part = if parts == 1 { h.clone() } else { h.clone() / T::integer(parts) };
-    let prepared = Prepared::new(inverse, &start.momentum, &part, ORDER)?;
+    let prepared = Prepared::new(system, &start.momentum, &part, ORDER)?;
     let mut motion = prepared.step(start)?;
     for _ in 1..parts {
         motion = prepared.step(&motion)?;

@@ -1,6 +1,7 @@
 //! The position stage of a physics engine: attitude and spin over a time step, with nothing else acting.
 
 mod coefficients;
+mod side_by_side;
 pub(crate) mod turn;
 
 use crate::attitude::product;
@@ -191,16 +192,20 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
     /// One part; of zero parts if it is too long for one, or not finite.
     #[inline(always)]
     fn part(&self, start: &Stepped<T>, h: T) -> Stepped<T> {
+        let (q, omega) = (&start.attitude, &start.omega);
+        let steady = turn_square(omega, h) <= self.coefficients.steady;
+        let end = if steady { steady_turn(q, omega, h) } else { self.turn(start, h) };
+        if end.taken() { end.stepped() } else { Stepped { parts: 0, ..*start } }
+    }
+
+    /// Where a part ends, whatever its numbers.
+    #[inline(always)]
+    fn turn(&self, start: &Stepped<T>, h: T) -> End<T> {
         let (rotation, omega) = self.spin(start);
         let q = &start.attitude.coords;
         let (w, x, y, z) = (q.w, q.x, q.y, q.z);
         let length = square(&start.attitude);
-        let longest = number::<T>(LONGEST);
-        // A hair more, for what the parts of a longer step are rounded by.
-        let short = self.coefficients.fastest(&omega, h) <= longest * longest * number(1.0001);
-        if !(short && (length - T::one()).abs() <= T::epsilon() * number(32.0)) {
-            return Stepped { parts: 0, ..*start };
-        }
+        let fastest = self.coefficients.fastest(&omega, h);
         let (rate, weights) = self.coefficients.rate(&omega, h);
         let turn = conserving_turn(&self.coefficients.coupling, &weights, &omega, &h, &rate, |x| x.sqrt());
         let (below, [tangents, _]) = turn;
@@ -223,8 +228,7 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
             (y * below + (w * b + (z * a - x * c))) * over,
             (z * below + (w * c + (x * b - y * a))) * over,
         );
-        let finite = (omega.x + omega.y + omega.z + over).is_finite();
-        Stepped { attitude, omega, parts: u32::from(finite) }
+        End { attitude, omega, turn: fastest, length, over }
     }
 
     /// A vector along the principal axes, in the body frame.
@@ -239,6 +243,66 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
         let twice = cross(across);
         three(|i| v[i] + (w * across[i] + twice[i]))
     }
+}
+
+/// Where a part ends, with the squares of its turn and of the attitude's length before.
+#[derive(Clone, Copy)]
+struct End<T: Scalar> {
+    attitude: Quaternion<T>,
+    omega: Vector3<T>,
+    turn: T,
+    length: T,
+    /// What the attitude was divided by.
+    over: T,
+}
+
+impl<T: Field + Float + From<f32>> End<T> {
+    /// Whether the part is short enough for one, from an attitude of length 1, and all is finite.
+    #[inline(always)]
+    fn taken(&self) -> bool {
+        self.turn <= longest()
+            && (self.length - T::one()).abs() <= T::epsilon() * number(32.0)
+            && (self.omega.x + self.omega.y + self.omega.z + self.over).is_finite()
+    }
+
+    #[inline(always)]
+    fn stepped(&self) -> Stepped<T> {
+        Stepped { attitude: self.attitude, omega: self.omega, parts: 1 }
+    }
+}
+
+/// The square of the longest turn of a part, and a hair more for what the parts of a longer step are rounded
+/// by.
+#[inline(always)]
+fn longest<T: Field + Float + From<f32>>() -> T {
+    number::<T>(LONGEST) * number(LONGEST) * number(1.0001)
+}
+
+/// The square of the turn about this spin.
+#[inline(always)]
+fn turn_square<T: Field + Float>(omega: &Vector3<T>, h: T) -> T {
+    let [x, y, z] = three(|i| (omega[i] * h) * (omega[i] * h));
+    (x + y) + z
+}
+
+/// The end of a part that needs no gyroscopic term: a turn about the spin, which stays.
+#[inline(always)]
+fn steady_turn<T: Field + Float + From<f32>>(attitude: &Quaternion<T>, omega: &Vector3<T>, h: T) -> End<T> {
+    let n = number::<T>;
+    let (one, turn, length) = (T::one(), turn_square(omega, h), square(attitude));
+    // Of the tangent of half the turn, over half the turn.
+    let series = one / n(12.0) + turn * (one / n(120.0) + turn * (n(17.0) / n(20160.0)));
+    let half = (one + turn * series) * (h / n(2.0));
+    let [a, b, c] = three(|i| omega[i] * half);
+    let over = one / (((one + a * a) + (b * b + c * c)) * length).sqrt();
+    let [w, x, y, z] = [attitude.coords.w, attitude.coords.x, attitude.coords.y, attitude.coords.z];
+    let attitude = Quaternion::new(
+        (w - (a * x + b * y + c * z)) * over,
+        (x + (a * w + (b * z - c * y))) * over,
+        (y + (b * w + (c * x - a * z))) * over,
+        (z + (c * w + (a * y - b * x))) * over,
+    );
+    End { attitude, omega: *omega, turn, length, over }
 }
 
 /// The square of the length.

@@ -6,6 +6,7 @@ use crate::dynamics::{euler, observe};
 use crate::error::{Error, Refusal, Subject};
 use crate::inertia::PrincipalMoments;
 use crate::number::{Analytic, Field};
+use crate::step::methods::moser_veselov::Corrections;
 use crate::step::torque::{Instant, Torque};
 use crate::step::torques::Torques;
 use alloc::vec::Vec;
@@ -23,6 +24,8 @@ pub struct System<T: nalgebra::Scalar> {
     torques: Vec<Torque<T>>,
     sum: Torques<T>,
     time: T,
+    /// What steps at a fixed rate take of the body.
+    corrections: Corrections<T>,
 }
 
 impl System<f64> {
@@ -69,7 +72,8 @@ impl<T: Field> System<T> {
     pub fn of_numbers(moments: Vector3<T>, torques: Vec<Torque<T>>) -> Self {
         let inverse = moments.map(|moment| T::one() / moment);
         let sum = Torques::of(&torques);
-        Self { moments, inverse, torques, sum, time: T::zero() }
+        let corrections = Corrections::of(&inverse);
+        Self { moments, inverse, torques, sum, time: T::zero(), corrections }
     }
 
     /// Principal moments, kg m².
@@ -81,6 +85,10 @@ impl<T: Field> System<T> {
     /// The inverses of the principal moments, 1/(kg m²).
     pub(crate) fn inverse(&self) -> &Vector3<T> {
         &self.inverse
+    }
+
+    pub(crate) fn corrections(&self) -> &Corrections<T> {
+        &self.corrections
     }
 
     /// The torques on the body, all at once.

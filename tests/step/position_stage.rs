@@ -400,3 +400,19 @@ fn what_cannot_be_stepped_stays_as_it_was_and_says_so() {
     }
     assert!(PositionStage::of_inverse(&Vector3::new(1.0, -1.0, 1.0)).is_err());
 }
+
+/// Independent: the exponential map of nalgebra.
+#[test]
+fn a_round_body_and_one_slower_than_rounding_turn_about_the_spin_that_they_keep() {
+    let spin = Vector3::new(3.0, -4.0, 6.0);
+    for (moments, speed, h) in [([2.0; 3], 1.0, 0.1 / 7.8), ([1.0, 2.0, 3.0], 1e-17, 1.0 / 60.0)] {
+        for frame in [Quaternion::identity(), Quaternion::new(0.6, 0.0, -0.8, 0.1)] {
+            let body = body::<f64>(&Vector3::from(moments)).in_frame(frame).unwrap();
+            let from = Stepped { omega: spin * speed, ..start([0.0; 3]) };
+            let end = stepped(&body, &from, h);
+            assert_eq!(end.omega, from.omega);
+            let exact = UnitQuaternion::from_scaled_axis(from.omega * h).into_inner() * from.attitude;
+            assert!((end.attitude - exact).norm() < 1e-12 * (from.omega.norm() * h).max(1e-3));
+        }
+    }
+}

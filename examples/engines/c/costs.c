@@ -18,8 +18,10 @@ static double seconds(void) {
     clock_gettime(CLOCK_MONOTONIC, &now);
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
-static const char *const RULES[] = {"no gyroscopic term", "explicit step", "explicit step, rescaled", "position stage",
-                                    "position stage, tensor in other axes"};
+#define COUNT 8
+static const char *const RULES[COUNT] = {"no gyroscopic term", "explicit step", "explicit step, rescaled", "position stage",
+                                         "position stage, tensor in other axes", "position stage, all at once",
+                                         "position stage, all at once, other axes", "position stage, round bodies"};
 
 #define tumbling(name) tumbling_##name
 #define costs costs_double
@@ -34,7 +36,7 @@ static const char *const RULES[] = {"no gyroscopic term", "explicit step", "expl
 #include "costs.c"
 
 int main(void) {
-    double single[5], twice[5];
+    double single[COUNT], twice[COUNT];
 #ifdef __clang__
     const char *compiler = "clang";
     const int version = __clang_major__;
@@ -46,8 +48,8 @@ int main(void) {
     costs_float(single);
     costs_double(twice);
     printf("compiler,rule,\"float, ns\",\"double, ns\",\"float, of rescaled\",\"double, of rescaled\"\n");
-    for (rule = 0; rule < 5; rule++) {
-        printf("%s %d,\"%s\",%.1f,%.1f,%.1f,%.1f\n", compiler, version, RULES[rule], single[rule], twice[rule],
+    for (rule = 0; rule < COUNT; rule++) {
+        printf("%s %d,\"%s\",%.1f,%.1f,%.2f,%.2f\n", compiler, version, RULES[rule], single[rule], twice[rule],
                single[rule] / single[2], twice[rule] / twice[2]);
     }
     return 0;
@@ -97,7 +99,7 @@ static void tumbling(gyroscopic)(tumbling(state) *state, const tumbling(real) m[
     for (i = 0; i < 3; i++) state->omega[i] = r[i][0] * v[0] + r[i][1] * v[1] + r[i][2] * v[2];
 }
 
-static void tumbling(start)(int framed) {
+static void tumbling(start)(int framed, int round) {
     static const tumbling(real) frame[4] = {(tumbling(real))0.6, 0, (tumbling(real))0.8, 0};
     int n, i;
     srand(1);
@@ -108,20 +110,25 @@ static void tumbling(start)(int framed) {
             states[n].attitude[1 + i] = 0;
         }
         states[n].attitude[0] = 1;
+        if (round) moments[n][1] = moments[n][2] = moments[n][0];
         tumbling(prepare)(&bodies[n], moments[n], framed ? frame : 0);
     }
 }
 
-static void costs(double ns[5]) {
+static void costs(double ns[COUNT]) {
     const tumbling(real) h = (tumbling(real))1 / 240;
     int rule, round, n;
-    for (rule = 0; rule < 5; rule++) {
+    for (rule = 0; rule < COUNT; rule++) {
         ns[rule] = 1e30;
-        tumbling(start)(rule == 4);
+        tumbling(start)(rule == 4 || rule == 6, rule == 7);
         for (round = 0; round < ROUNDS; round++) {
             const double began = seconds();
             double took;
-            for (n = 0; n < BODIES; n++) {
+            if (rule >= 5) {
+                tumbling(step_all)(BODIES, bodies, sizeof bodies[0], states[0].attitude, sizeof states[0], states[0].omega,
+                                   sizeof states[0], 0, h);
+            }
+            for (n = 0; n < BODIES && rule < 5; n++) {
                 if (rule >= 3) tumbling(step)(&bodies[n], &states[n], h);
                 else if (rule > 0) tumbling(gyroscopic)(&states[n], moments[n], h, rule == 2);
                 if (rule < 3) tumbling(turn)(&states[n], h);

@@ -22,8 +22,8 @@ use super::implicit::{cramer, whole};
 use crate::attitude;
 use crate::body::State;
 use crate::error::{Error, Refusal, Subject};
-use crate::number::Analytic;
 use crate::number::functions::atan2;
+use crate::number::{Analytic, Field};
 use crate::step::system::System;
 use nalgebra::{Quaternion, Vector3};
 #[cfg(not(feature = "std"))]
@@ -44,7 +44,7 @@ pub(crate) fn step<T: Analytic>(
         kicked = system.kick(start, half.clone());
         (&kicked, Some(half))
     };
-    let end = Prepared::new(system.inverse(), &start.momentum, h, order)?.step(start)?;
+    let end = Prepared::new(system, &start.momentum, h, order)?.step(start)?;
     Ok(match second {
         Some(half) => system.adjoint_kick(&end, half),
         None => end,
@@ -75,21 +75,18 @@ pub(crate) struct Prepared<T: nalgebra::Scalar> {
 }
 
 impl<T: Analytic> Prepared<T> {
-    /// For a body with these inverse moments and all motions with the energy and `|L|` of this momentum.
+    /// For a body and all motions with the energy and `|L|` of this momentum.
     ///
     /// # Errors
     /// A step so long that preprocessing would alter an inverse moment by [`MOST_ALTERED`] of itself or more.
     #[inline]
-    pub(crate) fn new(inverse: &Vector3<T>, momentum: &Vector3<T>, h: &T, order: u32) -> Result<Self, Error> {
-        // In units of the first moment and of the step everything is a pure number, and small where the step
-        // is.
-        let unit = &inverse.x;
-        let [one, j, k] = [T::one(), inverse.y.clone() / unit.clone(), inverse.z.clone() / unit.clone()];
-        let inverse = Vector3::new(one, j, k);
-        let whole = unit.clone() * h.clone();
+    pub(crate) fn new(system: &System<T>, momentum: &Vector3<T>, h: &T, order: u32) -> Result<Self, Error> {
+        let corrections = system.corrections();
+        let inverse = corrections.ratios.clone();
+        let whole = system.inverse().x.clone() * h.clone();
         let inverse = if order > 2 {
             let turned = momentum.map(|x| x * whole.clone());
-            let (a, b) = corrections(&inverse, &turned, order);
+            let (a, b) = corrections.at(&turned, order);
             let altered = inverse.map(|x| a.clone() * x + b.clone());
             for (before, after) in inverse.as_slice().iter().zip(altered.as_slice()) {
                 let change = (after.clone() - before.clone()).size();
@@ -189,46 +186,82 @@ macro_rules! sum {
     };
 }
 
-/// `a` and `b` of `1/K = a/I + b`, for the momentum times the step, all in units of the first moment.
-fn corrections<T: Analytic>(inverse: &Vector3<T>, momentum: &Vector3<T>, order: u32) -> (T, T) {
-    let square = momentum.dot(momentum);
-    let twice_energy = momentum.dot(&inverse.component_mul(momentum));
-    let [x, y, z] = [&inverse.x, &inverse.y, &inverse.z];
-    let p = |x: &T, y: &T| x.clone() * y.clone();
-    let e1 = x.clone() + y.clone() + z.clone();
-    let e2 = p(x, y) + p(y, z) + p(z, x);
-    let e3 = p(&p(x, y), z);
-    // sum of parts[j] square^(k - j) twice_energy^j, over `below`.
-    let joined = |below: u32, parts: &[T]| {
-        let mut power = T::one();
-        let mut total = T::zero();
-        for part in parts {
-            total = total * square.clone() + part.clone() * power.clone();
-            power *= twice_energy.clone();
-        }
-        total / T::integer(below)
-    };
-    let mut a = T::one() + joined(12, &[sum!(1 e2), sum!(-2 e1)]);
-    let mut b = joined(12, &[sum!(-2 e3), sum!(1 e2)]);
-    if order > 4 {
-        a += joined(240, &[sum!(2 e2 e2, -6 e1 e3), sum!(-2 e1 e2, 8 e3), sum!(2 e1 e1, -1 e2)]);
-        b += joined(240, &[sum!(-1 e2 e3), sum!(-1 e2 e2, 8 e1 e3), sum!(-1 e1 e2, -6 e3)]);
-    }
-    if order > 6 {
-        let [to_a, to_b] = to_order_8([&e1, &e2, &e3]);
-        a += joined(20_160, &to_a);
-        b += joined(20_160, &to_b);
-    }
-    if order > 8 {
-        let [to_a, to_b] = to_order_10([&e1, &e2, &e3]);
-        a += joined(725_760, &to_a);
-        b += joined(725_760, &to_b);
-    }
-    (a, b)
+/// What the two numbers `a` and `b` of `1/K = a/I + b` take of the body alone: to order 8, since that is
+/// what steps at a fixed rate take at each step.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Corrections<T: nalgebra::Scalar> {
+    /// The inverse moments in units of the first: with the step as unit of time everything is a pure number,
+    /// and small where the step is.
+    ratios: Vector3<T>,
+    /// Their elementary symmetric functions.
+    symmetric: [T; 3],
+    to_4: [[T; 2]; 2],
+    to_6: [[T; 3]; 2],
+    to_8: [[T; 4]; 2],
 }
 
-/// What the order 8 adds to `a` and `b`: the parts that [`corrections`] joins, over 20_160.
-fn to_order_8<T: Analytic>([e1, e2, e3]: [&T; 3]) -> [[T; 4]; 2] {
+impl<T: Field> Corrections<T> {
+    pub(crate) fn of(inverse: &Vector3<T>) -> Self {
+        let unit = &inverse.x;
+        let ratio = |x: &T| x.clone() / unit.clone();
+        let ratios = Vector3::new(T::one(), ratio(&inverse.y), ratio(&inverse.z));
+        let [x, y, z] = [&ratios.x, &ratios.y, &ratios.z];
+        let p = |x: &T, y: &T| x.clone() * y.clone();
+        let e1 = x.clone() + y.clone() + z.clone();
+        let e2 = p(x, y) + p(y, z) + p(z, x);
+        let e3 = p(&p(x, y), z);
+        Self {
+            to_4: [[sum!(1 e2), sum!(-2 e1)], [sum!(-2 e3), sum!(1 e2)]],
+            to_6: [
+                [sum!(2 e2 e2, -6 e1 e3), sum!(-2 e1 e2, 8 e3), sum!(2 e1 e1, -1 e2)],
+                [sum!(-1 e2 e3), sum!(-1 e2 e2, 8 e1 e3), sum!(-1 e1 e2, -6 e3)],
+            ],
+            to_8: to_order_8([&e1, &e2, &e3]),
+            ratios,
+            symmetric: [e1, e2, e3],
+        }
+    }
+
+    /// `a` and `b` for the momentum times the step, in units of the first moment.
+    #[inline]
+    fn at(&self, momentum: &Vector3<T>, order: u32) -> (T, T) {
+        let square = momentum.dot(momentum);
+        let twice_energy = momentum.dot(&self.ratios.component_mul(momentum));
+        // sum of parts[j] square^(k - j) twice_energy^j, over `below`.
+        let joined = |below: u32, parts: &[T]| {
+            let mut power = T::one();
+            let mut total = T::zero();
+            for part in parts {
+                total = total * square.clone() + part.clone() * power.clone();
+                power *= twice_energy.clone();
+            }
+            total / T::integer(below)
+        };
+        let [to_a, to_b] = &self.to_4;
+        let mut a = T::one() + joined(12, to_a);
+        let mut b = joined(12, to_b);
+        if order > 4 {
+            let [to_a, to_b] = &self.to_6;
+            a += joined(240, to_a);
+            b += joined(240, to_b);
+        }
+        if order > 6 {
+            let [to_a, to_b] = &self.to_8;
+            a += joined(20_160, to_a);
+            b += joined(20_160, to_b);
+        }
+        if order > 8 {
+            let [e1, e2, e3] = &self.symmetric;
+            let [to_a, to_b] = to_order_10([e1, e2, e3]);
+            a += joined(725_760, &to_a);
+            b += joined(725_760, &to_b);
+        }
+        (a, b)
+    }
+}
+
+/// What the order 8 adds to `a` and `b`: the parts that [`Corrections::at`] joins, over 20_160.
+fn to_order_8<T: Field>([e1, e2, e3]: [&T; 3]) -> [[T; 4]; 2] {
     [
         [
             sum!(17 e2 e2 e2, -66 e1 e2 e3, 100 e3 e3),
@@ -245,8 +278,8 @@ fn to_order_8<T: Analytic>([e1, e2, e3]: [&T; 3]) -> [[T; 4]; 2] {
     ]
 }
 
-/// What the order 10 adds to `a` and `b`: the parts that [`corrections`] joins, over 725_760.
-fn to_order_10<T: Analytic>([e1, e2, e3]: [&T; 3]) -> [[T; 5]; 2] {
+/// What the order 10 adds to `a` and `b`: the parts that [`Corrections::at`] joins, over 725_760.
+fn to_order_10<T: Field>([e1, e2, e3]: [&T; 3]) -> [[T; 5]; 2] {
     [
         [
             sum!(62 e2 e2 e2 e2, -342 e1 e2 e2 e3, 378 e1 e1 e3 e3, 291 e2 e3 e3),

@@ -1,7 +1,7 @@
 //! What the position stage needs of a body, prepared once.
 
-use super::number;
 use super::turn::{conserving_rate, three};
+use super::{longest, number};
 use crate::error::{Error, Refusal, Subject};
 use crate::number::Field;
 use num_traits::Float;
@@ -11,16 +11,17 @@ use num_traits::Float;
 pub(super) struct Coefficients<T> {
     /// `(I_j - I_k) / I_i`.
     pub(super) coupling: [T; 3],
-    /// `coupling_j coupling_k`.
-    modulus: [T; 3],
     /// The moments in units of the middle one.
-    relative: [T; 3],
+    pub(super) relative: [T; 3],
     /// The first term of the series for the turn about the momentum, by squares of the spin.
-    twist: [T; 3],
+    pub(super) twist: [T; 3],
     /// The second, by products of two of them: 11, 12, 13, 22, 23, 33.
-    twist_2: [T; 6],
+    pub(super) twist_2: [T; 6],
     /// A bound for the square of the fastest spin of the motion, by squares of the spin.
-    bound: [T; 3],
+    pub(super) bound: [T; 3],
+    /// A turn whose square is at most this needs no gyroscopic term: the body is round, or the term is below
+    /// rounding.
+    pub(super) steady: T,
 }
 
 impl<T: Field + Float + From<f32>> Coefficients<T> {
@@ -37,7 +38,7 @@ impl<T: Field + Float + From<f32>> Coefficients<T> {
 
     /// Refused if a coefficient is beyond what a number holds.
     fn representable(self) -> Result<Self, Error> {
-        let all = [&self.modulus[..], &self.relative, &self.twist, &self.twist_2, &self.bound];
+        let all = [&self.relative[..], &self.twist, &self.twist_2, &self.bound];
         match all.into_iter().flatten().find(|x| !x.is_finite()) {
             Some(x) => Err(Refusal::OutOfRange { what: Subject::MomentRatio, value: value(*x) }.into()),
             None => Ok(self),
@@ -106,15 +107,14 @@ impl<T: Field + Float + From<f32>> Coefficients<T> {
             let (i, j) = (axes[i].min(axes[j]), axes[i].max(axes[j]));
             twist_2[pairs.iter().position(|&pair| pair == (i, j)).unwrap_or(0)] = x / n(720.0);
         }
-        let [a, b, c] = coupling;
-        Self {
-            coupling,
-            modulus: [b * c, c * a, a * b],
-            relative: moments.map(|x| x / moments[middle]),
-            twist,
-            twist_2,
-            bound: bound(&moments, &coupling),
-        }
+        let bound = bound(&moments, &coupling);
+        let rounding = T::epsilon() / n(4.0);
+        let steady = if coupling == [T::zero(); 3] {
+            longest()
+        } else {
+            rounding * rounding / bound[0].max(bound[1]).max(bound[2])
+        };
+        Self { coupling, relative: moments.map(|x| x / moments[middle]), twist, twist_2, bound, steady }
     }
 
     /// The square of a turn that no part of the motion passes in this time.
@@ -129,8 +129,8 @@ impl<T: Field + Float + From<f32>> Coefficients<T> {
     pub(super) fn rate(&self, omega: &[T; 3], h: T) -> (T, [T; 3]) {
         let one = T::one();
         let [x, y, z] = three(|i| (omega[i] * h) * (omega[i] * h));
-        let m = &self.modulus;
-        let rate = conserving_rate([m[0] * x, m[1] * y, m[2] * z], |n| one / number::<T>(n.into()));
+        let [a, b, c] = self.coupling;
+        let rate = conserving_rate([b * c * x, c * a * y, a * b * z], |n| one / number::<T>(n.into()));
         let s = &self.twist_2;
         let twist = self.twist[0] * x + self.twist[1] * y + self.twist[2] * z;
         let more = x * (s[0] * x + s[1] * y + s[2] * z) + y * (s[3] * y + s[4] * z) + z * (s[5] * z);

@@ -4,4 +4,4 @@ type Real = f32;
 #[allow(clippy::duplicate_mod, reason = "the file is compiled once for each precision")]
 #[path = "../../../examples/engines/position_stage.rs"]
 mod position_stage;
-pub use position_stage::PositionStage;
+pub use position_stage::{PositionStage, step_all};
