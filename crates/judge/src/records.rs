@@ -1,9 +1,9 @@
-//! What engines did, as recorded: the runs committed in `data`, and the verdicts on them.
+//! What engines did, as recorded: the runs committed in `data`, and the table made of them.
 
 use crate::error::Error;
-use crate::law::LawName;
 use crate::read::{Raw, Rows};
 use nalgebra::{Quaternion, Vector3};
+use tumbling::attitude;
 
 /// A recorded run of an engine.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -38,21 +38,19 @@ pub struct RecordedRow {
     pub omega: Vector3<f64>,
 }
 
-/// How a recorded run keeps a law, by the committed verdicts.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Judged {
-    /// The run, `ENGINE--STORY`.
+/// How long an engine, recorded in one setting, does what a free body does: a line of the table of engines.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Kept {
+    /// The engine's record, as [`PhysicsEngine::record`](crate::PhysicsEngine::record) names it.
     pub record: &'static str,
-    /// The outcome; `put to rest` for a run in which the engine starts anew.
-    pub outcome: &'static str,
-    /// The law.
-    pub law: LawName,
-    /// The grade, as [`Growth::name`](crate::Growth::name) has it.
-    pub grade: &'static str,
-    /// The greatest error.
-    pub most: f64,
-    /// The last error, with its sign.
-    pub last: f64,
+    /// The engine and its setting.
+    pub name: &'static str,
+    /// The rule, as the judge names it; `none known` of a rule that it does not know.
+    pub rule: &'static str,
+    /// The step at which energy or momentum is first off by more than 1 in 100, or the first flip is missed:
+    /// of the box, which flips, and of a stable spin about the largest moment's axis. `None` where no such
+    /// step is among the 1200 recorded, of a sixtieth of a second each.
+    pub steps: [Option<usize>; 2],
 }
 
 macro_rules! recorded {
@@ -102,26 +100,24 @@ impl Recorded {
             let none = || Error::Line { line, problem: "the row has no attitude".into() };
             let attitude = attitude.ok_or_else(none)?;
             let step = (t / step).round() as usize;
-            read.push(RecordedRow { step, attitude, omega: vector });
+            let world = rows.columns.kind.in_world();
+            let omega = if world { attitude::rotation_matrix(&attitude).tr_mul(&vector) } else { vector };
+            read.push(RecordedRow { step, attitude, omega });
         }
         Ok(Trajectory { moments, torque, rows: read })
     }
 }
 
-/// The committed verdicts on [`RECORDED`], a law at a time; a test holds them to what the judge finds.
-pub fn judged() -> impl Iterator<Item = Judged> {
-    include_str!("../data/judged.tsv").lines().skip(1).filter_map(|line| {
-        let mut fields = line.split('\t');
-        let (record, outcome, key) = (fields.next()?, fields.next()?, fields.next()?);
-        let law = LawName::ALL.into_iter().find(|law| law.key() == key)?;
-        let grade = fields.next()?;
-        Some(Judged {
-            record,
-            outcome,
-            law,
-            grade,
-            most: fields.next()?.parse().ok()?,
-            last: fields.next()?.parse().ok()?,
-        })
+/// The table of engines, by rule; a test holds it to the records.
+///
+/// ```
+/// use tumbling_judge::records::table;
+/// let whole: Vec<&str> = table().filter(|line| line.steps == [None; 2]).map(|line| line.name).collect();
+/// assert_eq!(whole, ["MuJoCo 4, RK4", "MuJoCo 3, RK4", "MJX 3, RK4", "Drake, error-controlled"]);
+/// ```
+pub fn table() -> impl Iterator<Item = Kept> {
+    include_str!("../data/table.tsv").lines().skip(1).filter_map(|line| {
+        let [record, name, rule, of_box, largest] = line.split('\t').collect::<Vec<_>>().try_into().ok()?;
+        Some(Kept { record, name, rule, steps: [of_box, largest].map(|step| step.parse().ok()) })
     })
 }

@@ -1,104 +1,69 @@
 //! What the judge finds in the recorded engines.
 
 use super::{Drawing, NARROW};
-use crate::draw::{Canvas, Fill, Ink, Label, P, Pen, Plot, Scale};
-use tumbling_judge::LawName;
-use tumbling_judge::records::{RECORDED, judged};
+use crate::draw::{Canvas, Fill, Ink, Label, Pen, Plot, Scale};
+use tumbling_judge::records::{RECORDED, table};
 
-/// Records, and what the figure calls them, in the order of the chapter's tables.
-const ENGINES: [(&str, &str); 6] = [
-    ("mujoco-4.0.0-rk4", "MuJoCo, RK4"),
-    ("mujoco-4.0.0-implicitfast", "MuJoCo, implicitfast"),
-    ("bullet-3.2.7-rigid", "Bullet, rigid body"),
-    ("rapier3d-f64-0.36.1", "Rapier (default)"),
-    ("mujoco-4.0.0-euler", "MuJoCo, Euler (default)"),
-    ("bullet-3.2.7-multibody", "Bullet, multibody (pybullet)"),
+/// Rules as the figure calls them, by how the judge's names of them begin.
+const RULES: [(&str, &str); 5] = [
+    ("Runge-Kutta", "Runge and Kutta's rule"),
+    ("linearised", "one implicit step"),
+    ("explicit gyroscopic", "an explicit step"),
+    ("no gyroscopic", "no gyroscopic term"),
+    ("none known", "a rule that the judge does not know"),
 ];
 
-const STORIES: [(&str, &str); 6] = [
-    ("box-middle", "the box"),
-    ("middle", "middle"),
-    ("major", "largest"),
-    ("minor", "smallest"),
-    ("fast", "fast"),
-    ("wound", "faster"),
-];
-
-/// Laws, and what the figure calls them.
-const LAWS: [(LawName, &str); 3] = [
-    (LawName::Energy, "energy"),
-    (LawName::Momentum, "length of $L$"),
-    (LawName::Direction, "direction of $L$"),
-];
-
-/// The most that a law may be off.
-const ALLOWED: f64 = 0.01;
-
-const LEFT: f64 = 16.0;
-const COLUMN: f64 = 110.0;
-const MARK: f64 = 33.0;
-const ROW: f64 = 76.0;
-const TOP: f64 = 128.0;
-
-/// The greatest error in a law of a record. `None` where there is no such record.
-fn greatest(engine: &str, story: &str, law: LawName) -> Option<f64> {
-    let record = format!("{engine}--{story}");
-    judged().find(|of| of.record == record && of.law == law).map(|of| of.most)
+/// The rule that the figure groups an engine by.
+fn rule(name: &str) -> &'static str {
+    RULES.iter().find(|rule| name.starts_with(rule.0)).map_or("an explicit step, rescaled", |rule| rule.1)
 }
 
-/// A law's mark: a disc, a square, a triangle, filled where the law is broken.
-fn mark(canvas: &Canvas, law: usize, (x, y): P, broken: bool) {
-    let (fill, pen) = if broken {
-        (Fill::new(Ink::Wrong), Pen::new(Ink::Wrong, 2.0))
-    } else {
-        (Fill::new(Ink::Paper), Pen::new(Ink::Faint, 2.0))
-    };
-    match law {
-        0 => canvas.disc((x, y), 10.5, fill, Some(pen)),
-        1 => canvas.tiles(&[[x - 9.5, y - 9.5, x + 9.5, y + 9.5]], fill, Some(pen)),
-        _ => canvas.area(&[(x - 11.5, y + 10.0), (x, y - 11.0), (x + 11.5, y + 10.0)], fill, Some(pen)),
-    }
+const TITLE: f64 = 30.0;
+const ROW: f64 = 25.0;
+/// Where the bars begin, and the length of one of 1200 steps.
+const BARS: [f64; 2] = [212.0, 250.0];
+
+/// Where a bar ends after this number of steps.
+fn end(steps: usize) -> f64 {
+    BARS[0] + BARS[1] * (steps as f64).ln() / 1200_f64.ln()
 }
 
 pub(super) fn grades() -> Drawing {
-    let canvas = Canvas::new(588);
-    let mut x = LEFT;
-    for (law, (_, name)) in LAWS.iter().enumerate() {
-        mark(&canvas, law, (x + 12.0, 20.0), false);
-        canvas.label((x + 32.0, 27.0), &Label::new(*name).size(21.0));
-        x += [150.0, 190.0, 0.0][law];
+    let lines: Vec<_> = table().collect();
+    let titles = lines.chunk_by(|a, b| rule(a.rule) == rule(b.rule)).count();
+    let top = 74.0;
+    let bottom = top + ROW * lines.len() as f64 + TITLE * titles as f64;
+    let canvas = Canvas::sized(NARROW, (bottom + 44.0) as u32);
+    canvas.label((12.0, 24.0), &Label::new("steps of 1/60 s until the energy, the momentum").size(16.0));
+    canvas
+        .label((12.0, 44.0), &Label::new("or a flip is wrong; upper bar: the box, which flips;").size(16.0));
+    canvas.label((12.0, 64.0), &Label::new("lower bar: a stable spin about the largest axis").size(16.0));
+    for (steps, text) in [(1, "1"), (10, "10"), (100, "100"), (1200, "1200")] {
+        canvas.line((end(steps), top), (end(steps), bottom + 8.0), Pen::new(Ink::Faint, 0.8));
+        canvas.label((end(steps), bottom + 28.0), &Label::new(text).size(15.0).middle());
     }
-    for (law, x) in [12.0, 44.0, 76.0].into_iter().enumerate() {
-        mark(&canvas, law, (LEFT + x, 58.0), true);
-    }
-    let key = Label::new("filled: off by more than 1 % (direction: 0.01 rad)").size(21.0);
-    canvas.label((LEFT + 100.0, 65.0), &key);
-    for (column, (_, title)) in STORIES.iter().enumerate() {
-        let x = LEFT + COLUMN * column as f64;
-        canvas.label((x + 12.0 + MARK, TOP - 18.0), &Label::new(*title).size(21.0).bold().middle());
-    }
-    let mut said = Vec::new();
-    for (row, (engine, name)) in ENGINES.iter().enumerate() {
-        let y = TOP + ROW * row as f64;
-        canvas.line((LEFT, y - 6.0), (LEFT + 6.0 * COLUMN - 8.0, y - 6.0), Pen::new(Ink::Faint, 0.8));
-        canvas.label((LEFT, y + 18.0), &Label::new(*name).size(21.0));
-        let mut broken = [0_u32; LAWS.len()];
-        for (column, (story, _)) in STORIES.iter().enumerate() {
-            let x = LEFT + COLUMN * column as f64;
-            for (place, (law, _)) in LAWS.iter().enumerate() {
-                if let Some(most) = greatest(engine, story, *law) {
-                    broken[place] += u32::from(most > ALLOWED);
-                    mark(&canvas, place, (x + 12.0 + MARK * place as f64, y + 42.0), most > ALLOWED);
-                }
-            }
+    let (mut y, mut said, mut before) = (top, Vec::new(), "");
+    for line in &lines {
+        if rule(line.rule) != before {
+            before = rule(line.rule);
+            y += TITLE;
+            canvas.label((12.0, y - 6.0), &Label::new(before).size(15.5).bold().halo(Ink::Paper));
         }
-        let [energy, length, direction] = broken;
-        said.push(format!("{name}: {energy}, {length}, {direction}"));
+        canvas.label((20.0, y + 17.0), &Label::new(line.name).size(15.0));
+        for (steps, y) in line.steps.into_iter().zip([y + 4.0, y + 13.0]) {
+            let ink = if steps.is_some() { Ink::Wrong } else { Ink::Text };
+            canvas.tiles(&[[BARS[0], y, end(steps.unwrap_or(1200)), y + 7.0]], Fill::new(ink), None);
+        }
+        y += ROW;
+        let [of_box, largest] =
+            line.steps.map(|step| step.map_or("never".to_owned(), |step| step.to_string()));
+        said.push(format!("{} ({before}): {of_box}, {largest}", line.name));
     }
     canvas.described(format!(
-        "A row for each recorded engine, six stories in it, three marks for each story: a disc for the energy, a square for the \
-         momentum's length, a triangle for its direction. A filled mark is off by more than 1 in 100. Stories in which energy, length \
-         and direction are off, by engine: {}.",
+        "A row for each of {} recorded engines, grouped by rule, with two bars on a scale of powers: after how many of 1200 steps the \
+         energy or the momentum of the box is off by more than 1 in 100, or a flip is missing, and the same of a stable spin. Box, \
+         then stable spin: {}.",
+        lines.len(),
         said.join("; ")
     ))
 }

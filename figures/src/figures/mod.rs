@@ -108,7 +108,7 @@ pub(crate) static ALL: &[Figure] = figures! {
     work::draw_drift, "drift", "records", "Error of the energy through a million turns";
     scene_costs::draw, "scene-costs", "only-what-you-need", "What a state costs by what is requested of it";
     engines_fate::draw, "engines-fate", "where-things-break", "What the rules of physics engines make of a stable spin";
-    judged::grades, "judged-grades", "test-your-engine", "How recorded engines keep each law, story by story";
+    judged::grades, "judged-grades", "test-your-engine", "For how long recorded engines do what a free body does";
     frame::draw, "frame", "put-it-into-your-engine", "A frame of an engine: forces, solver, positions, and what each changes";
     judged::energies, "judged-energy", "records", "Energy of free bodies in recorded engines, beside the exact motion";
 };

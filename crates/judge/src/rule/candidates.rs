@@ -141,7 +141,10 @@ impl Subject {
     fn after(&self, rule: &Rule, from: &Row, h: f64) -> Option<End> {
         let start = from.start();
         let base = |from: &Row, h: f64| self.based(rule.base, from, h);
-        let with = |omega: Vector3<f64>| (turned(&start, &omega, h), omega);
+        let with = |omega: Vector3<f64>| match rule.base {
+            Base::Straight(..) => (unit(&straight(&start, &omega, h)).into_inner(), omega),
+            _ => (turned(&start, &omega, h), omega),
+        };
         let Some(alteration) = rule.alteration else { return base(from, h) };
         match alteration {
             Alteration::OtherMoments(moments, axes) => {

@@ -42,11 +42,16 @@ pub struct Limits {
     /// MuJoCo puts the body back to its attitude at the beginning of all, at rest, and warns. Here that is an
     /// error.
     pub rate: Option<f64>,
+    /// The attitude is stepped straight by the new spin, `q + h/2 q w` at length 1: always by too little, and
+    /// never by more than half a turn.
+    pub straight: bool,
 }
 
 impl Limits {
     /// None.
-    pub const NONE: Self = Self { turn: None, component: None, spin: None, rate: None };
+    pub const NONE: Self = Self { turn: None, component: None, spin: None, rate: None, straight: false };
+    /// None, and the attitude stepped straight.
+    pub const STRAIGHT: Self = Self { straight: true, ..Self::NONE };
 }
 
 impl PhysicsEngine {
@@ -139,10 +144,10 @@ impl Limits {
         }
         let cut = omega != requested;
         let most = self.turn.unwrap_or(f64::INFINITY);
-        if !cut && omega.norm() * part.abs() <= most {
+        if !cut && !self.straight && omega.norm() * part.abs() <= most {
             return Ok(end);
         }
-        let attitude = if method == Method::RescaledLinearAttitude {
+        let attitude = if self.straight || method == Method::RescaledLinearAttitude {
             turned_straight(&start.attitude, &omega, part)
         } else {
             turned_beyond(&start.attitude, &omega, part, most)

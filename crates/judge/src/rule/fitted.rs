@@ -169,5 +169,5 @@ fn capped(pairs: &[Pair]) -> Option<f64> {
     let most = pairs.iter().map(|pair| pair.to.omega.norm()).fold(0.0, f64::max);
     let there = pairs.iter().filter(|pair| pair.to.omega.norm() >= most * (1.0 - BEYOND)).count();
     let [least, share] = CAPPED_ROWS;
-    (most > 0.0 && there >= least && there * share >= pairs.len()).then_some(most)
+    (most.is_normal() && there >= least && there * share >= pairs.len()).then_some(most)
 }

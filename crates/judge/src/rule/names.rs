@@ -120,6 +120,14 @@ impl Rule {
     /// The number of an engine's steps that one step of this rule is, if it is the engine's rule.
     pub(crate) fn steps_of(&self, engine: &PhysicsEngine) -> Option<u32> {
         match (self.base, self.alteration) {
+            (Base::Straight(spin, parts), None) => {
+                let method = match spin {
+                    Spin::Kept => Method::ConstantSpin,
+                    Spin::Explicit => Method::SemiImplicitEuler,
+                };
+                (engine.limits.straight && engine.method == method).then_some(parts)
+            }
+            (Base::Method(..), None) if engine.limits.straight => None,
             // However many parts, the spin is the same.
             (Base::Method(Method::ConstantSpin, _), None) => {
                 (engine.method == Method::ConstantSpin).then_some(1)
@@ -174,7 +182,8 @@ pub(crate) fn engine_names(own: &[Steps], leading: &[Rule]) -> Vec<String> {
 impl PhysicsEngine {
     /// Whether a word is the first of its name, or of one of its names.
     pub(crate) fn is_called(&self, word: &str) -> bool {
-        let mut names = self.name.split(", ").filter_map(|name| name.split(' ').next());
+        let first = |name: &'static str| name.split(|c: char| !c.is_alphanumeric()).next();
+        let mut names = self.name.split(", ").filter_map(first);
         names.any(|name| name.eq_ignore_ascii_case(word))
     }
 }

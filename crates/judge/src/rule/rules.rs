@@ -190,7 +190,11 @@ impl Base {
     pub(crate) fn all() -> Vec<Self> {
         let mut all = vec![Self::Exact];
         for engine in PHYSICS_ENGINES {
-            let base = Self::Method(engine.method, engine.parts);
+            let base = match (engine.limits.straight, engine.method) {
+                (true, Method::ConstantSpin) => Self::Straight(Spin::Kept, engine.parts),
+                (true, _) => Self::Straight(Spin::Explicit, engine.parts),
+                _ => Self::Method(engine.method, engine.parts),
+            };
             if !all.contains(&base) {
                 all.push(base);
             }
@@ -206,8 +210,10 @@ impl Base {
 
 /// Plain rules, in the order in which they are preferred where several explain a record alike.
 pub(crate) fn plain(free: bool, pairs: &[Pair]) -> Vec<Rule> {
-    let mut all: Vec<Base> = Base::all().into_iter().filter(|base| free || *base != Base::Exact).collect();
-    for &engine in PHYSICS_ENGINES.iter().filter(|engine| engine.limits != Limits::NONE) {
+    let possible = |base: &Base| free || matches!(base, Base::Method(..));
+    let mut all: Vec<Base> = Base::all().into_iter().filter(possible).collect();
+    let plain = [Limits::NONE, Limits::STRAIGHT];
+    for &engine in PHYSICS_ENGINES.iter().filter(|engine| !plain.contains(&engine.limits)) {
         all.push(Base::Engine(engine));
         // Bullet's greatest spin is a setting, and may have been raised.
         if let (Some(usual), Some(most)) = (engine.limits.component, greatest(pairs))
@@ -224,11 +230,7 @@ pub(crate) fn plain(free: bool, pairs: &[Pair]) -> Vec<Rule> {
         }
     }
     if free {
-        all.extend([
-            Base::PositionStage(1),
-            Base::Straight(Spin::Kept, 1),
-            Base::Straight(Spin::Explicit, 1),
-        ]);
+        all.push(Base::PositionStage(1));
     }
     all.extend([Steps::First, Steps::Fourth].map(|steps| Base::FrozenTensor(Quaternion::identity(), steps)));
     all.into_iter().map(Rule::plain).collect()

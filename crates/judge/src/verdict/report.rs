@@ -34,8 +34,11 @@ impl Verdict {
         let sentences = |all: Vec<String>| all.iter().map(|words| sentence(words)).collect::<Vec<_>>();
         let short = self.outcome == Outcome::TooShort;
         let shown = self.diagnosis.as_ref().filter(|found| !short || found.confidence.names_a_rule());
-        let head = shown.map(Diagnosis::head).unwrap_or_default();
+        let mut head = shown.map(Diagnosis::head).unwrap_or_default();
         let mistakes = self.mistakes();
+        // The rule is that of the numbers as they are meant.
+        let named = head.first_mut().filter(|_| !mistakes.is_empty());
+        named.into_iter().for_each(|line| line.insert_str(0, "With the file put right: "));
         let (failed, reasons) =
             (self.outcome == Outcome::Failed && !head.is_empty(), sentences(self.reasons()));
         let first = if failed { sentences(mistakes) } else { reasons.clone() };

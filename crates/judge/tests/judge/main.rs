@@ -8,6 +8,7 @@ mod common;
 mod engines_fate;
 mod engines_judged;
 mod engines_recorded;
+mod engines_table;
 mod faults;
 mod files;
 mod hard;

@@ -121,7 +121,9 @@ fn a_cap_on_the_spin_is_named() {
 fn every_rule_is_named_from_slow_to_fast_spins_and_from_long_to_short_steps() {
     let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
     let mut judgements = 0;
-    for engine in tumbling_judge::PHYSICS_ENGINES {
+    let mut engines = tumbling_judge::PHYSICS_ENGINES.to_vec();
+    engines.dedup_by_key(|engine| (engine.method, engine.parts, engine.limits));
+    for engine in engines {
         for speed in [0.1, 1.0, 10.0, 30.0] {
             for h in [1.0 / 30.0, 1.0 / 60.0, 1.0 / 240.0, 1.0 / 1000.0] {
                 for direction in SPINS {
@@ -143,16 +145,13 @@ fn every_rule_is_named_from_slow_to_fast_spins_and_from_long_to_short_steps() {
                     assert_eq!(verdict.file_mistakes, [], "{what}");
                     assert_eq!(verdict.resets, [], "{what}");
                     let diagnosis = verdict.diagnosis.unwrap();
-                    let mut named =
-                        std::iter::once(diagnosis.best.rule).chain(diagnosis.alike.iter().copied());
-                    assert!(
-                        named.any(|rule| rule.method() == Some((engine.method, engine.parts))),
-                        "{what}: {diagnosis}"
-                    );
+                    let named = std::iter::once(&diagnosis.best.rule).chain(&diagnosis.alike);
+                    let mut names = named.flat_map(|rule| rule.engines());
+                    assert!(names.any(|name| name.contains(engine.name)), "{what}: {diagnosis}");
                     judgements += 1;
                 }
             }
         }
     }
-    assert_eq!(judgements, 896);
+    assert_eq!(judgements, 1280);
 }
