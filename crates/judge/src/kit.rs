@@ -88,14 +88,14 @@ impl Story {
     /// that the answer says nothing.
     ///
     /// It is the sum of what the exact motion makes of three errors: of the rounding of the inputs; of the
-    /// pace of a rule of second order, which is off by (w h)²/12 with the largest spin w; and of a rounding
+    /// rate of a rule of second order, which is off by (w h)²/12 with the largest spin w; and of a rounding
     /// of spin and attitude in each step, with the worst signs, by the largest growth of an error of the spin
     /// from then on.
     #[must_use]
     pub fn within<T: Precision>(&self, answer: &Answer, h: f64) -> [Option<f64>; 2] {
         let rounded = self.rounded(answer, h).map(|sum| T::ROUNDING * sum);
-        let pace = answer.sensitivity.map(|size| size * (self.pace(h) + T::ROUNDING));
-        [0, 1].map(|i| Some(pace[i] + rounded[i]).filter(|off| *off < 1.0))
+        let rate = answer.sensitivity.map(|size| size * (self.rate(h) + T::ROUNDING));
+        [0, 1].map(|i| Some(rate[i] + rounded[i]).filter(|off| *off < 1.0))
     }
 
     /// What a rounding in each step before an answer makes of spin and attitude there, by one part.
@@ -165,12 +165,12 @@ impl Story {
     #[must_use]
     pub fn options(&self, h: f64) -> Options {
         let options = Options::default();
-        let pace = self.pace(h).max(options.threshold);
-        options.with(LawName::Consistency, pace)
+        let rate = self.rate(h).max(options.threshold);
+        options.with(LawName::Consistency, rate)
     }
 
-    /// The share by which a rule of second order gets the pace of a turn wrong.
-    fn pace(&self, h: f64) -> f64 {
+    /// The share by which a rule of second order gets the rate of a turn wrong.
+    fn rate(&self, h: f64) -> f64 {
         (self.fastest * h).powi(2) / 12.0
     }
 }

@@ -1,5 +1,5 @@
 //! What fails a record besides the laws: a spin that turns over or flips otherwise, a rule that is wrong for
-//! certain, and a way round at another pace.
+//! certain, and a circuit at another rate.
 
 use crate::law::LawName;
 use crate::laws::{Complaint, FlipCount, Law};
