@@ -13,7 +13,7 @@ pub(crate) const ALLOWED: f64 = 0.01;
 /// motion makes. A right rule of second order loses far less, except near the separatrix, where a period
 /// takes as long as the smallest error lets it; a rule without a gyroscopic term loses all, a clock at half
 /// its rate a half.
-pub(crate) const PACE: f64 = 0.25;
+pub(crate) const PHASE: f64 = 0.25;
 /// Rows below which no record passes: of a few rows any rule may be had.
 pub(crate) const ENOUGH_ROWS: u64 = 8;
 /// Share by which the spin must have to change before a body that does not turn once round shows anything.

@@ -5,7 +5,7 @@ use crate::law::LawName;
 use crate::laws::{Complaint, FlipCount, Law};
 use crate::options::Options;
 use crate::rule::{Alteration, Base, Confidence, Diagnosis, Rule, Spin};
-use crate::thresholds::PACE;
+use crate::thresholds::PHASE;
 use tumbling::step::Method;
 
 /// A spin that turns over, or flips where it never should, or never where it should.
@@ -45,7 +45,7 @@ const fn is_wrong(rule: &Rule) -> bool {
 /// A phase that ran away, where the caller has set no limit of its own for it.
 pub(crate) fn wrong_pace(laws: &[Law], ways: f64, options: &Options) -> Option<Complaint> {
     let phase = laws.iter().find(|law| law.name == LawName::Phase)?;
-    let allowed = PACE + PACE * ways;
+    let allowed = PHASE + PHASE * ways;
     let wrong = options.allowed(LawName::Phase).is_none() && phase.most > allowed;
     wrong.then_some(Complaint::WrongPace { off: phase.most, ways, allowed })
 }
