@@ -313,8 +313,8 @@ pub fn step_all<A: ?Sized, I: Copy>(
         if *count == LANES {
             *count = 0;
             let ends = if framed { ends::<true> } else { ends::<false> }(rows, h);
-            for k in 0..LANES {
-                let Some(body) = waiting[k].take() else { continue };
+            for (k, body) in waiting.iter_mut().enumerate() {
+                let Some(body) = body.take() else { continue };
                 let at = |i: usize| ends[i][k];
                 let (q, w) = ([at(0), at(1), at(2), at(3)], three(|i| at(4 + i)));
                 if taken(&end(q, &w, three(|i| at(7 + i)))) {
@@ -370,8 +370,8 @@ fn ends<const FRAMED: bool>(rows: &Rows, h: Real) -> [[Real; LANES]; 10] {
         let (coupling, relative, twist, bound) = (at(7), at(10), at(13), at(22));
         let stage = PositionStage { coupling, relative, twist, twist_2, bound, steady: 0.0, frame };
         let end = stage.turn(&four(0), &at(4), h);
-        for i in 0..10 {
-            ends[i][k] = end[i];
+        for (row, x) in ends.iter_mut().zip(end) {
+            row[k] = x;
         }
     }
     ends

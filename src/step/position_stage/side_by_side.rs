@@ -145,8 +145,8 @@ fn ends_of<T: Field + Float + From<f32>, const FRAMED: bool>(rows: &Rows<T>, h: 
             PositionStage { coefficients, frame }.turn(&start, h);
         let q = attitude.coords;
         let numbers = [q.w, q.x, q.y, q.z, omega.x, omega.y, omega.z, turn, length, over];
-        for i in 0..10 {
-            ends[i][k] = numbers[i];
+        for (row, x) in ends.iter_mut().zip(numbers) {
+            row[k] = x;
         }
     }
     ends
