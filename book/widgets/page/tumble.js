@@ -118,7 +118,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
 
     const missing = (what) => `The field for the ${what} has no number in it: type a finite one.`;
 
-    /** Of each axis to spin about: which of x, y, z it is, where the push goes, its colour, and its name. */
+    /** Of each axis to spin about: which of x, y, z it is, where the slip goes, its colour, and its name. */
     const SPUN = [
         { along: 0, across: 1, colour: "axis-mid", axis: "the middle axis" },
         { along: 2, across: 0, colour: "axis-min", axis: "the axis of the smallest moment" },

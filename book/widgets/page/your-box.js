@@ -152,8 +152,8 @@ tumblingLive.widget("your-box", async (stage, from) => {
             if (fate === 4) return "two moments are equal: the spin circles the third axis evenly";
             if (fate === 5) return "the three moments are equal: any spin stays as it is";
             if (fate === 6) return "two moments are equal, and the spin stays as it is";
-            if (fate < 10) return `the spin stays on ${named(fate - 7)}; a slight push makes it wobble, no more`;
-            return `the spin stands on ${named(fate - 10)}: the least push makes it flip`;
+            if (fate < 10) return `the spin stays on ${named(fate - 7)}; a slight slip makes it wobble, no more`;
+            return `the spin stands on ${named(fate - 10)}: the least slip makes it flip`;
         });
         redraw();
         return found ? `Moments ${three(0)}. Momentum ${three(3)}. Gap ${fixed(found[6], 1)}°.` : ""; // what is wrong is said by itself
