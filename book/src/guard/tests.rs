@@ -322,6 +322,7 @@ fn another(own: &str) -> String {
         ("twice", "thrice"),
         ("tenfold", "twofold"),
         ("once", "twice"),
+        ("eleven", "twelve"),
     ];
     let known = pairs.iter().find(|(word, _)| lower.contains(word));
     known.map_or_else(|| "eleven".to_owned(), |(word, other)| lower.replacen(word, other, 1))

@@ -44,8 +44,10 @@ pub(super) fn grades() -> Drawing {
     }
     let (mut y, mut said, mut before) = (top, Vec::new(), "");
     for line in &lines {
+        let mut lead = String::new();
         if rule(line.rule) != before {
             before = rule(line.rule);
+            lead = format!("{before}: ");
             y += TITLE;
             canvas.label((12.0, y - 6.0), &Label::new(before).size(15.5).bold().halo(Ink::Paper));
         }
@@ -57,7 +59,7 @@ pub(super) fn grades() -> Drawing {
         y += ROW;
         let [of_box, largest] =
             line.steps.map(|step| step.map_or("never".to_owned(), |step| step.to_string()));
-        said.push(format!("{} ({before}): {of_box}, {largest}", line.name));
+        said.push(format!("{lead}{} {of_box}, {largest}", line.name));
     }
     canvas.described(format!(
         "A row for each of {} recorded engines, grouped by rule, with two bars on a scale of powers: after how many of 1200 steps the \
