@@ -1,4 +1,5 @@
 // Readers who use the book otherwise than with a mouse and scripts.
+import { asInEnglish } from "./widgets/controls.mjs";
 import { finger } from "./widgets/hands.mjs";
 
 /** By keyboard alone: past the controls, and each control itself. */
@@ -152,11 +153,12 @@ export async function questions(open, base, pages, fault) {
           await wrong.focus();
           await page.keyboard.press("Enter");
         }
-        wants(`a wrong choice is called wrong: ${await box.locator("[role=status]").textContent()}`, /^\s*No\. /.test(await box.locator("[role=status]").textContent()));
+        const verdict = asInEnglish(await box.locator("[role=status]").textContent());
+        wants(`a wrong choice is called wrong: ${verdict}`, /^\s*No\. /.test(verdict));
         wants("the right one is marked", (await box.locator(".question-right").textContent()).trim() === right && (await box.locator(".question-wrong").count()) === 1);
       } else {
         const slider = box.locator("input");
-        const read = async () => parseFloat(await box.locator("output").textContent());
+        const read = async () => parseFloat(asInEnglish(await box.locator("output").textContent()));
         await slider.scrollIntoViewIfNeeded();
         const { x, y, width, height } = await slider.boundingBox();
         const at = (part) => [x + part * width, y + height / 2];
@@ -171,7 +173,7 @@ export async function questions(open, base, pages, fault) {
         wants("an arrow key moves it and turns no page", (await read()) > before && page.url() === address);
         await box.locator("button").click();
         const mark = await box.locator(".question-mark").evaluate((mark) => Number(mark.style.getPropertyValue("--at")));
-        wants(`the mark stands at ${mark}, the answer is ${right}`, Math.abs(mark * most - parseFloat(right)) < 1e-9);
+        wants(`the mark stands at ${mark}, the answer is ${right}`, Math.abs(mark * most - parseFloat(asInEnglish(right))) < 1e-9);
       }
       wants("then the answer is there", await answer.isVisible());
       wants("and the page is", page.url() === address);

@@ -17,7 +17,11 @@ export const said = async (page, widget, pattern) => {
   return [`it says ${pattern}, not "${await place.textContent()}"`, holds];
 };
 
-export const shown = (page, widget, what) => page.locator(`#live-${widget} [data-shows=${what}]`).textContent();
+/** What a translated page says, with the decimal point and the words that these checks expect. */
+export const asInEnglish = (text) => [[/(\d),(?=\d)/g, "$1."], ["kein Umdrehen", "no flip"], ["Umdrehen", "Flip"], ["Nein.", "No."], ["Ein Wurf an die Decke", "A toss to the ceiling"], ["alle 1", "every 1"]]
+  .reduce((now, [from, to]) => now.replace(from, to), text);
+
+export const shown = async (page, widget, what) => asInEnglish(await page.locator(`#live-${widget} [data-shows=${what}]`).textContent());
 
 /** Whether some part of a widget's drawings has no place, or a number that is none is shown. */
 export const broken = (page, widget) => page.locator(`#live-${widget}`).evaluate((box) =>

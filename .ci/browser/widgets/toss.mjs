@@ -1,5 +1,5 @@
 // The book of the first screen.
-import { set, shown } from "./controls.mjs";
+import { asInEnglish, set, shown } from "./controls.mjs";
 import { byHand, finger, frames, pass } from "./hands.mjs";
 
 /** The book of the first screen: it flips about its middle axis and about no other, goes on by itself only where it may, and turns under a finger. */
@@ -72,7 +72,7 @@ export async function tossPlay(page, wants) {
 
 /** Three books and one error of the hand: one flips, as often as was said, and later the smaller the error is; the others do not. */
 export async function tosses(page, wants) {
-  const text = (await page.textContent("main")).replace(/\s+/g, " ");
+  const text = asInEnglish((await page.textContent("main")).replace(/\s+/g, " "));
   const [, beat] = text.match(/every (1\.\d\d s)\. A toss to the ceiling/) ?? [];
   await set(page, "#tosses-slip", Math.log10(0.05));
   wants(`off by a twentieth it flips every ${await shown(page, "tosses", "beat")}, as the chapter says`, (await shown(page, "tosses", "beat")) === beat);
@@ -84,7 +84,7 @@ export async function tosses(page, wants) {
   }
   const later = firsts.slice(1).map((time, i) => time - firsts[i]);
   wants(`each error a hundred times smaller waits as long again: ${later}`, later.every((step) => step > 0.2 && Math.abs(step - later[0]) < 0.03));
-  const flips = () => page.locator("#live-tosses [data-counts]").allTextContents();
+  const flips = async () => (await page.locator("#live-tosses [data-counts]").allTextContents()).map(asInEnglish);
   await set(page, "#tosses-slip", -2);
   const due = await first();
   let seen = 0;

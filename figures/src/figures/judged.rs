@@ -40,7 +40,7 @@ pub(super) fn grades() -> Drawing {
     canvas.label((12.0, 64.0), &Label::new("lower bar: a stable spin about the largest axis").size(16.0));
     for (steps, text) in [(1, "1"), (10, "10"), (100, "100"), (1200, "1200")] {
         canvas.line((end(steps), top), (end(steps), bottom + 8.0), Pen::new(Ink::Faint, 0.8));
-        canvas.label((end(steps), bottom + 28.0), &Label::new(text).size(15.0).middle());
+        canvas.label((end(steps), bottom + 28.0), &Label::new(text).size(15.5).middle());
     }
     let (mut y, mut said, mut before) = (top, Vec::new(), "");
     for line in &lines {
@@ -51,7 +51,7 @@ pub(super) fn grades() -> Drawing {
             y += TITLE;
             canvas.label((12.0, y - 6.0), &Label::new(before).size(15.5).bold().halo(Ink::Paper));
         }
-        canvas.label((20.0, y + 17.0), &Label::new(line.name).size(15.0));
+        canvas.label((20.0, y + 17.0), &Label::new(line.name).size(15.5));
         for (steps, y) in line.steps.into_iter().zip([y + 4.0, y + 13.0]) {
             let ink = if steps.is_some() { Ink::Wrong } else { Ink::Text };
             canvas.tiles(&[[BARS[0], y, end(steps.unwrap_or(1200)), y + 7.0]], Fill::new(ink), None);
