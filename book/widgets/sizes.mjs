@@ -9,7 +9,7 @@ import { gzipSync } from "node:zlib";
 
 const MOST = { "two-arrows": 8_000 };
 // Without the judge, which reads files of any kind and size. Each has the words of all errors, and what steps has all kinds of torques.
-const MOST_TOGETHER = 331_500;
+const MOST_TOGETHER = 333_000;
 const [folder, ...names] = process.argv.slice(2);
 
 let together = 0;

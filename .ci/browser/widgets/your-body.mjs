@@ -1,4 +1,5 @@
 // A body of the reader's own.
+import { readFile } from "node:fs/promises";
 import { set, shown } from "./controls.mjs";
 import { finger } from "./hands.mjs";
 
@@ -59,14 +60,16 @@ export async function yourBody(page, wants) {
     const text = (await page.isVisible(wrong)) ? await page.textContent(wrong) : null;
     wants(`moments ${Object.values(values)}: ${text}`, says === null ? text === null : text?.includes(says));
   }
-  await page.locator("#live-your-body summary").click();
+  await page.locator("#live-your-body details:not(#your-body-many) summary").click();
   const link = '<link name="arm"><inertial><origin xyz="0 0 1" rpy="0 0 1.5707963267948966"/><mass value="2"/><inertia ixx="1" iyy="2" izz="2.5" ixy="0.1" ixz="0" iyz="0"/></inertial></link>';
   await page.fill("#your-body-urdf", link);
   const taken = await Promise.all(["xx", "yy", "zz", "xy", "m"].map(async (field) => Number(await page.inputValue(`#your-body-${field}`))));
   wants(`a link is turned into its own axes: ${taken}`, [2, 1, 2.5, -0.1, 2000].every((x, k) => Math.abs(taken[k] - x) < 1e-9));
   await page.fill("#your-body-urdf", "<link><inertial><mass value='2'/></inertial></link>");
   wants(`half a link is refused: ${await tell("urdf")}`, (await tell("urdf")).includes("missing"));
-  await page.locator("#live-your-body summary").click();
+  await page.locator("#live-your-body details:not(#your-body-many) summary").click();
+
+  await ofParts(page, wants, { tell, fill, choose });
 
   // Another's link is taken over, and by finger and keyboard the view goes round.
   await page.evaluate(() => { location.hash = "#your-body?kind=ellipsoid&m=1e12&a=620&b=500&c=384"; });
@@ -84,4 +87,50 @@ export async function yourBody(page, wants) {
   await page.keyboard.press("ArrowRight");
   wants("by keyboard too", (await svg.innerHTML()) !== turned);
   wants("every part of the drawings has a place", !/NaN|Infinity|undefined/.test(await page.locator("#live-your-body .live-stage").innerHTML()));
+}
+
+/** Two boxes, the second added by keyboard: moments as the parallel-axis theorem has them, the address, the file, and a part removed. */
+async function ofParts(page, wants, { tell, fill, choose }) {
+  const boxes = [{ m: 2, sides: [0.1, 0.2, 0.4], at: [0, 0, 0] }, { m: 3, sides: [0.3, 0.1, 0.2], at: [0.5, 0, -0.05] }]; // kg, m
+  const mm = (names, lengths) => Object.fromEntries(lengths.map((x, k) => [names[k], 1000 * x]));
+  const items = page.locator("#live-your-body .your-body-parts li");
+  await choose("box");
+  await page.locator("#your-body-many summary").click();
+  for (const { m, sides, at } of boxes) {
+    await fill({ m: 1000 * m, ...mm("abc", sides), ...mm("xyz", at) });
+    await page.locator("#your-body-add").focus();
+    await page.keyboard.press("Enter");
+  }
+  wants(`two parts are listed: ${await items.allTextContents()}; ${await tell("added")}`, (await items.count()) === 2 && (await tell("added")) === "Part 2 is added."
+    && (await items.nth(1).textContent()).includes("3000 g, 300 × 100 × 200 mm, at (500, 0, −50) mm"));
+  // The boxes lie in the plane y = 0: across it stands one axis, and the other two turn by half the angle of the product.
+  const whole = boxes.reduce((sum, { m }) => sum + m, 0);
+  const centre = [0, 1, 2].map((i) => boxes.reduce((sum, { m, at }) => sum + m * at[i], 0) / whole);
+  const about = (i, j) => boxes.reduce((sum, { m, sides, at }) => sum + m * ((i === j ? sides[i] ** 2 / 12 : 0) + (at[i] - centre[i]) * (at[j] - centre[j])), 0);
+  const [xx, yy, zz, xz] = [about(1, 1) + about(2, 2), about(0, 0) + about(2, 2), about(0, 0) + about(1, 1), -about(0, 2)];
+  const root = Math.hypot((xx - zz) / 2, xz);
+  const moments = [(xx + zz) / 2 - root, (xx + zz) / 2 + root, yy].sort((a, b) => a - b);
+  const told = await Promise.all([1, 2, 3].map(async (k) => parseFloat(await tell(`axis-${k}`))));
+  wants(`the moments of two boxes are ${moments}: ${told}`, moments.every((x, k) => Math.abs(told[k] / x - 1) < 6e-4));
+  const coming = page.waitForEvent("download", { timeout: 60000 });
+  await page.click("#live-your-body [data-save=file]");
+  const text = await readFile(await (await coming).path(), "utf8");
+  const tables = boxes.map(({ m, sides, at }) => `\n[[part]]\nshape = "box"\nsides = [${sides.join(", ")}] # m\nmass = ${m} # kg\nat = [${at.join(", ")}] # m\n`);
+  wants(`the file has both parts: ${text}`, text === `name = "your body"\n${tables.join("")}`);
+
+  // What is no part is refused in the library's words, and the list stays.
+  await fill({ a: -1 });
+  await page.click("#your-body-add");
+  wants(`no part has a side below zero: ${await tell("added")}`, (await tell("added")).includes("must be above zero") && (await items.count()) === 2);
+  await fill({ a: 300 });
+  const kept = "part=box_2_0.1_0.2_0.4_0_0_0&part=box_3_0.3_0.1_0.2_0.5_0_-0.05";
+  await page.waitForFunction((kept) => location.hash.endsWith(kept), kept, { timeout: 60000 }).catch(() => {});
+  wants(`the address keeps the parts: ${page.url()}`, page.url().endsWith(kept));
+  await page.locator("#live-your-body .your-body-parts button").first().focus();
+  await page.keyboard.press("Enter");
+  const alone = parseFloat(await tell("axis-3"));
+  wants(`the second box alone: ${alone}`, Math.abs(alone / (3 * (0.3 ** 2 + 0.2 ** 2) / 12) - 1) < 6e-4 && (await page.evaluate(() => document.activeElement.getAttribute("aria-label"))).startsWith("Remove part 1"));
+  await page.evaluate((kept) => { location.hash = `#your-body?kind=box&m=1&a=1&b=1&c=1&${kept}`; }, kept);
+  await page.waitForFunction(() => document.querySelectorAll("#live-your-body .your-body-parts li").length === 2, null, { timeout: 60000 }).catch(() => {});
+  wants(`a link brings both: ${await tell("axis-3")}`, Math.abs(parseFloat(await tell("axis-3")) / moments[2] - 1) < 6e-4);
 }

@@ -21,6 +21,9 @@ tumblingLive.widget("your-body", async (stage, from) => {
     const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
     const unit = (a) => a.map((x) => x / (Math.hypot(...a) || 1));
     let found = null; // what the module answers, by name
+    let parts = []; // those added: kind, numbers as the module takes them (kg, m, kg m²), place
+    const PLACE = ["x", "y", "z"];
+    const MOST_PARTS = 20;
 
     /** Sizes and mass are typed in mm and g; asked, and kept in the address, in m and kg. */
     const UNIT = (name) => (TENSOR.includes(name) ? 1 : 1000);
@@ -29,6 +32,42 @@ tumblingLive.widget("your-body", async (stage, from) => {
     function given() {
         const names = KINDS[kind.value].length > 0 ? ["m", ...SIZES.slice(0, KINDS[kind.value].length)] : ["m", ...TENSOR];
         return names.map((name) => [name, field(name).value === "" ? "" : String(exactly(field(name).value / UNIT(name)))]);
+    }
+
+    /** What is wrong with what is typed, before the module looks at it; or null. */
+    function lacks(known) {
+        const empty = known.find(([, value]) => value === "");
+        return empty ? `Type a number for ${field(empty[0]).getAttribute("aria-label") ?? empty[0]}.` : null;
+    }
+    const together = (parts) => body.answer(5, parts.length, ...parts.flatMap(({ kind, numbers, at }) => [Object.keys(KINDS).indexOf(kind), ...numbers, ...Array(7 - numbers.length).fill(0), ...at]));
+    /** A part in words, in mm and g. */
+    function named({ kind: of, numbers: [mass, ...sizes], at }) {
+        const mm = (lengths) => lengths.map((x) => String(exactly(x * 1000)).replace("-", "−"));
+        const size = of === "moments" ? "" : `, ${mm(sizes).join(" × ")} mm`;
+        return `${of}, ${exactly(mass * 1000)} g${size}, at (${mm(at).join(", ")}) mm`;
+    }
+    function list() {
+        stage.querySelector("[data-of-parts]").hidden = parts.length === 0;
+        stage.querySelector(".your-body-parts").replaceChildren(...parts.map((part, k) => {
+            const [item, remove] = ["li", "button"].map((name) => document.createElement(name));
+            Object.assign(remove, { type: "button", textContent: "Remove" }).setAttribute("aria-label", `Remove part ${k + 1}, ${named(part)}`);
+            remove.addEventListener("click", () => {
+                parts.splice(k, 1);
+                shown("added").textContent = `Part ${k + 1} is removed.`;
+                show();
+                (stage.querySelectorAll(".your-body-parts button")[Math.min(k, parts.length - 1)] ?? field("add")).focus();
+            });
+            item.append(`${named(part)} `, remove);
+            return item;
+        }));
+    }
+    function add() {
+        const at = PLACE.map((name) => [name, field(name).value]);
+        const part = { kind: kind.value, numbers: given().map(([, value]) => Number(value)), at: at.map(([, value]) => exactly(value / 1000)) };
+        const why = parts.length === MOST_PARTS ? `There is room for ${MOST_PARTS} parts.` : lacks([...given(), ...at]) ?? (together([...parts, part]) ? null : `${body.words()}.`);
+        if (why === null) parts.push(part);
+        shown("added").textContent = why ?? `Part ${parts.length} is added.`;
+        if (why === null) show();
     }
 
     // ---- It tumbles, spun about axis 2: where it is, and its spin along its axes.
@@ -44,16 +83,18 @@ tumblingLive.widget("your-body", async (stage, from) => {
 
     function ask() {
         const values = given();
-        const known = kind.value === "moments" ? values.slice(1) : values;
-        const empty = known.find(([, value]) => value === "");
-        if (empty) return `Type a number for ${field(empty[0]).getAttribute("aria-label") ?? empty[0]}.`;
-        if (Number(field("m").value) < 0) return "The mass must be above zero, or left out where it is not known.";
-        const answer = body.answer(0, Object.keys(KINDS).indexOf(kind.value), ...values.map(([, value]) => Number(value)));
+        if (parts.length === 0) {
+            const why = lacks(kind.value === "moments" ? values.slice(1) : values);
+            if (why) return why;
+            if (Number(field("m").value) < 0) return "The mass must be above zero, or left out where it is not known.";
+        }
+        const answer = parts.length > 0 ? together(parts) : body.answer(0, Object.keys(KINDS).indexOf(kind.value), ...values.map(([, value]) => Number(value)));
         if (!answer) return `${body.words()}.`;
+        const drawn = parts[0] ?? { kind: kind.value, numbers: values.map(([, x]) => Number(x)) };
         const part = (from, count) => Array.from(answer.slice(from, from + count));
         found = {
             tensor: part(0, 6), moments: part(6, 3), axes: [part(9, 3), part(12, 3), part(15, 3)], equal: answer[18], growth: answer[19],
-            circles: [answer[20], answer[21]], semiaxes: part(22, 3), flips: part(25, 9), edges: kind.value === "box" ? values.slice(1).map(([, x]) => Number(x)) : null,
+            circles: [answer[20], answer[21]], semiaxes: part(22, 3), flips: part(25, 9), edges: drawn.kind === "box" && parts.length < 2 ? drawn.numbers.slice(1) : null,
         };
         return null;
     }
@@ -222,7 +263,14 @@ tumblingLive.widget("your-body", async (stage, from) => {
 
     /** What the address says of a body, and what it is to say. */
     const MARK = "#your-body?";
-    const words = () => `${MARK}${new URLSearchParams([["kind", kind.value], ...given()])}`;
+    const words = () => `${MARK}${new URLSearchParams([["kind", kind.value], ...given(), ...parts.map(({ kind, numbers, at }) => ["part", [kind, ...numbers, ...at].join("_")])])}`;
+    /** A part as the address has it: `box_0.2_0.077_0.0078_0.16_0_0_0`. */
+    function fromText(text) {
+        const [kind, ...numbers] = text.split("_");
+        const count = Object.hasOwn(KINDS, kind) ? 1 + (KINDS[kind].length || TENSOR.length) : 0;
+        const whole = count > 0 && numbers.length === count + 3 && numbers.every((x) => x !== "" && Number.isFinite(Number(x)));
+        return whole ? [{ kind, numbers: numbers.slice(0, count).map(Number), at: numbers.slice(count).map(Number) }] : [];
+    }
     function fromAddress() {
         if (!location.hash.startsWith(MARK)) return;
         const said = new URLSearchParams(location.hash.slice(MARK.length));
@@ -231,6 +279,8 @@ tumblingLive.widget("your-body", async (stage, from) => {
             const value = said.get(name);
             if (value !== null && (value === "" || Number.isFinite(Number(value)))) field(name).value = value === "" ? "" : exactly(value * UNIT(name));
         }
+        parts = said.getAll("part").flatMap(fromText).slice(0, MOST_PARTS);
+        if (parts.length > 0) field("many").open = true;
     }
     let later = 0;
     function keep() {
@@ -267,6 +317,7 @@ tumblingLive.widget("your-body", async (stage, from) => {
             field(name).previousElementSibling.textContent = called ?? "";
             field(name).setAttribute("aria-label", called?.length === 1 ? `the side along ${called}` : called ?? "");
         });
+        list();
         const why = ask();
         pause();
         if (why === null) {
@@ -322,9 +373,10 @@ tumblingLive.widget("your-body", async (stage, from) => {
             shown("copied").textContent = "It stands in the address of this page: copy it from there.";
         }
     });
-    tumblingLive.yourBodySaves({ stage, shown, wrong, kind, kinds: KINDS, given, found: () => found, pictures, exact });
+    tumblingLive.yourBodySaves({ stage, shown, wrong, kind, kinds: KINDS, given, parts: () => parts, named, found: () => found, pictures, exact });
     addEventListener("hashchange", () => { fromAddress(); show(); });
     kind.addEventListener("input", show);
+    field("add").addEventListener("click", add);
     for (const name of ["m", ...SIZES, ...TENSOR]) field(name).addEventListener("input", show);
     fromAddress();
     // What stands there at first is not in the address until something is changed.

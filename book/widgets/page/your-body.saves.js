@@ -2,22 +2,25 @@
 "use strict";
 
 /** Lets the buttons save what is `given` now, and what the module `found` of it. */
-tumblingLive.yourBodySaves = ({ stage, shown, wrong, kind, kinds, given, found, pictures, exact }) => {
+tumblingLive.yourBodySaves = ({ stage, shown, wrong, kind, kinds, given, parts, named, found, pictures, exact }) => {
     const { dot, cross } = tumblingLive.bodies;
     function save(name, content, type) {
         Object.assign(document.createElement("a"), { download: name, href: URL.createObjectURL(new Blob([content], { type })) }).click();
         return `Saved as ${name}.`;
     }
     const LISTS = { box: "sides", plate: "sides", ellipsoid: "semiaxes" };
+    /** What a file says of a solid, line by line. */
+    function lines(of, mass, numbers) {
+        const names = kinds[of].map((name) => (name === "radius of the hole" ? "inner" : name));
+        const weight = mass > 0 ? [`mass = ${mass} # kg`] : [];
+        if (of === "moments") return [`moments = [${numbers.slice(0, 3).join(", ")}] # kg m²`, `products = [${numbers.slice(3).join(", ")}]`, ...weight];
+        return [`shape = "${of === "tube" ? "cylinder" : of}"`, ...(LISTS[of] ? [`${LISTS[of]} = [${numbers.join(", ")}] # m`] : names.map((name, k) => `${name} = ${numbers[k]} # m`)), ...weight];
+    }
     function file() {
-        const [[, mass], ...sizes] = given().map(([name, value]) => [name, String(Number(value))]);
-        const numbers = sizes.map(([, value]) => value);
-        const names = kinds[kind.value].map((name) => (name === "radius of the hole" ? "inner" : name));
-        const lines = ['name = "your body"'];
-        if (kind.value === "moments") lines.push(`moments = [${numbers.slice(0, 3).join(", ")}] # kg m²`, `products = [${numbers.slice(3).join(", ")}]`);
-        else lines.push(`shape = "${kind.value === "tube" ? "cylinder" : kind.value}"`, ...(LISTS[kind.value] ? [`${LISTS[kind.value]} = [${numbers.join(", ")}] # m`] : names.map((name, k) => `${name} = ${numbers[k]} # m`)));
-        if (Number(mass) > 0) lines.push(`mass = ${mass} # kg`);
-        return save("your-body.toml", `${lines.join("\n")}\n`, "text/plain");
+        const [mass, ...numbers] = given().map(([, value]) => Number(value));
+        const whole = parts().length === 0 ? lines(kind.value, mass, numbers)
+            : parts().flatMap(({ kind, numbers: [mass, ...sizes], at }) => ["", "[[part]]", ...lines(kind, mass, sizes), `at = [${at.join(", ")}] # m`]);
+        return save("your-body.toml", `${['name = "your body"', ...whole].join("\n")}\n`, "text/plain");
     }
     /** The drawings with the look that they have on this page, for programs that know no style sheet. */
     function figures() {
@@ -96,7 +99,7 @@ tumblingLive.yourBodySaves = ({ stage, shown, wrong, kind, kinds, given, found, 
     }
     function sheet() {
         const head = document.createElement("p");
-        head.textContent = `Given by ${kind.selectedOptions[0].text}: ${given().map(([name, value]) => `${name} = ${value}`).join(", ")}, in m, kg and kg m².`;
+        head.textContent = parts().length > 0 ? `Of parts: ${parts().map(named).join("; ")}.` : `Given by ${kind.selectedOptions[0].text}: ${given().map(([name, value]) => `${name} = ${value}`).join(", ")}, in m, kg and kg m².`;
         stage.prepend(head);
         document.body.classList.add("your-body-sheet");
         print();

@@ -104,6 +104,10 @@ fn your_body(ask: &mut Ask<'_>) -> io::Result<()> {
         for products in [[0.0; 3], [0.1, -0.2, 0.3], [1e-9, 0.0, 2.0]] {
             let [xy, xz, yz] = products;
             ask(0, &[9.0, 4.0, a, b, c, xy, xz, yz])?;
+            for at in [0.0, 0.3, 1e160, f64::NAN] {
+                let cone = [5.0, 2.0, 0.1, a, 0.0, 0.0, 0.0, 0.0, at, 0.2, -0.7];
+                ask(5, &[&[2.0, 9.0, 4.0, a, b, c, xy, xz, yz, 0.0, 0.0, 0.0][..], &cone].concat())?;
+            }
             for angles in [[0.0; 3], [0.3, -1.2, 2.9], [f64::NAN, 0.0, 0.0]] {
                 ask(3, &[a, b, c, xy, xz, yz, angles[0], angles[1], angles[2]])?;
             }

@@ -6,7 +6,9 @@ use std::f64::consts::TAU;
 use tumbling::dynamics::stability::rate_squared;
 use tumbling::exact::time_between_flips;
 use tumbling::number::Analytic;
-use tumbling::solid::{Ball, Capsule, Cone, Cuboid, Cylinder, Ellipsoid, Solid, ThinDisk, ThinPlate};
+use tumbling::solid::{
+    Ball, Capsule, Compound, Cone, Cuboid, Cylinder, Ellipsoid, MassProperties, Solid, ThinDisk, ThinPlate,
+};
 use tumbling::{Error, ErrorKind, Inertia, PrincipalMoments, Subject};
 
 /// Why there is no answer, in the library's own words but for its numbers.
@@ -37,9 +39,12 @@ const POINTS: u32 = 96;
 /// 3. A tensor (xx, yy, zz, xy, xz, yz) turned by roll, pitch and yaw, rad, as a link of a robot has it.
 /// 4. A box: its edges along x, y and z, m; its mass, kg; and its spin along them, rad/s. The answer: the
 ///    moments about x, y and z; the momentum along them, kg m²/s; and the gap between the two, degrees.
+/// 5. A body of parts: how many, and for each its kind, mass, six numbers that its kind takes as above, with
+///    zeros behind them, and the place of its origin, m. The answer is that of 0, about the common centre.
 pub fn answer(what: u32, row: &Numbers) -> usize {
     let found = match what {
-        0 => body(row).map(|found| row.fill(&found)),
+        0 => one(row).and_then(|whole| body(&whole)).map(|found| row.fill(&found)),
+        5 => parts(row).and_then(|whole| body(&whole)).map(|found| row.fill(&found)),
         1 => Ok(path(row)),
         2 => gaps(row),
         4 => return the_box(row),
@@ -70,9 +75,9 @@ fn words(why: &Error) -> [&'static str; 2] {
     [why.subject().words(), rule]
 }
 
-fn tensor(row: &Numbers) -> Result<(f64, Inertia), Error> {
-    let [kind, mass, a, b, c] = row.take(0);
-    let of = |solid: &dyn Solid| Ok((mass, solid.with_mass(mass)?.inertia()));
+fn part(row: &Numbers, from: usize) -> Result<MassProperties, Error> {
+    let [kind, mass, a, b, c] = row.take(from);
+    let of = |solid: &dyn Solid| solid.with_mass(mass);
     match kind as u32 {
         0 => of(&Cuboid::new(a, b, c)?),
         1 => of(&Ball::new(a)?),
@@ -83,8 +88,29 @@ fn tensor(row: &Numbers) -> Result<(f64, Inertia), Error> {
         6 => of(&Ellipsoid::new(a, b, c)?),
         7 => of(&ThinPlate::new(a, b)?),
         8 => of(&ThinDisk::new(a)?),
-        _ => Ok((if mass > 0.0 { mass } else { 1.0 }, Inertia::new(row.take(2), row.take(5))?)),
+        _ => {
+            let inertia = Inertia::new(row.take(from + 2), row.take(from + 5))?;
+            MassProperties::new(mass, &Vector3::zeros(), inertia)
+        }
     }
+}
+
+/// Of moments alone the mass may be unknown.
+fn one(row: &Numbers) -> Result<MassProperties, Error> {
+    let [kind, mass] = row.take(0);
+    if kind as u32 > 8 && (mass.is_nan() || mass <= 0.0) {
+        row.set(1, 1.0);
+    }
+    part(row, 0)
+}
+
+fn parts(row: &Numbers) -> Result<MassProperties, Error> {
+    let mut whole = Compound::new();
+    for k in 0..row.get(0) as usize {
+        let from = 1 + 11 * k; // past the end of the row all is NaN, and refused
+        whole = whole.at(part(row, from)?, &Vector3::from(row.take(from + 8)));
+    }
+    whole.properties()
 }
 
 /// Which moments are equal, to 1e-12 of the largest; those that are come out equal.
@@ -113,8 +139,8 @@ fn root(x: f64) -> f64 {
     if x > 0.0 { x.sqrt() } else { 0.0 }
 }
 
-fn body(row: &Numbers) -> Result<[f64; 34], Error> {
-    let (mass, inertia) = tensor(row)?;
+fn body(whole: &MassProperties) -> Result<[f64; 34], Error> {
+    let (mass, inertia) = (whole.mass(), whole.inertia());
     let principal = inertia.principal();
     let mut m = principal.moments();
     let kind = equal(&mut m);
@@ -253,6 +279,21 @@ mod tests {
         // Each push ten times smaller takes ln(100) / growth longer.
         let step = (found[33] - found[32]) * TAU * found[19];
         assert!((step / 100_f64.ln() - 1.0).abs() < 1e-6, "{step}");
+    }
+
+    #[test]
+    fn parts_turn_about_their_common_centre() {
+        // Balls of 1 kg and 3 kg, 4 m apart along z, far from the origin: 1 * 3² + 3 * 1² across z, and each
+        // its own 2/5 m r². A part that is given by moments has a mass too.
+        let ball = |mass: f64, z: f64| [1.0, mass, 0.5, 0.0, 0.0, 0.0, 0.0, 0.0, 7.0, -2.0, z];
+        let found = asked(5, &[&[2.0][..], &ball(1.0, 10.0), &ball(3.0, 14.0)].concat());
+        let right = [12.4, 12.4, 0.4, 0.0, 0.0, 0.0, 0.4, 12.4, 12.4];
+        assert!(found[..9].iter().zip(right).all(|(x, y)| (x - y).abs() < 1e-14), "{found:?}");
+        let moments = [9.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+        for (count, says) in [(0.0, "parts"), (1.0, "the mass: it must be above zero"), (1e9, "mass")] {
+            assert!(asked(5, &[&[count][..], &moments].concat()).is_empty());
+            assert!(WHY.said().contains(says), "{}", WHY.said());
+        }
     }
 
     #[test]
