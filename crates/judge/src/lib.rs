@@ -11,6 +11,7 @@
 #![recursion_limit = "256"]
 
 mod error;
+mod gyroscope;
 mod judge;
 mod kit;
 mod law;
@@ -24,6 +25,7 @@ mod thresholds;
 mod verdict;
 
 pub use error::Error;
+pub use gyroscope::{FittedInertia, fit_inertia};
 pub use judge::judge;
 pub use kit::{Answer, Story};
 pub use law::LawName;

@@ -24,7 +24,7 @@ pub(crate) use comment::Header;
 pub(crate) use derived::{Derived, Feed};
 pub(crate) use digits::{last_place, significant};
 pub use fit::Fit;
-pub(crate) use fit::{fitted_start, least};
+pub(crate) use fit::{fitted_start, least, normal, slopes};
 pub(crate) use grid::Grid;
 pub(crate) use known::{Known, Said, Stopped};
 pub use note::Note;

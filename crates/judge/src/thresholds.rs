@@ -300,6 +300,21 @@ pub(crate) const FIT_LEFT: f64 = 0.1;
 
 /// Of Gauss and Newton's way in a fit.
 pub(crate) const FIT_ROUNDS: usize = 20;
+/// Parts of a gyroscope's record that a body is fitted to, one after the other, and the rows that each has at
+/// least: over the whole a first guess may be periods off.
+pub(crate) const FIT_PARTS: [usize; 3] = [16, 4, 1];
+pub(crate) const FIT_PART_ROWS: usize = 64;
+/// Angle, rad, over which Euler's equations are summed for the first guess: much less and noise is as large
+/// as the change of spin.
+pub(crate) const FIT_ANGLE: f64 = 1.0;
+/// What is left of a fit, in that of the fastest spin, below which slopes by differences say nothing.
+pub(crate) const FIT_FLOOR: f64 = 1e-6;
+/// Standard error of a moment, in the sum of all, from which on it is not determined; and the standard errors
+/// by which two must differ for their axes to be.
+pub(crate) const UNDETERMINED: f64 = 0.05;
+pub(crate) const MOMENTS_APART: f64 = 3.0;
+/// Spin's deviation from its mean, in what is left of it, up to which it is as good as steady.
+pub(crate) const STEADY: f64 = 2.0;
 /// Of Newton's way to the spin of a turn.
 pub(crate) const SPIN_ROUNDS: usize = 20;
 /// Of a rule's way to the spin of a turn, of first order.

@@ -105,7 +105,7 @@ fn moments(inertia: &Given) -> Answer<[f64; 3]> {
 }
 
 /// Times as they are given, or the multiples of a step.
-fn times(t: &Numbers<'_>, count: usize) -> Answer<(Vec<f64>, Option<f64>)> {
+pub fn times(t: &Numbers<'_>, count: usize) -> Answer<(Vec<f64>, Option<f64>)> {
     let given = slice(t);
     match t.shape() {
         [] => Ok(((0..count).map(|i| i as f64 * given[0]).collect(), Some(given[0]))),

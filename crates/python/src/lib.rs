@@ -4,6 +4,7 @@
 mod arrays;
 mod batch;
 mod error;
+mod fit;
 mod inertia;
 mod judge;
 mod motion;
@@ -18,7 +19,7 @@ mod torque;
 mod _tumbling {
     #[pymodule_export]
     use super::{
-        batch::Batch, error::Error, inertia::Inertia, judge::Verdict, judge::judge, motion::FreeMotion,
-        stepper::Stepper, story::Story, top::LagrangeTop, torque::Torque,
+        batch::Batch, error::Error, fit::FittedInertia, fit::fit_inertia, inertia::Inertia, judge::Verdict,
+        judge::judge, motion::FreeMotion, stepper::Stepper, story::Story, top::LagrangeTop, torque::Torque,
     };
 }

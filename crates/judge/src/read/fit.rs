@@ -18,6 +18,34 @@ pub struct Fit {
     pub moved: f64,
 }
 
+fn dot(a: &[Vector3<f64>], b: &[Vector3<f64>]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a.dot(b)).sum()
+}
+
+/// How what is missed changes with each number.
+pub(crate) fn slopes<const N: usize>(
+    at: &SVector<f64, N>,
+    here: &[Vector3<f64>],
+    misses: impl Fn(&SVector<f64, N>) -> Option<Vec<Vector3<f64>>>,
+) -> Option<Vec<Vec<Vector3<f64>>>> {
+    let mut along = Vec::new();
+    for i in 0..N {
+        let jolted = |by: f64| {
+            let mut other = *at;
+            other[i] += by;
+            let change = |(there, here): (&Vector3<f64>, &Vector3<f64>)| (there - here) / by;
+            misses(&other).map(|there| there.iter().zip(here).map(change).collect::<Vec<_>>())
+        };
+        along.push(jolted(JOLT).or_else(|| jolted(-JOLT))?);
+    }
+    Some(along)
+}
+
+/// The products of these changes.
+pub(crate) fn normal<const N: usize>(along: &[Vec<Vector3<f64>>]) -> SMatrix<f64, N, N> {
+    SMatrix::from_fn(|i, j| dot(&along[i], &along[j]))
+}
+
 /// Gauss and Newton's way to the numbers of order 1 that miss a record least; `misses` has none of numbers
 /// that cannot be, and `inside` leads back from there.
 pub(crate) fn least<const N: usize>(
@@ -25,23 +53,12 @@ pub(crate) fn least<const N: usize>(
     misses: impl Fn(&SVector<f64, N>) -> Option<Vec<Vector3<f64>>>,
     inside: impl Fn(SVector<f64, N>) -> SVector<f64, N>,
 ) -> Option<SVector<f64, N>> {
-    let dot = |a: &[Vector3<f64>], b: &[Vector3<f64>]| a.iter().zip(b).map(|(a, b)| a.dot(b)).sum::<f64>();
     let mut at = start;
     let mut here = misses(&at)?;
     for _ in 0..FIT_ROUNDS {
-        let mut along = Vec::new();
-        for i in 0..N {
-            let jolted = |by: f64| {
-                let mut other = at;
-                other[i] += by;
-                let change = |(there, here): (&Vector3<f64>, &Vector3<f64>)| (there - here) / by;
-                misses(&other).map(|there| there.iter().zip(&here).map(change).collect::<Vec<_>>())
-            };
-            along.push(jolted(JOLT).or_else(|| jolted(-JOLT))?);
-        }
-        let normal = SMatrix::<f64, N, N>::from_fn(|i, j| dot(&along[i], &along[j]));
+        let along = slopes(&at, &here, &misses)?;
         let side = SVector::<f64, N>::from_fn(|i, _| dot(&along[i], &here));
-        let step = normal.cholesky()?.solve(&side);
+        let step = normal::<N>(&along).cholesky()?.solve(&side);
         let before = dot(&here, &here);
         // Shorter steps where the whole one leads away.
         let better = FIT_SHARES.iter().find_map(|share| {

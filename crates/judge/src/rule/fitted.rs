@@ -107,7 +107,7 @@ pub(crate) fn other_bodies(subject: &Subject, pairs: &[Pair]) -> Vec<Rule> {
 }
 
 /// The tensor of trace 1 with these entries: two on the diagonal, and the three products.
-fn tensor(numbers: &SVector<f64, 5>) -> Matrix3<f64> {
+pub(crate) fn tensor(numbers: &SVector<f64, 5>) -> Matrix3<f64> {
     let [xx, yy, yz, zx, xy] = (*numbers).into();
     Matrix3::new(xx, xy, zx, xy, yy, yz, zx, yz, 1.0 - xx - yy)
 }
@@ -134,7 +134,7 @@ fn flat(mut moments: Vector3<f64>) -> Vector3<f64> {
 }
 
 /// The tensor that is the nearest flat body's where no body has it.
-fn inside(numbers: SVector<f64, 5>) -> SVector<f64, 5> {
+pub(crate) fn inside(numbers: SVector<f64, 5>) -> SVector<f64, 5> {
     let (moments, axes) = principal(&tensor(&numbers));
     let moments = moments.map(|moment| moment.max(JOLT));
     if 2.0 * moments.max() <= moments.sum() {

@@ -5,6 +5,12 @@ Attitudes take body coordinates to world, as quaternions x, y, z, w like SciPy's
 spins are in body axes, but for the frame that `judge` is given.
 """
 
-from ._tumbling import Batch, Error, FreeMotion, Inertia, LagrangeTop, Stepper, Story, Torque, Verdict, judge
+from ._tumbling import (
+    Batch, Error, FittedInertia, FreeMotion, Inertia, LagrangeTop, Stepper, Story, Torque, Verdict,
+    fit_inertia, judge,
+)
 
-__all__ = ["Batch", "Error", "FreeMotion", "Inertia", "LagrangeTop", "Stepper", "Story", "Torque", "Verdict", "judge"]
+__all__ = [
+    "Batch", "Error", "FittedInertia", "FreeMotion", "Inertia", "LagrangeTop", "Stepper", "Story", "Torque",
+    "Verdict", "fit_inertia", "judge",
+]

@@ -3,7 +3,10 @@ from typing import Any, Callable, Literal, Mapping, Sequence, final
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-__all__ = ["Batch", "Error", "FreeMotion", "Inertia", "LagrangeTop", "Stepper", "Story", "Torque", "Verdict", "judge"]
+__all__ = [
+    "Batch", "Error", "FittedInertia", "FreeMotion", "Inertia", "LagrangeTop", "Stepper", "Story", "Torque",
+    "Verdict", "fit_inertia", "judge",
+]
 
 _Array = NDArray[np.float64]
 _Tensor = Inertia | ArrayLike
@@ -134,6 +137,17 @@ class Batch:
     def __len__(self) -> int: ...
 
 @final
+class FittedInertia:
+    @property
+    def moments(self) -> _Array: ...
+    @property
+    def axes(self) -> _Array: ...
+    @property
+    def stderr(self) -> _Array: ...
+    @property
+    def residual(self) -> float: ...
+
+@final
 class Verdict:
     @property
     def passed(self) -> bool: ...
@@ -181,3 +195,4 @@ def judge(
     threshold: float | Mapping[str, float] | None = None,
     fit: int | None = None,
 ) -> Verdict: ...
+def fit_inertia(t: ArrayLike, w: ArrayLike, guess: _Tensor | None = None) -> FittedInertia: ...

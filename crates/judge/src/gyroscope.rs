@@ -1,0 +1,179 @@
+//! A body's moments and principal axes, fitted to the record of a gyroscope.
+
+use crate::error::Error;
+use crate::read::{least, normal, slopes};
+use crate::rule::{inside, tensor};
+use crate::thresholds::{
+    FIT_ANGLE, FIT_FLOOR, FIT_LEFT, FIT_PART_ROWS, FIT_PARTS, JOLT, MOMENTS_APART, STEADY, UNDETERMINED,
+};
+use nalgebra::{Matrix3, SMatrix, SVector, UnitQuaternion, Vector3};
+use tumbling::exact::FreeMotion;
+use tumbling::{Body, Inertia};
+
+/// What the spins of a free body say of its inertia.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FittedInertia {
+    /// The principal moments, smallest first, of sum 1: a free motion determines them up to a factor alone.
+    pub moments: Vector3<f64>,
+    /// The principal axes in the sensor's, as columns.
+    pub axes: Matrix3<f64>,
+    /// The standard errors of the moments.
+    pub errors: Vector3<f64>,
+    /// The root of the mean square of what is left of a component of the spins, rad/s.
+    pub residual: f64,
+}
+
+/// The body whose free motion is nearest, in the least squares, to these times (s) and spins (rad/s, in the
+/// sensor's axes). Without a guess it starts from Euler's equations, summed over a turn of about a radian.
+///
+/// ```
+/// use nalgebra::{Rotation3, Vector3};
+/// use tumbling::{PrincipalMoments, exact::FreeMotion};
+/// let motion = FreeMotion::new(PrincipalMoments::new(1.0, 2.0, 3.0)?, &Vector3::new(0.5, 2.0, 0.1))?;
+/// let sensor = Rotation3::from_euler_angles(0.3, -0.2, 0.4);
+/// let row = |i: i32| motion.omega(f64::from(i) / 50.0).map(|spin| (f64::from(i) / 50.0, sensor * spin));
+/// let rows = (0..500).map(row).collect::<Result<Vec<_>, _>>()?;
+/// let fitted = tumbling_judge::fit_inertia(&rows, None)?;
+/// assert!((fitted.moments * 6.0 - Vector3::new(1.0, 2.0, 3.0)).norm() < 1e-6);
+/// assert!((fitted.axes - sensor.matrix()).norm() < 1e-6 && fitted.residual < 1e-9);
+/// let steady = [0.0, 1.0, 2.0, 3.0].map(|t| (t, Vector3::z()));
+/// assert!(tumbling_judge::fit_inertia(&steady, None).is_err());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// Fewer than four rows, a number that is not finite, a time that does not increase, spins that no free
+/// motion comes near to, or that do not determine moments and axes: a steady spin, a body with two moments
+/// alike.
+pub fn fit_inertia(rows: &[(f64, Vector3<f64>)], guess: Option<&Inertia>) -> Result<FittedInertia, Error> {
+    check(rows)?;
+    let fail = |problem: String| Error::Fit { rows: rows.len(), problem };
+    let speed = rows.iter().map(|row| row.1.norm()).fold(f64::MIN_POSITIVE, f64::max);
+    let freedom = (3 * rows.len() - 8) as f64;
+    let rms = |all: &[Vector3<f64>]| (all.iter().map(Vector3::norm_squared).sum::<f64>() / freedom).sqrt();
+    let mean = rows.iter().map(|row| row.1).sum::<Vector3<f64>>() / rows.len() as f64;
+    let swing = rms(&rows.iter().map(|row| (row.1 - mean) / speed).collect::<Vec<_>>());
+    let open = || {
+        let swing = swing * speed;
+        fail(format!(
+            "a spin of {speed:.2e} rad/s that is {swing:.2e} from its mean does not determine the moments: take a longer motion or a less steady one"
+        ))
+    };
+    let start = match guess.map(Inertia::matrix) {
+        Some(m) => [m[(0, 0)], m[(1, 1)], m[(1, 2)], m[(0, 2)], m[(0, 1)]].map(|x| x / m.trace()).into(),
+        None => {
+            least([1.0 / 3.0, 1.0 / 3.0, 0.0, 0.0, 0.0].into(), |numbers| Some(summed(rows, numbers)), inside)
+                .ok_or_else(open)?
+        }
+    };
+    let mut at = with_spin(&start, &(rows[0].1 / speed));
+    for part in FIT_PARTS {
+        let some = &rows[..(rows.len() / part).max(FIT_PART_ROWS).min(rows.len())];
+        let inside = |at: SVector<f64, 8>| with_spin(&inside(body(&at)), &at.fixed_rows::<3>(5).into());
+        at = least(at, |at| misses(some, speed, at), inside).unwrap_or(at);
+    }
+    // In the principal axes the moments are the numbers themselves, and so are their errors.
+    let principal = Inertia::try_from(tensor(&inside(body(&at))))?.principal();
+    let (moments, axes) = (principal.moments(), principal.frame());
+    let turned: Vec<_> = rows.iter().map(|(t, spin)| (*t, axes.tr_mul(spin))).collect();
+    let along = [moments.x, moments.y, 0.0, 0.0, 0.0].into();
+    let at = with_spin(&along, &axes.tr_mul(&at.fixed_rows::<3>(5)));
+    let here = misses(&turned, speed, &at).ok_or_else(open)?;
+    let left = rms(&here);
+    if swing <= (STEADY * left).max(FIT_FLOOR) {
+        let [swing, left] = [swing, left].map(|x| x * speed);
+        return Err(fail(format!(
+            "the spin is steady, which determines no moments: it is {swing:.2e} rad/s from its mean, and must be more than {STEADY} times the noise of {left:.2e}"
+        )));
+    }
+    if left > FIT_LEFT {
+        let left = left * speed;
+        return Err(fail(format!(
+            "no free motion comes near to these rows: {left:.2e} rad/s are left of {speed:.2e}"
+        )));
+    }
+    let along = slopes(&at, &here, |at| misses(&turned, speed, at)).ok_or_else(open)?;
+    let unit = errors(&normal(&along)).ok_or_else(open)?;
+    determined(&moments, &(unit * left.max(FIT_FLOOR))).map_err(fail)?;
+    Ok(FittedInertia { moments, axes, errors: unit * left, residual: left * speed })
+}
+
+/// The standard errors of the three moments for each unit of noise.
+fn errors(normal: &SMatrix<f64, 8, 8>) -> Option<Vector3<f64>> {
+    let c = normal.cholesky()?.inverse();
+    Some(Vector3::new(c[(0, 0)], c[(1, 1)], c[(0, 0)] + c[(1, 1)] + 2.0 * c[(0, 1)]).map(f64::sqrt))
+}
+
+/// That moments with these standard errors are known, and apart.
+fn determined(moments: &Vector3<f64>, errors: &Vector3<f64>) -> Result<(), String> {
+    let most = errors.max();
+    if most.is_nan() || most > UNDETERMINED {
+        return Err(format!(
+            "the motion does not determine the moments: the standard error of one is {most:.2e} of their sum, and must be at most {UNDETERMINED}"
+        ));
+    }
+    for (i, j) in [(0, 1), (1, 2)] {
+        let (a, b, apart) = (moments[i], moments[j], MOMENTS_APART * errors[i].max(errors[j]));
+        if b - a < apart {
+            return Err(format!(
+                "the moments {a:.6} and {b:.6} (of sum 1) are alike, so that their axes are not determined: they must be {apart:.1e} apart"
+            ));
+        }
+    }
+    Ok(())
+}
+
+fn check(rows: &[(f64, Vector3<f64>)]) -> Result<(), Error> {
+    if rows.len() < 4 {
+        return Err(Error::Fit { rows: rows.len(), problem: "it takes four rows at least".into() });
+    }
+    let mut last = f64::NEG_INFINITY;
+    for (i, (t, spin)) in rows.iter().enumerate() {
+        let wrong = |problem| Err(Error::Row { row: i + 1, problem });
+        if let Some(bad) = spin.iter().chain([t]).find(|x| !x.is_finite()) {
+            return wrong(format!("a value is {bad}: all must be finite"));
+        }
+        if *t <= last {
+            return wrong(format!("time does not increase: {t} s after {last} s"));
+        }
+        last = *t;
+    }
+    Ok(())
+}
+
+/// The numbers of a tensor, as [`tensor`] takes them, and the first spin.
+fn with_spin(body: &SVector<f64, 5>, spin: &Vector3<f64>) -> SVector<f64, 8> {
+    SVector::from_fn(|i, _| if i < 5 { body[i] } else { spin[i - 5] })
+}
+
+fn body(at: &SVector<f64, 8>) -> SVector<f64, 5> {
+    at.fixed_rows::<5>(0).into()
+}
+
+/// By how much Euler's equations, summed from row to row, miss the change of momentum in the body.
+fn summed(rows: &[(f64, Vector3<f64>)], numbers: &SVector<f64, 5>) -> Vec<Vector3<f64>> {
+    let tensor = tensor(numbers);
+    let (mut all, mut sum, mut angle, mut first) = (Vec::new(), Vector3::zeros(), 0.0, rows[0].1);
+    for two in rows.windows(2) {
+        let ((t, from), (end, to)) = (two[0], two[1]);
+        sum += (from.cross(&(tensor * from)) + to.cross(&(tensor * to))) * ((end - t) / 2.0);
+        angle += (from.norm() + to.norm()) * ((end - t) / 2.0);
+        if angle > FIT_ANGLE {
+            all.push((tensor * (to - first) + sum) / to.norm().max(f64::MIN_POSITIVE));
+            (sum, angle, first) = (Vector3::zeros(), 0.0, to);
+        }
+    }
+    all
+}
+
+/// By how much the exact motion misses the spins, in the fastest.
+fn misses(rows: &[(f64, Vector3<f64>)], speed: f64, at: &SVector<f64, 8>) -> Option<Vec<Vector3<f64>>> {
+    // A flat body's products change its moments in the second order alone.
+    let held = inside(body(at));
+    if (held - body(at)).norm() > JOLT * FIT_FLOOR.sqrt() {
+        return None;
+    }
+    let (tensor, spin) = (Inertia::try_from(tensor(&held)).ok()?, at.fixed_rows::<3>(5) * speed);
+    let motion = FreeMotion::of(&Body::spinning(tensor, UnitQuaternion::identity(), &spin).ok()?).ok()?;
+    rows.iter().map(|(t, spin)| Some((motion.omega(t - rows[0].0).ok()? - spin) / speed)).collect()
+}
