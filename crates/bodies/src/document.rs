@@ -47,8 +47,12 @@ pub(crate) fn decimal_comma(text: &str, at: usize) -> String {
     let digits = |c: char| !c.is_ascii_digit() && c != ',';
     comma.map_or_else(String::new, |at| {
         let from = line[..at].rfind(digits).map_or(0, |before| before + 1);
-        let number = line[from..].split(digits).next().unwrap_or_default().trim_end_matches(',');
-        format!("; write {}", number.replacen(',', ".", 1))
+        // Within quotes its unit goes along.
+        let quote = line[..from].chars().next_back().filter(|c| ['"', '\''].contains(c));
+        let number =
+            line[from..].split(|c| quote.map_or(digits(c), |quote| c == quote)).next().unwrap_or_default();
+        let quote = quote.map(String::from).unwrap_or_default();
+        format!("; write {quote}{}{quote}", number.trim_end_matches(',').replacen(',', ".", 1))
     })
 }
 

@@ -203,15 +203,22 @@ impl<'a> Reader<'a> {
         let given: Vec<&str> = given.map(|(_, span)| &self.text[span.clone()]).collect();
         let volume = shaped(name, self.table, sides, Weight::Density(1.0)).ok()?.0.mass();
         let density = self.table.mass.as_ref()?.get_ref() / volume;
-        let clear = given.iter().any(|text| text.contains(['"', '\'']));
-        if clear || (1.0..25_000.0).contains(&density) || ["plate", "disk", "rod"].contains(&name) {
+        let clear = |text: &str| text.split(',').all(|number| number.contains(['"', '\'']));
+        let (mass, sizes) = given.split_last()?;
+        let sizes = sizes.join(", ");
+        let [in_kg, in_m] = [!clear(mass), !clear(&sizes)];
+        if !(in_kg || in_m) || (1.0..25_000.0).contains(&density) || ["plate", "disk", "rod"].contains(&name)
+        {
             return None;
         }
         let units = [("cm", 1e6), ("mm", 1e9), ("g", 1e-3)];
-        let (unit, _) = units.iter().find(|(_, more)| (10.0..25_000.0).contains(&(density * more)))?;
-        let (mass, sizes) = given.split_last()?;
-        let sizes = sizes.join(" × ").replace(['[', ']'], "").replace(',', " ×");
-        Some(format!("{mass} kg in {sizes} m: is this in {unit}?"))
+        let fits = |unit: &str, more: f64| {
+            (if unit == "g" { in_kg } else { in_m }) && (10.0..25_000.0).contains(&(density * more))
+        };
+        let (unit, _) = units.iter().find(|(unit, more)| fits(unit, *more))?;
+        let sizes = sizes.replace(['[', ']'], "").replace(',', " ×");
+        let [kg, m] = [(in_kg, " kg"), (in_m, " m")].map(|(bare, unit)| if bare { unit } else { "" });
+        Some(format!("{mass}{kg} in {sizes}{m}: is this in {unit}?"))
     }
 
     /// The sides, which must be of this number; none where there are none.
@@ -416,7 +423,7 @@ mod tests {
                 "line 1, `sides`: a number is expected here, or one with",
             ),
             ("shape = 'ball'\nradius = 0,07\nmass = 1", "; write 0.07"),
-            ("shape = 'ball'\nradius = '7,5 cm'\nmass = 1", "not `7,5 cm`; write 7.5"),
+            ("shape = 'ball'\nradius = '7,5 cm'\nmass = 1", "not `7,5 cm`; write '7.5 cm'"),
             ("sides = [7,7, 0.78, 16]\nmass = 1", "3 numbers are expected here, not 4; write 7.7"),
             ("moments = [1, 2]", "line 1, `moments`: 3 numbers are expected here, not 2"),
             ("moments = [1, 2, 2.5, 0]", "line 1, `moments`: 3 numbers are expected here, not 4"),
@@ -489,6 +496,8 @@ mod tests {
             ("shape = 'ball'\nradius = 33\nmass = 0.058", "0.058 kg in 33 m: is this in mm?"),
             ("sides = [0.077, 0.0078, 0.16]\nmass = 200", "200 kg in 0.077 × 0.0078 × 0.16 m: is this in g?"),
             ("[[part]]\nsides = [7.7, 0.78, 16]\nmass = 0.2", "0.2 kg in 7.7 × 0.78 × 16 m: is this in cm?"),
+            ("shape = 'ball'\nradius = '33 mm'\nmass = 58", "58 kg in '33 mm': is this in g?"),
+            ("shape = 'ball'\nradius = 33\nmass = '58 g'", "'58 g' in 33 m: is this in mm?"),
         ] {
             assert_eq!(body(text).unwrap().question.unwrap(), asked);
         }
