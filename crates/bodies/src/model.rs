@@ -26,7 +26,7 @@ pub struct BodyModel {
     pub spin: Option<f64>,
     /// The edges along x, y and z of a body that is one box, m.
     pub sides: Option<[f64; 3]>,
-    /// What to ask whoever wrote its file: whether other units were meant, where its density is unlikely.
+    /// The question whether other units were meant, where the density is unlikely.
     pub question: Option<String>,
 }
 
