@@ -57,7 +57,8 @@ pub struct Film {
     motion: FreeMotion,
     momentum: Vector3<f64>,
     surfaces: Vec<Surface>,
-    reach: f64,
+    /// Of the body as drawn, points to the metre.
+    scale: f64,
     length: Length,
     /// Principal axes as columns, in the body's.
     frame: Matrix3<f64>,
@@ -95,20 +96,22 @@ impl Film {
         })?;
         let energy = omega.dot(&model.inertia.momentum(&omega));
         let surfaces = model.drawn();
-        Ok(Self {
+        let mut film = Self {
             name: model.name.clone(),
             request: *request,
             push,
             motion,
             momentum,
-            reach: model.reach(),
+            scale: 1.0,
             surfaces,
             length,
             frame: model.principal().frame(),
             ellipsoid: Ellipsoid::new((moments / moments[0]).into())?,
             fastest,
             first_reach: (energy / moments[0]).sqrt(),
-        })
+        };
+        film.scale = film.fitting()?;
+        Ok(film)
     }
 
     /// How long it takes to watch, s: a turn of the first spin takes a second.
