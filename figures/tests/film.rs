@@ -153,7 +153,7 @@ fn a_body_of_any_shape_fills_the_height_or_the_width_that_it_has() {
     }
 }
 
-/// Where each thing of a drawing but its clock begins, and its look: rounding decides which points a path drops.
+/// Where each thing of a drawing but its clock begins, and its look: rounding decides what a path drops.
 fn timeless(svg: &str) -> Vec<String> {
     let begins = |line: &str| {
         let path = line.strip_prefix("<path d=\"")?;

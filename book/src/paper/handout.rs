@@ -1,4 +1,4 @@
-//! A chapter as a handout: its story, figures, formulas, numbers and the sources that it cites, without programs.
+//! A chapter as a handout: story, figures, formulas, numbers and the sources that it cites, without programs.
 
 use super::pages::Paper;
 use super::sheet::{self, Size};
@@ -56,7 +56,7 @@ fn heading(body: &[Node]) -> String {
     body.iter().find(|node| node.is("h1")).map_or(String::new(), |title| xml(std::slice::from_ref(title)))
 }
 
-/// The chapter up to its exercises, without programs, stills, links, and the questions that the story answers.
+/// The chapter up to its exercises, without programs, stills, links and questions, which the story answers.
 fn story(body: &[Node]) -> Vec<Node> {
     let id = |node: &Node| node.element().and_then(|element| element.get("id")) == Some("exercises");
     let end = body.iter().position(|node| node.is("h2") && id(node)).unwrap_or(body.len());

@@ -7,7 +7,7 @@ use crate::model::{BodyModel, nameable};
 use crate::shape::{KINDS, Weight, shaped};
 use crate::surface::{FARTHEST, Surface};
 use crate::table::{GIVEN_BY, Spin, Table, fields_of};
-use crate::{mesh, urdf};
+use crate::{mesh, question, urdf};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use std::fmt::Display;
 use std::ops::Range;
@@ -65,18 +65,7 @@ struct Reader<'a> {
     by: &'static str,
 }
 
-/// Whether a number stands without its unit.
-fn bare(number: &str) -> bool {
-    !number.contains(['"', '\''])
-}
-
-/// A number of a list, as written, with this unit where it has none.
-fn with_unit(number: &str, unit: &str) -> String {
-    let plain = number.trim_matches(|c: char| c.is_whitespace() || "[]".contains(c));
-    if bare(number) { number.replace(plain, &format!("'{plain} {unit}'")) } else { number.into() }
-}
-
-fn number(field: &Option<Spanned<f64>>) -> f64 {
+pub(crate) fn number(field: &Option<Spanned<f64>>) -> f64 {
     field.as_ref().map_or(0.0, |x| *x.get_ref())
 }
 
@@ -203,57 +192,9 @@ impl<'a> Reader<'a> {
         let sides = self.sides(if name == "plate" { 2 } else { 3 })?;
         let (properties, surface) =
             shaped(name, self.table, &sides, self.weight()?).map_err(|error| self.refused(&error))?;
-        let question = self.question(name, needed);
+        let question = question::of(self.text, &self.present, name, needed);
         let sides = if name == "box" { sides.try_into().ok() } else { None };
         Ok(BodyModel { sides, question, ..BodyModel::of(properties, vec![surface]) })
-    }
-
-    /// Of bare numbers that make a body lighter than a foam or heavier than any metal, or that stand beside some
-    /// with a unit: whether other units were meant, all that are likely, likeliest first.
-    fn question(&self, name: &str, needed: &[&str]) -> Option<String> {
-        let given = self.present.iter().filter(|(field, _)| needed.contains(field) || *field == "mass");
-        let given: Vec<_> = given.map(|(field, span)| (*field, &self.text[span.clone()])).collect();
-        let (&(last, mass), sizes) = given.split_last()?;
-        let sizes = sizes.iter().map(|size| size.1).collect::<Vec<_>>().join(", ");
-        let [in_kg, in_m] = [mass, &sizes].map(|all| all.split(',').any(bare));
-        if last != "mass" || !(in_kg || in_m) || ["plate", "disk", "rod"].contains(&name) {
-            return None;
-        }
-        // Where a solid can be so dense, how far it is from a thing in the hand, by density and mass.
-        let far = |m: &str, kg: &str| {
-            let line = |(field, text): &(&str, &str)| {
-                let unit = if *field == "mass" { kg } else { m };
-                format!(
-                    "{field} = {}",
-                    text.split(',').map(|of| with_unit(of, unit)).collect::<Vec<_>>().join(",")
-                )
-            };
-            let table: Table = from_toml(&given.iter().map(line).collect::<Vec<_>>().join("\n")).ok()?;
-            let sides = table.sides.as_ref().map_or(&[][..], |sides| sides.get_ref());
-            let density =
-                number(&table.mass) / shaped(name, &table, sides, Weight::Density(1.0)).ok()?.0.mass();
-            let off = |x: f64, usual: f64| (x / usual).log10().abs();
-            (10.0..25_000.0).contains(&density).then(|| off(density, 1e3) + off(number(&table.mass), 0.3))
-        };
-        let mixed = [mass, &sizes].iter().any(|all| !all.split(',').all(bare));
-        if !mixed && far("m", "kg").is_some() {
-            return None;
-        }
-        let units = |bare: bool, all: [&'static str; 3]| if bare { all.to_vec() } else { vec![""] };
-        let mut likely = Vec::new();
-        for m in units(in_m, ["m", "cm", "mm"]) {
-            for kg in units(in_kg, ["kg", "g", "g"]).into_iter().take(2) {
-                let words =
-                    [m, kg].into_iter().filter(|unit| !unit.is_empty()).collect::<Vec<_>>().join(" and ");
-                let as_read = ["", "m"].contains(&m) && ["", "kg"].contains(&kg);
-                likely.extend(far(m, kg).filter(|_| !as_read).map(|far| (far, words)));
-            }
-        }
-        likely.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let words = likely.into_iter().map(|pair| pair.1).collect::<Vec<_>>().join(", or in ");
-        let sizes = sizes.replace(['[', ']'], "").replace(',', " ×");
-        let [kg, m] = [(in_kg, " kg"), (in_m, " m")].map(|(bare, unit)| if bare { unit } else { "" });
-        (!words.is_empty()).then(|| format!("{mass}{kg} in {sizes}{m}: is this in {words}?"))
     }
 
     /// The sides, which must be of this number; none where there are none.
@@ -539,7 +480,7 @@ mod tests {
             ("shape = 'ball'\nradius = 33\nmass = 0.058", "0.058 kg in 33 m: is this in mm and kg?"),
             (
                 "sides = ['77 mm', 7.8, '160 mm']\nmass = 0.2",
-                "0.2 kg in '77 mm' × 7.8 × '160 mm' m: is this in mm and kg?",
+                "0.2 kg in 77 mm × 7.8 m × 160 mm: is this in mm and kg, or in cm and kg?",
             ),
             (
                 "sides = [0.077, 0.0078, 0.16]\nmass = 200",
@@ -549,8 +490,8 @@ mod tests {
                 "[[part]]\nsides = [7.7, 0.78, 16]\nmass = 0.2",
                 "0.2 kg in 7.7 × 0.78 × 16 m: is this in cm and kg, or in mm and g?",
             ),
-            ("shape = 'ball'\nradius = '33 mm'\nmass = 58", "58 kg in '33 mm': is this in g?"),
-            ("shape = 'ball'\nradius = 33\nmass = '58 g'", "'58 g' in 33 m: is this in mm?"),
+            ("shape = 'ball'\nradius = '33 mm'\nmass = 58", "58 kg in 33 mm: is this in g?"),
+            ("shape = 'ball'\nradius = 33\nmass = '58 g'", "58 g in 33 m: is this in mm?"),
         ] {
             assert_eq!(body(text).unwrap().question.unwrap(), asked);
         }
