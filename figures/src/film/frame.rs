@@ -2,7 +2,8 @@
 
 use super::{Camera, Film, share_in_words};
 use crate::draw::{Canvas, Fill, Ink, Label, P, Pen, View, solid};
-use crate::picture::{ink_of, with_powers};
+use crate::picture::ink_of;
+use crate::units;
 use nalgebra::Vector3;
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -214,16 +215,8 @@ fn word(axis: Axis) -> &'static str {
 
 /// As in "1 turn/s about its middle axis".
 pub(super) fn spin_in_words(spin: f64, axis: Axis) -> String {
-    let turns = spin / TAU;
-    let speed = match (turns * 1e6).round() / 1e6 {
-        1.0 => "1 turn/s".into(),
-        whole if whole != 0.0 && (turns - whole).abs() < 1e-12 && whole.fract() == 0.0 => {
-            format!("{whole} turns/s")
-        }
-        _ if (1e-3..1e5).contains(&spin.abs()) => format!("{} rad/s", (spin * 1e6).round() / 1e6),
-        _ => with_powers(&format!("{spin:.3e}")) + " rad/s",
-    };
-    format!("{speed} about its {}", word(axis))
+    let turns = units::number(spin / TAU, 4);
+    format!("{turns} turn{}/s about its {}", if turns == "1" { "" } else { "s" }, word(axis))
 }
 
 /// A time with as many decimals as frames differ by, of a motion this long, s.

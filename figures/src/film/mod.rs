@@ -6,6 +6,7 @@ mod length;
 pub use frame::{Projection, SHEET};
 
 use crate::figures::polhode::Ellipsoid;
+use crate::units;
 use length::Length;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use std::error::Error;
@@ -138,29 +139,18 @@ impl Film {
         &self.motion
     }
 
-    /// In one line: what is shown, for how long, and how far its end is from its start.
+    /// In one line: what is shown, for how long, and whether its end is its start.
     ///
     /// # Errors
     /// None for a film that was made.
     pub fn explained(&self) -> Result<String, Box<dyn Error>> {
         let apart = self.rotation(0.0)?.angle_to(&self.rotation(1.0)?);
-        let spins = [0.0, 1.0].map(|share| self.motion.omega(share * self.length.motion));
-        let [first, last] = spins;
-        let of_spin = (last? - first?).norm() / self.fastest;
-        let closes = if apart < 2e-3 && of_spin < 2e-3 {
-            "it starts again without a seam"
-        } else {
-            "it does not close"
-        };
-        Ok(format!(
-            "{}: {}, push {}; {}; {closes} (its ends are {} of the attitude and {} of the spin apart)",
-            self.name,
-            frame::spin_in_words(self.request.spin, self.request.axis),
-            share_in_words(self.push),
-            self.length.why,
-            angle_in_words(apart),
-            share_in_words(of_spin),
-        ))
+        let [first, last] = [0.0, 1.0].map(|share| self.motion.omega(share * self.length.motion));
+        let seamless = apart < 2e-3 && (last? - first?).norm() < 2e-3 * self.fastest;
+        let end = if seamless { "it starts again without a seam" } else { "it does not close" };
+        let spin = frame::spin_in_words(self.request.spin, self.request.axis);
+        let (push, why) = (share_in_words(self.push), &self.length.why);
+        Ok(format!("{}: {spin}, push {push}; {why}; {end}", self.name))
     }
 
     /// The body's attitude as the camera sees it, at this share of the film.
@@ -204,19 +194,5 @@ fn thrown(model: &BodyModel, request: &Request, push: f64) -> Result<Body, Box<d
 
 /// A share in percent.
 fn share_in_words(share: f64) -> String {
-    let percent = 100.0 * share;
-    match percent.abs() {
-        0.0 => "0 %".into(),
-        x if x < 1e-9 => "less than 10⁻⁹ %".into(),
-        x if x < 0.01 => crate::picture::with_powers(&format!("{percent:.0e}")) + " %",
-        x if x < 10.0 => format!("{percent:.2} %"),
-        _ => format!("{percent:.0} %"),
-    }
-}
-
-fn angle_in_words(angle: f64) -> String {
-    match angle.to_degrees() {
-        x if x < 1e-6 => "less than 10⁻⁶ degrees".into(),
-        x => format!("{x:.2} degrees"),
-    }
+    units::number(100.0 * share, 3) + " %"
 }
