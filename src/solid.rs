@@ -91,13 +91,8 @@ pub trait Shape<const N: usize> {
     fn moments<T: Field>(mass: &T, sizes: [&T; N]) -> Vector3<T>;
 }
 
-/// The properties of a shape with these sizes whose centre is the origin.
-fn centred<S: Shape<N>, const N: usize>(mass: f64, sizes: [f64; N]) -> Result<MassProperties, Error> {
-    centred_at::<S, N>(Vector3::zeros(), mass, sizes)
-}
-
 /// The properties of a shape with these sizes and this centre.
-fn centred_at<S: Shape<N>, const N: usize>(
+fn even<S: Shape<N>, const N: usize>(
     centre: Vector3<Extended>,
     mass: f64,
     sizes: [f64; N],
@@ -105,6 +100,38 @@ fn centred_at<S: Shape<N>, const N: usize>(
     let (mass, sizes) = (Extended::from(positive(Subject::Mass, mass)?), sizes.map(Extended::from));
     let inertia = Matrix3::from_diagonal(&S::moments(&mass, sizes.each_ref()));
     MassMoments { mass, centre, inertia }.checked()
+}
+
+/// Makes a shape a solid: how much of it there is, by its sizes, and where its centre lies if not in the origin.
+macro_rules! solid {
+    ($Name:ident, $what:ident, |$sizes:pat_param| $measure:expr $(, |$placed:pat_param| $centre:expr)?) => {
+        impl Solid for $Name {
+            fn measure(&self) -> Result<f64, Error> {
+                let $sizes = self.sizes.map(Extended::from);
+                ($measure).in_full(Subject::$what)
+            }
+            fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
+                let centre = solid!(@centre self.sizes.map(Extended::from) $(, |$placed| $centre)?);
+                even::<Self, _>(centre, mass, self.sizes)
+            }
+        }
+    };
+    (@centre $given:expr) => { Vector3::zeros() };
+    (@centre $given:expr, |$sizes:pat_param| $centre:expr) => {{
+        let $sizes = $given;
+        $centre
+    }};
+}
+use solid;
+
+fn four_thirds_pi() -> Extended {
+    Extended::from(4.0) * Extended::from(PI) / Extended::from(3.0)
+}
+
+/// Sizes that are finite and above zero.
+fn positive_sizes<const N: usize>(named: [(Subject, f64); N]) -> Result<[f64; N], Error> {
+    named.iter().try_for_each(|&(what, size)| positive(what, size).map(drop))?;
+    Ok(named.map(|(_, size)| size))
 }
 
 /// That these can be the radii of a hole and of the whole.

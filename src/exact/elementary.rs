@@ -55,19 +55,7 @@ impl<T: Lane> Turn<T> {
 }
 
 /// A spin that does not change.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct SteadySpin<T = f64> {
-    omega: Vector3<T>,
-}
-
-impl<T: Lane> Gather for SteadySpin<T> {
-    type One = Vector3<f64>;
-    fn gather<S>(from: &[S], of: impl Fn(&S) -> &Vector3<f64>) -> Self {
-        Self { omega: Gather::gather(from, of) }
-    }
-}
-
-impl<T: Lane> Kernel<T> for SteadySpin<T> {
+impl<T: Lane> Kernel<T> for Vector3<T> {
     type Attitude = Turn<T>;
     type Phase = ();
 
@@ -76,7 +64,7 @@ impl<T: Lane> Kernel<T> for SteadySpin<T> {
 
     #[inline(always)]
     fn omega(&self, (): &()) -> Vector3<T> {
-        self.omega
+        *self
     }
 
     #[inline(always)]

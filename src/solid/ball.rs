@@ -16,8 +16,8 @@ use super::*;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ball {
-    inner: f64,
-    outer: f64,
+    /// Radii of the hole and of the whole.
+    sizes: [f64; 2],
 }
 
 impl Ball {
@@ -26,7 +26,7 @@ impl Ball {
     /// # Errors
     /// A radius that is not finite and positive.
     pub fn new(radius: f64) -> Result<Self, Error> {
-        Ok(Self { inner: 0.0, outer: positive(Subject::Radius, radius)? })
+        Ok(Self { sizes: [0.0, positive(Subject::Radius, radius)?] })
     }
 
     /// From the radii of the hole (0 for none) and of the whole, m. They may be equal: then it is a thin
@@ -37,7 +37,7 @@ impl Ball {
     /// beyond the outer.
     pub fn hollow(inner: f64, outer: f64) -> Result<Self, Error> {
         ordered(inner, outer)?;
-        Ok(Self { inner, outer })
+        Ok(Self { sizes: [inner, outer] })
     }
 }
 
@@ -77,15 +77,14 @@ impl Shape<2> for Ball {
 
 impl Solid for Ball {
     fn measure(&self) -> Result<f64, Error> {
-        let [i, o] = [self.inner, self.outer].map(Extended::from);
-        let four_thirds_pi = Extended::from(4.0) * Extended::from(PI) / Extended::from(3.0);
-        (four_thirds_pi * (o - i) * (square(&o) + o * i + square(&i))).in_full(Subject::Volume)
+        let [i, o] = self.sizes.map(Extended::from);
+        (four_thirds_pi() * (o - i) * (square(&o) + o * i + square(&i))).in_full(Subject::Volume)
     }
 
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        if self.inner == 0.0 {
-            return centred::<Self, 1>(mass, [self.outer]);
+        match self.sizes {
+            [0.0, radius] => even::<Self, 1>(Vector3::zeros(), mass, [radius]),
+            sizes => even::<Self, 2>(Vector3::zeros(), mass, sizes),
         }
-        centred::<Self, 2>(mass, [self.inner, self.outer])
     }
 }

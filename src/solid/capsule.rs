@@ -13,8 +13,7 @@ use super::*;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Capsule {
-    radius: f64,
-    length: f64,
+    sizes: [f64; 2],
 }
 
 impl Capsule {
@@ -25,7 +24,7 @@ impl Capsule {
     pub fn new(radius: f64, length: f64) -> Result<Self, Error> {
         positive(Subject::Radius, radius)?;
         not_negative(Subject::Length, length)?;
-        Ok(Self { radius, length })
+        Ok(Self { sizes: [radius, length] })
     }
 }
 
@@ -58,14 +57,7 @@ impl Shape<2> for Capsule {
     }
 }
 
-impl Solid for Capsule {
-    fn measure(&self) -> Result<f64, Error> {
-        let (r, l) = (Extended::from(self.radius), Extended::from(self.length));
-        let stretched = Extended::from(3.0) * l + Extended::from(4.0) * r;
-        (Extended::from(PI) * (square(&r) * stretched) / Extended::from(3.0)).in_full(Subject::Volume)
-    }
-
-    fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        centred::<Self, 2>(mass, [self.radius, self.length])
-    }
-}
+solid!(Capsule, Volume, |[r, l]| {
+    let stretched = Extended::from(3.0) * l + Extended::from(4.0) * r;
+    Extended::from(PI) * (square(&r) * stretched) / Extended::from(3.0)
+});

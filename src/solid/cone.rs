@@ -15,8 +15,7 @@ use super::*;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cone {
-    radius: f64,
-    height: f64,
+    sizes: [f64; 2],
 }
 
 impl Cone {
@@ -25,9 +24,7 @@ impl Cone {
     /// # Errors
     /// A size that is not finite and positive.
     pub fn new(radius: f64, height: f64) -> Result<Self, Error> {
-        positive(Subject::Radius, radius)?;
-        positive(Subject::Height, height)?;
-        Ok(Self { radius, height })
+        Ok(Self { sizes: positive_sizes([(Subject::Radius, radius), (Subject::Height, height)])? })
     }
 }
 
@@ -50,15 +47,6 @@ impl Shape<2> for Cone {
     }
 }
 
-impl Solid for Cone {
-    fn measure(&self) -> Result<f64, Error> {
-        let (r, h) = (Extended::from(self.radius), Extended::from(self.height));
-        (Extended::from(PI) * (square(&r) * h) / Extended::from(3.0)).in_full(Subject::Volume)
-    }
-
-    fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        let up = Extended::from(self.height) / Extended::from(4.0);
-        let centre = Vector3::new(Extended::zero(), Extended::zero(), up);
-        centred_at::<Self, 2>(centre, mass, [self.radius, self.height])
-    }
-}
+solid!(Cone, Volume, |[r, h]| Extended::from(PI) * (square(&r) * h) / Extended::from(3.0), |[_, height]| {
+    Vector3::new(Extended::zero(), Extended::zero(), height / Extended::from(4.0))
+});

@@ -15,7 +15,7 @@ use super::*;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cuboid {
-    edges: [f64; 3],
+    sizes: [f64; 3],
 }
 
 impl Cuboid {
@@ -24,10 +24,8 @@ impl Cuboid {
     /// # Errors
     /// An edge that is not finite and positive.
     pub fn new(a: f64, b: f64, c: f64) -> Result<Self, Error> {
-        positive(Subject::EdgeX, a)?;
-        positive(Subject::EdgeY, b)?;
-        positive(Subject::EdgeZ, c)?;
-        Ok(Self { edges: [a, b, c] })
+        let sizes = positive_sizes([(Subject::EdgeX, a), (Subject::EdgeY, b), (Subject::EdgeZ, c)])?;
+        Ok(Self { sizes })
     }
 }
 
@@ -46,13 +44,4 @@ impl Shape<3> for Cuboid {
     }
 }
 
-impl Solid for Cuboid {
-    fn measure(&self) -> Result<f64, Error> {
-        let [a, b, c] = self.edges.map(Extended::from);
-        (a * b * c).in_full(Subject::Volume)
-    }
-
-    fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        centred::<Self, 3>(mass, self.edges)
-    }
-}
+solid!(Cuboid, Volume, |[a, b, c]| a * b * c);

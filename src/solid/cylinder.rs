@@ -17,9 +17,8 @@ use super::*;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cylinder {
-    inner: f64,
-    outer: f64,
-    height: f64,
+    /// Radii of the hole and of the whole, height.
+    sizes: [f64; 3],
 }
 
 impl Cylinder {
@@ -29,8 +28,7 @@ impl Cylinder {
     /// A size that is not finite and positive.
     pub fn new(radius: f64, height: f64) -> Result<Self, Error> {
         positive(Subject::Radius, radius)?;
-        positive(Subject::Height, height)?;
-        Ok(Self { inner: 0.0, outer: radius, height })
+        Self::hollow(0.0, radius, height)
     }
 
     /// A tube, from the radii of the hole (0 for none) and of the whole, and the height, m. The radii may be
@@ -42,7 +40,7 @@ impl Cylinder {
     pub fn hollow(inner: f64, outer: f64, height: f64) -> Result<Self, Error> {
         ordered(inner, outer)?;
         positive(Subject::Height, height)?;
-        Ok(Self { inner, outer, height })
+        Ok(Self { sizes: [inner, outer, height] })
     }
 }
 
@@ -76,13 +74,4 @@ impl Shape<3> for Cylinder {
     }
 }
 
-impl Solid for Cylinder {
-    fn measure(&self) -> Result<f64, Error> {
-        let [i, o, h] = [self.inner, self.outer, self.height].map(Extended::from);
-        (Extended::from(PI) * ((o - i) * (o + i) * h)).in_full(Subject::Volume)
-    }
-
-    fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        centred::<Self, 3>(mass, [self.inner, self.outer, self.height])
-    }
-}
+solid!(Cylinder, Volume, |[i, o, h]| Extended::from(PI) * ((o - i) * (o + i) * h));

@@ -14,7 +14,7 @@ use super::*;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ThinDisk {
-    radius: f64,
+    sizes: [f64; 1],
 }
 
 impl ThinDisk {
@@ -23,7 +23,7 @@ impl ThinDisk {
     /// # Errors
     /// A radius that is not finite and positive.
     pub fn new(radius: f64) -> Result<Self, Error> {
-        Ok(Self { radius: positive(Subject::Radius, radius)? })
+        Ok(Self { sizes: positive_sizes([(Subject::Radius, radius)])? })
     }
 }
 
@@ -42,13 +42,5 @@ impl Shape<1> for ThinDisk {
     }
 }
 
-impl Solid for ThinDisk {
-    /// The area, m², so that its density is in kg/m².
-    fn measure(&self) -> Result<f64, Error> {
-        (Extended::from(PI) * square(&Extended::from(self.radius))).in_full(Subject::Area)
-    }
-
-    fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        centred::<Self, 1>(mass, [self.radius])
-    }
-}
+// The area, m², so that its density is in kg/m².
+solid!(ThinDisk, Area, |[radius]| Extended::from(PI) * square(&radius));

@@ -14,7 +14,7 @@ use super::*;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ellipsoid {
-    semi_axes: [f64; 3],
+    sizes: [f64; 3],
 }
 
 impl Ellipsoid {
@@ -23,10 +23,8 @@ impl Ellipsoid {
     /// # Errors
     /// A semi-axis that is not finite and positive.
     pub fn new(a: f64, b: f64, c: f64) -> Result<Self, Error> {
-        positive(Subject::SemiAxisX, a)?;
-        positive(Subject::SemiAxisY, b)?;
-        positive(Subject::SemiAxisZ, c)?;
-        Ok(Self { semi_axes: [a, b, c] })
+        let named = [(Subject::SemiAxisX, a), (Subject::SemiAxisY, b), (Subject::SemiAxisZ, c)];
+        Ok(Self { sizes: positive_sizes(named)? })
     }
 }
 
@@ -45,14 +43,4 @@ impl Shape<3> for Ellipsoid {
     }
 }
 
-impl Solid for Ellipsoid {
-    fn measure(&self) -> Result<f64, Error> {
-        let [a, b, c] = self.semi_axes.map(Extended::from);
-        let four_thirds_pi = Extended::from(4.0) * Extended::from(PI) / Extended::from(3.0);
-        (four_thirds_pi * (a * b * c)).in_full(Subject::Volume)
-    }
-
-    fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        centred::<Self, 3>(mass, self.semi_axes)
-    }
-}
+solid!(Ellipsoid, Volume, |[a, b, c]| four_thirds_pi() * (a * b * c));

@@ -15,7 +15,7 @@ use super::*;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ThinPlate {
-    edges: [f64; 2],
+    sizes: [f64; 2],
 }
 
 impl ThinPlate {
@@ -24,9 +24,7 @@ impl ThinPlate {
     /// # Errors
     /// An edge that is not finite and positive.
     pub fn new(a: f64, b: f64) -> Result<Self, Error> {
-        positive(Subject::EdgeX, a)?;
-        positive(Subject::EdgeY, b)?;
-        Ok(Self { edges: [a, b] })
+        Ok(Self { sizes: positive_sizes([(Subject::EdgeX, a), (Subject::EdgeY, b)])? })
     }
 }
 
@@ -47,14 +45,5 @@ impl Shape<2> for ThinPlate {
     }
 }
 
-impl Solid for ThinPlate {
-    /// The area, m², so that its density is in kg/m².
-    fn measure(&self) -> Result<f64, Error> {
-        let [a, b] = self.edges.map(Extended::from);
-        (a * b).in_full(Subject::Area)
-    }
-
-    fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        centred::<Self, 2>(mass, self.edges)
-    }
-}
+// The area, m², so that its density is in kg/m².
+solid!(ThinPlate, Area, |[a, b]| a * b);

@@ -15,7 +15,7 @@ use super::*;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ThinRod {
-    length: f64,
+    sizes: [f64; 1],
 }
 
 impl ThinRod {
@@ -24,7 +24,7 @@ impl ThinRod {
     /// # Errors
     /// A length that is not finite and positive.
     pub fn new(length: f64) -> Result<Self, Error> {
-        Ok(Self { length: positive(Subject::Length, length)? })
+        Ok(Self { sizes: positive_sizes([(Subject::Length, length)])? })
     }
 }
 
@@ -46,10 +46,9 @@ impl Shape<1> for ThinRod {
 impl Solid for ThinRod {
     /// The length, m, so that its density is in kg/m.
     fn measure(&self) -> Result<f64, Error> {
-        Ok(self.length)
+        Ok(self.sizes[0])
     }
-
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        centred::<Self, 1>(mass, [self.length])
+        even::<Self, _>(Vector3::zeros(), mass, self.sizes)
     }
 }
