@@ -35,7 +35,6 @@ mod geometry;
 mod kernel;
 mod mount;
 mod period;
-mod polhode;
 mod regime;
 mod sensitivity;
 pub(crate) mod series;
@@ -43,8 +42,7 @@ mod top;
 
 pub use batch::Batch;
 pub use flips::Flips;
-pub use period::time_between_flips;
-pub use polhode::Polhode;
+pub use period::{Polhode, time_between_flips};
 pub use regime::Regime;
 pub use top::{LagrangeTop, TopRegime};
 

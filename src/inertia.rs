@@ -6,7 +6,6 @@
 mod frame;
 mod inverse;
 mod moments;
-mod nearest;
 mod possible;
 mod principal;
 #[cfg(feature = "serde")]

@@ -14,38 +14,25 @@
 //! # Ok::<(), tumbling::Error>(())
 //! ```
 
-mod ball;
-mod capsule;
 mod compound;
-mod cone;
 mod cuboid;
-mod cylinder;
-mod disk;
-mod ellipsoid;
 pub(crate) mod mesh;
-mod plate;
-mod point_masses;
 mod properties;
-mod rod;
+mod round;
 #[cfg(feature = "serde")]
 mod serial;
 mod shells;
 mod tetrahedron;
+mod thin;
 mod topology;
 
-pub use ball::Ball;
-pub use capsule::Capsule;
 pub use compound::Compound;
-pub use cone::Cone;
-pub use cuboid::Cuboid;
-pub use cylinder::Cylinder;
-pub use disk::ThinDisk;
-pub use ellipsoid::Ellipsoid;
+pub use cuboid::{Cuboid, Ellipsoid};
 pub use mesh::Mesh;
-pub use plate::ThinPlate;
 pub use properties::{MassMoments, MassProperties, combined};
-pub use rod::ThinRod;
+pub use round::{Ball, Capsule, Cone, Cylinder};
 pub use tetrahedron::{Tetrahedron, tetrahedron_moments};
+pub use thin::{ThinDisk, ThinPlate, ThinRod};
 
 use crate::error::{Error, Refusal, Subject, not_negative, positive};
 use crate::number::extended::Extended;
@@ -102,7 +89,8 @@ fn even<S: Shape<N>, const N: usize>(
     MassMoments { mass, centre, inertia }.checked()
 }
 
-/// Makes a shape a solid: how much of it there is, by its sizes, and where its centre lies if not in the origin.
+/// Makes a shape a solid: by how much of it there is, from its sizes, and by its centre if that is not the
+/// origin.
 macro_rules! solid {
     ($Name:ident, $what:ident, |$sizes:pat_param| $measure:expr $(, |$placed:pat_param| $centre:expr)?) => {
         impl Solid for $Name {

@@ -1,7 +1,6 @@
 //! The motion of a body with three different moments, about its largest or smallest axis or between: Jacobi's
 //! elliptic functions.
 
-mod axes;
 mod instant;
 mod prepare;
 mod range_reduction;

@@ -1,14 +1,12 @@
 //! Lagrange's top in closed form: a symmetric body that turns about a fixed point on its axis under its
 //! weight.
 
-mod cubic;
 mod factor;
 mod integrals;
 mod kind;
 mod mounted;
 mod nutation;
 mod precession;
-mod prepare;
 
 pub use kind::TopRegime;
 

@@ -7,20 +7,21 @@ mod derivatives;
 mod dop853_coefficients;
 mod flips;
 mod law;
-mod logarithm;
 mod pair;
 mod radau;
 mod series;
 mod steps;
 mod sums;
-mod switching;
 mod taylor;
 
 use crate::body::State;
 use crate::error::{Error, Refusal, Subject, positive};
 use crate::number::Analytic;
+use crate::number::power_of_two::{exponent, times_power_of_two};
 use crate::step::system::System;
+use crate::step::torque::before_or_at;
 use alloc::sync::Arc;
+use core::f64::consts::{LN_2, SQRT_2};
 use derivatives::DerivativeSizes;
 use flips::Flips;
 use nalgebra::{Quaternion, Vector3};
@@ -228,4 +229,36 @@ fn largest<T: Analytic>(parts: &[T]) -> f64 {
 /// A share, of which zero is zero of anything.
 fn ratio(part: f64, whole: f64) -> f64 {
     if part == 0.0 { 0.0 } else { part / whole }
+}
+
+/// The number with its sign.
+fn signed<T: Analytic + Copy>(x: T) -> f64 {
+    if before_or_at(&T::zero(), &x) { x.size() } else { -x.size() }
+}
+
+/// The natural logarithm of a number not below zero, to 1e-5; of zero minus infinity. For choosing steps: by
+/// rounded operations alone, so that every machine takes the same.
+fn logarithm(x: f64) -> f64 {
+    if x == 0.0 || !x.is_finite() {
+        return if x == 0.0 { f64::NEG_INFINITY } else { x };
+    }
+    let whole = exponent(x);
+    let m = times_power_of_two(x, -whole);
+    let z = (m - SQRT_2) / (m + SQRT_2);
+    let square = z * z;
+    (f64::from(whole) + 0.5) * LN_2 + 2.0 * z * (1.0 + square * (1.0 / 3.0 + square * 0.2))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_logarithm_of_a_power_of_e_is_its_exponent() {
+        for x in [-700.0, -36.0, -1.5, 0.0, 0.3, 2.0, 700.0] {
+            assert!((logarithm(f64::exp(x)) - x).abs() < 1e-5, "{x}: {}", logarithm(f64::exp(x)));
+        }
+        assert_eq!(logarithm(0.0), f64::NEG_INFINITY);
+        assert!(logarithm(f64::NAN).is_nan());
+    }
 }

@@ -1,7 +1,7 @@
 //! Four engines that differ in what they carry and how they read the spin from it. One is right; three are
 //! the pitfalls.
 
-use super::methods::rk4::rk4;
+use super::methods::runge_kutta::rk4;
 use crate::attitude;
 use crate::body::{Body, along};
 use crate::error::{Error, Refusal, Subject, finite};

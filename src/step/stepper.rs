@@ -173,37 +173,6 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         }
     }
 
-    /// Goes on from another state (along the body's axes) at another time, s: what happened to the body in
-    /// between is not for the stepper to know, such as a blow.
-    ///
-    /// ```
-    /// use nalgebra::{UnitQuaternion, Vector3};
-    /// use tumbling::step::{State, Stepper};
-    /// use tumbling::{Body, Inertia};
-    /// let inertia = Inertia::from_moments(1.0, 2.0, 2.5)?;
-    /// let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(0.1, 2.0, 0.3))?;
-    /// let mut stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000)?;
-    /// let before = stepper.step(0.5)?;
-    /// stepper.restart(&State { momentum: before.momentum * 2.0, ..before }, 100.0)?;
-    /// let _ = stepper.step(0.5)?;
-    /// assert!((stepper.body()?.energy() / body.energy() - 4.0).abs() < 1e-11);
-    /// assert_eq!(stepper.time(), 100.5);
-    /// # Ok::<(), tumbling::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// A state, a spin or a time that is not finite; the stepper then stays as it was.
-    pub fn restart(&mut self, state: &State<T>, time: f64) -> Result<(), Error> {
-        let time = finite(Subject::Time, time)?;
-        let along = State {
-            attitude: self.frame.attitude_of_axes(state.attitude),
-            momentum: self.frame.along(&state.momentum),
-        };
-        self.arrive(along, time)?;
-        self.run = None;
-        Ok(())
-    }
-
     /// The state, if it and the spin are finite along the body's axes.
     pub(super) fn checked(&self) -> Result<State<T>, Error> {
         let value = self.omega().iter().map(Analytic::size).sum::<f64>();

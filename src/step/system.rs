@@ -196,6 +196,18 @@ impl<T: Analytic> System<T> {
         self.kicked(&end, motion, h, true)
     }
 
+    /// A step of `h` seconds of free motion between two half kicks: with torques of order 2.
+    #[inline]
+    pub(crate) fn between_half_kicks(
+        &self,
+        start: &State<T>,
+        h: &T,
+        free: impl FnOnce(State<T>) -> State<T>,
+    ) -> State<T> {
+        let half = h.clone() / T::integer(2);
+        self.adjoint_kick(&free(self.kick(start, half.clone())), half)
+    }
+
     fn kicked(&self, time: &T, motion: &State<T>, h: T, adjoint: bool) -> State<T> {
         if self.is_free() {
             return motion.clone();

@@ -1,6 +1,6 @@
 //! The constants of an elliptic motion, from what stays the same in it and the spin at the start.
 
-use super::axes::Axes;
+use super::instant::Axes;
 use super::range_reduction::Reduction;
 use super::{ComplementaryAttitude, ComplementarySpin, Constants, DirectAttitude, DirectSpin};
 use super::{EllipticMotion, Form};

@@ -1,9 +1,8 @@
 //! Steps by collocation at Radau's nodes, where damping is far faster than the motion: the
 //! damping is solved for, all else iterated.
 
-use super::logarithm::logarithm;
 use super::radau::{MOST, Radau};
-use super::{Run, TRIES, largest, ratio, smallest};
+use super::{Run, TRIES, largest, logarithm, ratio, smallest};
 use crate::body::{Rate, State};
 use crate::error::Error;
 use crate::number::Analytic;

@@ -1,7 +1,7 @@
 //! Changes of sign of the spin about the middle axis, from the series of each step.
 
 use super::series::MOST;
-use super::switching::signed;
+use super::signed;
 use crate::body::State;
 use crate::inertia::ascending;
 use crate::number::Analytic;

@@ -8,7 +8,6 @@ use super::law::{DissipationLaw, Law, PERIODIC_RATES, WorldLaw};
 use super::sums::{
     Coefficients, Lanes, across, across_sums, add_scaled, lanes, own_sums, pairs, scaled, sums, turn,
 };
-use super::switching::signed;
 use crate::attitude::rotate_inverse;
 use crate::number::Analytic;
 use alloc::boxed::Box;
@@ -227,7 +226,7 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
 
     /// The coefficients of a component of the spin.
     pub(super) fn spin(&self, axis: usize) -> [f64; N] {
-        core::array::from_fn(|power| signed(self.spin.up[power][axis % 3]))
+        core::array::from_fn(|power| super::signed(self.spin.up[power][axis % 3]))
     }
 
     /// What attitude (vector part first) and spin have changed by at `x` units of time.

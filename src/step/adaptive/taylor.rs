@@ -2,9 +2,8 @@
 
 use super::derivatives::Derivatives;
 use super::law::{Law, Rates};
-use super::logarithm::logarithm;
 use super::series::{LENGTH, MOST, Series};
-use super::{Run, TRIES, largest, ratio, smallest};
+use super::{Run, TRIES, largest, logarithm, ratio, smallest};
 use crate::body::State;
 use crate::error::Error;
 use crate::number::Analytic;

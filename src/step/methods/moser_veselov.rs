@@ -36,19 +36,10 @@ pub(crate) fn step<T: Analytic>(
     h: &T,
     order: u32,
 ) -> Result<State<T>, Error> {
-    let kicked;
-    let (start, second) = if system.is_free() {
-        (start, None)
-    } else {
-        let half = h.clone() / T::integer(2);
-        kicked = system.kick(start, half.clone());
-        (&kicked, Some(half))
-    };
-    let end = Prepared::new(system, &start.momentum, h, order)?.step(start)?;
-    Ok(match second {
-        Some(half) => system.adjoint_kick(&end, half),
-        None => end,
-    })
+    let half = h.clone() / T::integer(2);
+    let start = system.kick(start, half.clone());
+    let end = Prepared::new(system, &start.momentum, h, order)?.step(&start)?;
+    Ok(system.adjoint_kick(&end, half))
 }
 
 /// The longest turn of a step, rad: there `|c| = 1`.
