@@ -32,7 +32,6 @@ mod elliptic;
 mod elliptic_motion;
 mod flips;
 mod geometry;
-mod kernel;
 mod mount;
 mod period;
 mod regime;

@@ -22,16 +22,13 @@ mod round;
 #[cfg(feature = "serde")]
 mod serial;
 mod shells;
-mod tetrahedron;
 mod thin;
-mod topology;
 
 pub use compound::Compound;
 pub use cuboid::{Cuboid, Ellipsoid};
-pub use mesh::Mesh;
+pub use mesh::{Mesh, Tetrahedron, tetrahedron_moments};
 pub use properties::{MassMoments, MassProperties, combined};
 pub use round::{Ball, Capsule, Cone, Cylinder};
-pub use tetrahedron::{Tetrahedron, tetrahedron_moments};
 pub use thin::{ThinDisk, ThinPlate, ThinRod};
 
 use crate::error::{Error, Refusal, Subject, not_negative, positive};

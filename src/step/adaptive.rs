@@ -10,7 +10,6 @@ mod law;
 mod pair;
 mod radau;
 mod series;
-mod steps;
 mod sums;
 mod taylor;
 

@@ -4,8 +4,8 @@
 use super::range_reduction::{ReducedArgument, Reduction};
 use crate::attitude::unit;
 use crate::exact::cayley_klein::{ComplementaryPair, DirectPair, Pair, phase_factor};
+use crate::exact::elementary::{FirstAxis, Kernel};
 use crate::exact::elliptic::{ComplementarySeries, DirectSeries, sin_cos_of_turns};
-use crate::exact::kernel::{FirstAxis, Kernel};
 use crate::number::double_double::DoubleDouble;
 use crate::number::{Gather, Lane, gather_fields, splat};
 use nalgebra::{Quaternion, Vector3};
