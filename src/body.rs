@@ -71,9 +71,8 @@ impl Body {
         for (what, vector) in [(Subject::AngularMomentum, momentum_world), (Subject::Spin, &omega)] {
             representable(what, &[length(vector) * (1.0 + 1e-12)])?;
         }
-        if omega == Vector3::zeros() && *momentum_world != Vector3::zeros() {
-            return Err(Refusal::OutOfRange { what: Subject::Spin, value: 0.0 }.into());
-        }
+        Refusal::OutOfRange { what: Subject::Spin, value: 0.0 }
+            .when(omega == Vector3::zeros() && *momentum_world != Vector3::zeros())?;
         Ok(body)
     }
 
@@ -89,9 +88,8 @@ impl Body {
         finite_vector(Subject::Spin, omega_body)?;
         let momentum = product(&attitude::matrix(attitude)?, &product(&inertia.matrix(), omega_body));
         representable(Subject::AngularMomentum, momentum.as_slice())?;
-        if momentum == Vector3::zeros() && *omega_body != Vector3::zeros() {
-            return Err(Refusal::OutOfRange { what: Subject::AngularMomentum, value: 0.0 }.into());
-        }
+        Refusal::OutOfRange { what: Subject::AngularMomentum, value: 0.0 }
+            .when(momentum == Vector3::zeros() && *omega_body != Vector3::zeros())?;
         Self::new(inertia, attitude, &momentum)
     }
 

@@ -108,15 +108,13 @@ impl FreeMotion {
         let (i, w): ([f64; 3], [f64; 3]) = (moments.into(), (*omega).into());
         let (unit_moments, unit_omega, exponent) = scaled(&i, &w);
         let thinnest = unit_moments.iter().copied().fold(1.0, f64::min);
-        if thinnest < THINNEST {
-            return Err(Refusal::TooSmall {
-                what: Subject::SmallestMoment,
-                value: moments.smallest(),
-                least: THINNEST * moments.largest(),
-                meaning: "1e-100 of the largest moment",
-            }
-            .into());
+        Refusal::TooSmall {
+            what: Subject::SmallestMoment,
+            value: moments.smallest(),
+            least: THINNEST * moments.largest(),
+            meaning: "1e-100 of the largest moment",
         }
+        .when(thinnest < THINNEST)?;
         let law = match classify(moments, omega) {
             Kind::Steady if *omega == Vector3::zeros() => Motion::AtRest,
             Kind::Steady => Motion::Steady(Turn::along(unit_omega.map(Into::into))),

@@ -146,9 +146,7 @@ impl Inertia {
     /// A spin that is not finite or has no direction, or one along an ideal rod, which has no momentum.
     pub fn angle_to_momentum(&self, omega: &Vector3<f64>) -> Result<f64, Error> {
         finite_vector(Subject::Spin, omega)?;
-        if *omega == Vector3::zeros() {
-            return Err(Refusal::ZeroVector { what: Subject::Spin }.into());
-        }
+        Refusal::ZeroVector { what: Subject::Spin }.when(*omega == Vector3::zeros())?;
         // Neither size changes the angle: bring both near 1, so that no product overflows.
         let unit = |x: f64, largest: f64| times_power_of_two(x, -exponent(largest));
         let w = omega.map(|x| DoubleDouble::from(unit(x, omega.amax())));
@@ -157,9 +155,8 @@ impl Inertia {
         let l = [row(0), row(1), row(2)];
         // A rod that is turned carries the rounding of its entries: momentum below that is none.
         let rounding = if is_diagonal(&self.tensor) { 0.0 } else { 8.0 * f64::EPSILON };
-        if l.iter().all(|x| x.hi().abs() <= rounding) {
-            return Err(Refusal::ZeroVector { what: Subject::AngularMomentum }.into());
-        }
+        Refusal::ZeroVector { what: Subject::AngularMomentum }
+            .when(l.iter().all(|x| x.hi().abs() <= rounding))?;
         let cross = Vector3::new(
             (w.y * l[2] - w.z * l[1]).hi(),
             (w.z * l[0] - w.x * l[2]).hi(),
@@ -209,9 +206,7 @@ impl Inertia {
         let moments = moments_of(m);
         // The moments of a diagonal tensor are known exactly: only a true zero is singular there.
         let rounding = if diagonal { 0.0 } else { 2.0 * ulp(moments[2]) };
-        if moments[0] <= rounding {
-            return Err(Refusal::Singular { smallest: moments[0], largest: moments[2] }.into());
-        }
+        Refusal::Singular { smallest: moments[0], largest: moments[2] }.when(moments[0] <= rounding)?;
         let inverse = if diagonal {
             Matrix3::from_diagonal(&m.diagonal().map(|x| 1.0 / x))
         } else {
@@ -256,9 +251,7 @@ fn is_diagonal(m: &Matrix3<f64>) -> bool {
 /// That a computed tensor is finite and did not vanish: `what` names one of its entries.
 fn in_range(what: Subject, tensor: &Matrix3<f64>) -> Result<(), Error> {
     representable(what, tensor.as_slice())?;
-    if tensor.diagonal() == Vector3::zeros() {
-        return Err(Refusal::OutOfRange { what, value: 0.0 }.into());
-    }
+    Refusal::OutOfRange { what, value: 0.0 }.when(tensor.diagonal() == Vector3::zeros())?;
     Ok(())
 }
 
@@ -282,9 +275,7 @@ pub(crate) fn length(v: &Vector3<f64>) -> f64 {
 /// The unit vector along `v`, which may be as short or long as an `f64` can say.
 pub(crate) fn unit(what: Subject, v: &Vector3<f64>) -> Result<Vector3<f64>, Error> {
     finite_vector(what, v)?;
-    if *v == Vector3::zeros() {
-        return Err(Refusal::ZeroVector { what }.into());
-    }
+    Refusal::ZeroVector { what }.when(*v == Vector3::zeros())?;
     let scale = exponent(v.amax());
     Ok(v.map(|x| times_power_of_two(x, -scale)).normalize())
 }

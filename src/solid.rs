@@ -123,11 +123,8 @@ fn positive_sizes<const N: usize>(named: [(Subject, f64); N]) -> Result<[f64; N]
 fn ordered(inner: f64, outer: f64) -> Result<(), Error> {
     not_negative(Subject::InnerRadius, inner)?;
     positive(Subject::OuterRadius, outer)?;
-    if inner <= outer {
-        return Ok(());
-    }
     let (smaller, larger) = (Subject::InnerRadius, "the outer radius");
-    Err(Refusal::Order { smaller, small: inner, larger, large: outer }.into())
+    Refusal::Order { smaller, small: inner, larger, large: outer }.when(inner > outer)
 }
 
 fn square<T: Ring>(x: &T) -> T {

@@ -1,5 +1,5 @@
-//! What an instant of a free motion takes, by [lanes](Lane): one body is the lane of one. And the motions that
-//! sines and cosines describe: a steady spin, and that of a body with two equal moments.
+//! What an instant of a free motion takes, by [lanes](Lane): one body is the lane of one. And the motions
+//! that sines and cosines describe: a steady spin, and that of a body with two equal moments.
 
 use crate::attitude::{product, unit};
 use crate::exact::elliptic::sin_cos_of_turns;

@@ -115,9 +115,7 @@ impl FreeMotion {
     pub fn angles_to_momentum(&self, axis: Axis) -> Result<[f64; 2], Error> {
         let axis = self.moments.axis(axis);
         let scaled = |v: Vector3<f64>, by: f64| v.map(|x| x / by);
-        if self.start == Vector3::zeros() {
-            return Err(Refusal::ZeroVector { what: Subject::AngularMomentum }.into());
-        }
+        Refusal::ZeroVector { what: Subject::AngularMomentum }.when(self.start == Vector3::zeros())?;
         let momentum = scaled(self.moments.vector(), self.moments.largest())
             .component_mul(&scaled(self.start, self.start.amax()));
         let share = unit(Subject::AngularMomentum, &momentum)?;

@@ -21,7 +21,7 @@ pub(super) fn quarter_period<T: Real>(motion: &Asymmetric<T>) -> DoubleDouble<T>
 /// A length of time that is above zero, in scaled units, in seconds.
 pub(super) fn seconds(what: Subject, scaled: f64, exponent: i32) -> Result<f64, Error> {
     let value = times_power_of_two(scaled, -exponent);
-    if value.is_finite() && value > 0.0 { Ok(value) } else { Err(Refusal::OutOfRange { what, value }.into()) }
+    Refusal::OutOfRange { what, value }.when(!value.is_finite() || value <= 0.0).map(|()| value)
 }
 
 /// The time between two flips of a free body, s: half the period of its spin in body axes.

@@ -118,9 +118,7 @@ impl Inertia {
             symmetrized(&(symmetric + turned(&frame, &Matrix3::from_diagonal(&change))))
         };
         let (moved, tolerance) = (distance(&adjusted), relative_tolerance);
-        if !(moved <= tolerance) {
-            return Err(Refusal::TooFar { moved, tolerance }.into());
-        }
+        Refusal::TooFar { moved, tolerance }.when(moved > tolerance)?;
         let value = Self::try_from(adjusted.map(|x| times_power_of_two(x, scale)))?;
         Ok((value, moved))
     }
@@ -141,10 +139,7 @@ pub(super) fn physically_possible(moments: &Vector3<f64>, tolerance: f64) -> Res
 }
 
 fn not_below_zero(what: Subject, value: f64, largest: f64, tolerance: f64) -> Result<(), Error> {
-    if value >= -tolerance {
-        return Ok(());
-    }
-    Err(Refusal::NegativeMoment { what, value, printed: -value <= PRINTED * largest }.into())
+    Refusal::NegativeMoment { what, value, printed: -value <= PRINTED * largest }.when(value < -tolerance)
 }
 
 /// The moments nearest to `moments`, in any order, that a body can have: none below zero, none above the sum

@@ -128,9 +128,7 @@ impl Mesh {
     /// nested, or a tensor that no body has.
     pub fn new(vertices: &[Vector3<f64>], faces: &[[usize; 3]]) -> Result<Self, Error> {
         for (what, count) in [(Subject::Vertices, vertices.len()), (Subject::Faces, faces.len())] {
-            if count < 4 {
-                return Err(Refusal::TooFew { what, count, needed: 4 }.into());
-            }
+            Refusal::TooFew { what, count, needed: 4 }.when(count < 4)?;
         }
         for (index, vertex) in vertices.iter().enumerate() {
             finite_vector(Subject::Vertex, vertex).map_err(|e| e.of_part(index))?;
@@ -189,11 +187,9 @@ fn enclosed<'a>(
     }
     // Eight half units for each term, as in a tetrahedron, and one for each addition.
     let rounding = size * Extended::from((8.0 + count) * 0.5 * f64::EPSILON);
-    if (six_volumes - rounding).is_positive() {
-        return Ok(());
-    }
     let sixth = |x: Extended| (x / Extended::from(6.0)).nearest();
-    Err(Refusal::NoVolume { volume: sixth(six_volumes), tolerance: sixth(rounding) }.into())
+    Refusal::NoVolume { volume: sixth(six_volumes), tolerance: sixth(rounding) }
+        .when(!(six_volumes - rounding).is_positive())
 }
 
 /// That some body could have this tensor, to the rounding of a sum of `count` terms: a surface that passes
@@ -205,18 +201,10 @@ fn possible(tensor: &Matrix3<Extended>, count: usize) -> Result<(), Error> {
     let moments = moments_of(&tensor.map(|x| (x / largest).nearest()));
     let tolerance = (64.0 + count as f64) * ulp(moments[2]);
     let excess = (moments[2] - moments[1]) - moments[0];
-    if excess <= tolerance {
-        return Ok(());
-    }
     let size = |x: f64| (Extended::from(x) * largest).nearest();
     let moments = moments.map(size).into();
-    Err(Refusal::TriangleInequality {
-        moments,
-        excess: size(excess),
-        tolerance: size(tolerance),
-        printed: false,
-    }
-    .into())
+    Refusal::TriangleInequality { moments, excess: size(excess), tolerance: size(tolerance), printed: false }
+        .when(excess > tolerance)
 }
 
 /// Centre and inertia of a full tetrahedron: as if a twentieth of its mass sat at each vertex, measured from

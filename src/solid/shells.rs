@@ -1,5 +1,5 @@
-//! Whether a list of triangles is a closed surface with one side in and one side out, and of which shells; and
-//! whether these are turned and nested so that they bound a solid.
+//! Whether a list of triangles is a closed surface with one side in and one side out, and of which shells;
+//! and whether these are turned and nested so that they bound a solid.
 //!
 //! The winding number of a point is how many times the shells together enclose it, cavities counted negative:
 //! the solid angles of all faces at it, over a full sphere. In a solid it is 1, elsewhere 0. It is the same
@@ -51,10 +51,7 @@ pub(super) fn check(
             let around = shells.iter().zip(&bounds).filter(|(_, bounds)| !outside(&near, bounds));
             for (other, _) in around.filter(|(other, _)| other.may_enclose(&point)) {
                 views += other.faces.len();
-                if views > MOST_VIEWS {
-                    let shells = shells.len();
-                    return Err(Refusal::TooManyShells { shells, most: MOST_VIEWS }.into());
-                }
+                Refusal::TooManyShells { shells: shells.len(), most: MOST_VIEWS }.when(views > MOST_VIEWS)?;
                 for face in &other.faces {
                     match solid_angle(face.map(|v| point.sight(&vertices[v]))) {
                         Some(angle) => winding += angle / (2.0 * TAU),
@@ -219,9 +216,8 @@ pub(super) fn of_faces(faces: &[[usize; 3]], count: usize) -> Result<Vec<usize>,
     for (face, &vertices) in faces.iter().enumerate() {
         let [a, b, c] = vertices;
         let distinct = a != b && b != c && c != a;
-        if !distinct || vertices.iter().any(|&v| v >= count) {
-            return Err(Refusal::BadFace { face, vertices, count }.into());
-        }
+        let bad = !distinct || vertices.iter().any(|&v| v >= count);
+        Refusal::BadFace { face, vertices, count }.when(bad)?;
         // One of the three orders that turn alike stands for the face.
         let turns = [[a, b, c], [b, c, a], [c, a, b]];
         let first = turns.into_iter().min().unwrap_or(vertices);
@@ -270,14 +266,9 @@ fn balanced(around: &[Side]) -> Result<(), Error> {
     let Some(&Side { edge: [low, high], .. }) = around.first() else {
         return Ok(());
     };
-    if faces % 2 == 1 {
-        return Err(Refusal::OpenMesh { edge: [low, high], faces }.into());
-    }
-    if 2 * rising == faces {
-        return Ok(());
-    }
+    Refusal::OpenMesh { edge: [low, high], faces }.when(faces % 2 == 1)?;
     let edge = if 2 * rising > faces { [low, high] } else { [high, low] };
-    Err(Refusal::FlippedFace { edge }.into())
+    Refusal::FlippedFace { edge }.when(2 * rising != faces)
 }
 
 /// Which faces belong together: each names another of its part, or itself.

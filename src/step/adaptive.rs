@@ -32,11 +32,8 @@ pub(super) use dense::{AdaptiveRun, Tracked};
 pub(super) fn check_tolerance<T: Analytic>(tolerance: f64) -> Result<(), Error> {
     positive(Subject::Tolerance, tolerance)?;
     let least = 4.0 * T::rounding();
-    if tolerance >= least {
-        return Ok(());
-    }
     let (what, meaning) = (Subject::Tolerance, "rounding in a step");
-    Err(Refusal::TooSmall { what, value: tolerance, least, meaning }.into())
+    Refusal::TooSmall { what, value: tolerance, least, meaning }.when(tolerance < least)
 }
 
 /// How often a step is tried again, shorter, before it is refused.

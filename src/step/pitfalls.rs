@@ -163,9 +163,8 @@ impl Engine {
             if step > 0 {
                 motion = rk4(&motion, h, law, plus);
                 let norm = motion.0.norm();
-                if !(norm.is_finite() && norm > 0.0) {
-                    return Err(Refusal::OutOfRange { what: Subject::AttitudeAfterStep, value: norm }.into());
-                }
+                Refusal::OutOfRange { what: Subject::AttitudeAfterStep, value: norm }
+                    .when(!(norm.is_finite() && norm > 0.0))?;
                 motion.0 /= norm;
             }
             let (attitude, carried) = &motion;

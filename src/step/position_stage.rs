@@ -5,9 +5,9 @@ mod side_by_side;
 pub(crate) mod turn;
 
 use crate::attitude::product;
-use crate::error::{Error, Refusal, Subject};
+use crate::error::{Error, Refusal, Subject, finite};
 use crate::number::Field;
-use coefficients::{Coefficients, finite};
+use coefficients::{Coefficients, value};
 use nalgebra::{Quaternion, Scalar, Vector3};
 use num_traits::Float;
 use turn::{change_of_spin, conserving_turn, three};
@@ -118,12 +118,10 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
         let ordinary = number::<T>(1e-30)..=number(1e30);
         if !ordinary.contains(&square(&Quaternion::from_vector(frame))) {
             for x in frame.iter() {
-                finite(Subject::AxesTurn, *x)?;
+                finite(Subject::AxesTurn, value(*x))?;
             }
             let largest = frame.iter().fold(T::zero(), |most, x| most.max(x.abs()));
-            if largest == T::zero() {
-                return Err(Refusal::ZeroVector { what: Subject::AxesTurn }.into());
-            }
+            Refusal::ZeroVector { what: Subject::AxesTurn }.when(largest == T::zero())?;
             frame = frame.map(|x| x / largest);
         }
         let norm = square(&Quaternion::from_vector(frame)).sqrt();

@@ -3,7 +3,7 @@
 use super::adaptive::AdaptiveRun;
 use super::fixed_rate::fixed_rate;
 use crate::body::{Body, State};
-use crate::error::{Error, Refusal, Subject, finite, positive};
+use crate::error::{Error, Refusal, Subject, finite, positive, representable};
 use crate::inertia::Frame;
 use crate::number::Analytic;
 use crate::step::method::Method;
@@ -87,8 +87,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         let frame = to_body.map_or(Frame::BODY, |to_body| Frame::new(to_body.into_inner()));
         let moments = cast_exactly(Subject::PrincipalMoment, &moments.vector())?;
         let inverse = moments.map(|moment| (T::one() / moment).size());
-        if let Some(&value) = inverse.iter().find(|x| !x.is_normal()) {
-            return Err(Refusal::OutOfRange { what: Subject::InverseMoment, value }.into());
+        for value in inverse.iter().copied() {
+            Refusal::OutOfRange { what: Subject::InverseMoment, value }.when(!value.is_normal())?;
         }
         let start = body.state();
         let state = State {
@@ -145,9 +145,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     }
 
     fn go(&mut self, after: f64, h: T) -> Result<State<T>, Error> {
-        if !after.is_finite() {
-            return Err(Refusal::OutOfRange { what: Subject::TimeAfterStep, value: after }.into());
-        }
+        representable(Subject::TimeAfterStep, &[after])?;
         let end = match self.rule {
             Rule::Method(method) => method.step(&self.system, &self.state, h),
             Rule::FixedRate => fixed_rate(&self.system, &self.state, h),
@@ -176,11 +174,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// The state, if it and the spin are finite along the body's axes.
     pub(super) fn checked(&self) -> Result<State<T>, Error> {
         let value = self.omega().iter().map(Analytic::size).sum::<f64>();
-        if value.is_finite() {
-            self.state().checked()
-        } else {
-            Err(Refusal::OutOfRange { what: Subject::Spin, value }.into())
-        }
+        representable(Subject::Spin, &[value])?;
+        self.state().checked()
     }
 
     /// The cause of a step that failed on a torque that is not finite where it began or at the time where it
@@ -265,11 +260,8 @@ fn rounded<T: Analytic + FromPrimitive>(x: f64) -> T {
 fn cast<T: Analytic + FromPrimitive>(what: Subject, v: &Vector3<f64>) -> Result<Vector3<T>, Error> {
     let cast = v.map(rounded::<T>);
     let (before, after) = (v.amax(), cast.iter().map(Analytic::size).fold(0.0, f64::max));
-    if (after - before).abs() <= T::rounding() * before {
-        Ok(cast)
-    } else {
-        Err(Refusal::OutOfRange { what, value: after }.into())
-    }
+    let held = (after - before).abs() <= T::rounding() * before;
+    Refusal::OutOfRange { what, value: after }.when(!held).map(|()| cast)
 }
 
 /// The vector in another number type, each component to that type's rounding.

@@ -3,7 +3,7 @@
 use crate::attitude;
 use crate::body::{Rate, State};
 use crate::dynamics::{euler, observe};
-use crate::error::{Error, Refusal, Subject};
+use crate::error::{Error, Refusal, Subject, representable};
 use crate::inertia::PrincipalMoments;
 use crate::number::{Analytic, Field};
 use crate::step::methods::moser_veselov::Corrections;
@@ -50,19 +50,12 @@ impl System<f64> {
     /// # Errors
     /// As [`free`](Self::free), a torque that is not valid, or torques whose sum is beyond `f64`.
     pub fn with(moments: PrincipalMoments, torques: Vec<Torque<f64>>) -> Result<Self, Error> {
-        for &moment in &moments.vector() {
-            let inverse = 1.0 / moment;
-            if !inverse.is_normal() {
-                return Err(Refusal::OutOfRange { what: Subject::InverseMoment, value: inverse }.into());
-            }
+        for value in moments.vector().iter().map(|moment| 1.0 / moment) {
+            Refusal::OutOfRange { what: Subject::InverseMoment, value }.when(!value.is_normal())?;
         }
         torques.iter().try_for_each(Torque::validate)?;
         let system = Self::of_numbers(moments.vector(), torques);
-        let value = system.sum.largest();
-        if !value.is_finite() {
-            return Err(Refusal::OutOfRange { what: Subject::Torque, value }.into());
-        }
-        Ok(system)
+        representable(Subject::Torque, &[system.sum.largest()]).map(|()| system)
     }
 }
 

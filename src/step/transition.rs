@@ -6,7 +6,7 @@ use super::system::System;
 use super::torque::Torque;
 use crate::attitude;
 use crate::body::State;
-use crate::error::{Error, Refusal, Subject, finite};
+use crate::error::{Error, Refusal, Subject, finite, representable};
 use crate::number::{Analytic, functions};
 use core::f64::consts::PI;
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -55,12 +55,8 @@ impl Stepper<f64> {
         let (tolerance, mut budget) = self.tolerance(Subject::StepTransition)?;
         let transition =
             self.turned(&self.transition(&self.state, [self.time, h], tolerance, &mut budget)?);
-        if transition.iter().all(|x| x.is_finite()) {
-            self.step(h).map(|_| transition)
-        } else {
-            let value = transition.sum();
-            Err(Refusal::OutOfRange { what: Subject::Transition, value }.into())
-        }
+        representable(Subject::Transition, transition.as_slice())?;
+        self.step(h).map(|_| transition)
     }
 
     /// An estimate of how far off the attitude will be after a [`step`](Self::step) of `h` seconds, rad; at

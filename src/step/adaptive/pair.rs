@@ -5,7 +5,7 @@ use super::derivatives::Derivatives;
 use super::dop853_coefficients::{FIFTH, STAGES, STEP, THIRD, Weights};
 use super::{Run, largest, ratio};
 use crate::body::{Rate, State};
-use crate::error::{Error, Refusal, Subject};
+use crate::error::{Error, Subject, representable};
 use crate::number::Analytic;
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use alloc::sync::Arc;
@@ -57,9 +57,7 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
     pub(super) fn new(run: &Run<T>) -> Result<Self, Error> {
         let rate = run.system.rate_after(&run.state, &Run::number(run.time));
         let size = largest(&[largest(rate.attitude.coords.as_slice()), largest(rate.momentum.as_slice())]);
-        if !size.is_finite() {
-            return Err(Refusal::OutOfRange { what: Subject::RateAtStart, value: size }.into());
-        }
+        representable(Subject::RateAtStart, &[size])?;
         // How fast it turns, and how fast a torque would have it turn. Should the guess be too long, its
         // error will say so.
         let torque = largest(run.system.torque_after(&run.state, &Run::number(run.time)).as_slice());

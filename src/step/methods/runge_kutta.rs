@@ -140,3 +140,17 @@ pub(crate) fn dormand_prince<T: Analytic>(system: &System<T>, start: &State<T>, 
     }
     combined(start, &rates, last, h)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_stage_stands_at_the_sum_of_its_weights() {
+        let value = |&(n, d): &Ratio| f64::from(n) / f64::from(d);
+        for (weights, node) in STAGES.iter().zip(&NODES) {
+            let sum: f64 = weights.iter().map(value).sum();
+            assert!((sum - value(node)).abs() < 1e-14, "{weights:?}");
+        }
+    }
+}
