@@ -114,9 +114,9 @@ impl<T: Analytic> Prepared<T> {
                 Refusal::NotBelow { what: Subject::MoserVeselovTurn, value: turn, limit: LONGEST }.into()
             );
         }
-        let over = T::one() / (T::one() + square).sqrt();
-        let part = |x: &T| x.clone() * over.clone();
-        let turned = Quaternion::new(over.clone(), part(&c.x), part(&c.y), part(&c.z));
+        let cosine = T::one() / (T::one() + square).sqrt();
+        let part = |x: &T| x.clone() * cosine.clone();
+        let turned = Quaternion::new(cosine.clone(), part(&c.x), part(&c.y), part(&c.z));
         let momentum = attitude::rotate_inverse(&turned, &start.momentum);
         Ok(State { attitude: attitude::product(&start.attitude, &turned), momentum })
     }
