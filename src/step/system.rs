@@ -19,13 +19,15 @@ use nalgebra::Vector3;
 #[derive(Debug, Clone, PartialEq)]
 pub struct System<T: nalgebra::Scalar> {
     moments: Vector3<T>,
-    inverse: Vector3<T>,
-    /// As they were given, and their sum.
+    /// The inverses of the principal moments, 1/(kg m²).
+    pub(super) inverse: Vector3<T>,
     torques: Vec<Torque<T>>,
-    sum: Torques<T>,
-    time: T,
+    /// All of them, summed by kind.
+    pub(super) sum: Torques<T>,
+    /// When the next step begins, s.
+    pub(super) time: T,
     /// What steps at a fixed rate take of the body.
-    corrections: Corrections<T>,
+    pub(super) corrections: Corrections<T>,
 }
 
 impl System<f64> {
@@ -75,15 +77,6 @@ impl<T: Field> System<T> {
         &self.moments
     }
 
-    /// The inverses of the principal moments, 1/(kg m²).
-    pub(crate) fn inverse(&self) -> &Vector3<T> {
-        &self.inverse
-    }
-
-    pub(crate) fn corrections(&self) -> &Corrections<T> {
-        &self.corrections
-    }
-
     /// The torques on the body, all at once.
     #[must_use]
     pub fn torques(&self) -> &[Torque<T>] {
@@ -94,16 +87,6 @@ impl<T: Field> System<T> {
     /// it is set.
     pub(crate) fn set_time(&mut self, time: T) {
         self.time = time;
-    }
-
-    /// The time at which the next step begins, s.
-    pub(crate) fn time(&self) -> &T {
-        &self.time
-    }
-
-    /// All torques, summed by kind.
-    pub(crate) fn sum_of_torques(&self) -> &Torques<T> {
-        &self.sum
     }
 
     pub(crate) fn is_free(&self) -> bool {

@@ -95,7 +95,7 @@ impl Stepper<f64> {
             tolerance,
             Tracked::Nothing,
         )?;
-        let inverse = *self.system.inverse();
+        let inverse = self.system.inverse;
         // The variances of an error of the attitude's quaternion and of the momentum, relative to their size.
         let made = |state: &State<f64>, error: f64| {
             let spin = inverse * (error * state.momentum.amax());
@@ -138,7 +138,7 @@ impl Stepper<f64> {
         let start = varied(start, &moments);
         let tracked = Tracked::Derivatives(|x: &Dual| x.derivatives.map(f64::abs));
         let end = AdaptiveRun::new(system, &start, duration, tolerance, tracked)?.at(duration, budget)?;
-        Ok(read(&end, self.system.inverse()))
+        Ok(read(&end, &self.system.inverse))
     }
 
     /// A matrix along the body's axes, from one along the principal axes.

@@ -336,7 +336,8 @@ fn a_driven_swing_through_the_middle_axis_flips_where_its_pendulum_stands_still(
     }
     let period = std::f64::consts::TAU * (moment / pull).sqrt() / a;
     let mut stepper = Stepper::<f64>::adaptive(&body, 1e-14, 1000).unwrap();
-    stepper = stepper.with_torques([Torque::magnetic(&Vector3::x(), &(Vector3::x() * pull))]).unwrap();
+    stepper =
+        stepper.with_torques([Torque::Aligning { arm: Vector3::x(), field: Vector3::x() * pull }]).unwrap();
     let flips = stepper.flips(2.0 * period).unwrap();
     let expected = [0.25, 0.75, 1.25, 1.75].map(|share| share * period);
     assert_eq!(flips.len(), 4, "{flips:?}");

@@ -98,7 +98,7 @@ impl<T: Analytic + Copy + FromPrimitive> Collocation<T> {
     /// On from where a run is, first by steps twice as long as its last.
     pub(super) fn new(run: &Run<T>) -> Self {
         let radau = Radau::new(nodes(run.tolerance));
-        let decay = run.system.sum_of_torques().damping.component_mul(run.system.inverse());
+        let decay = run.system.sum.damping.component_mul(&run.system.inverse);
         let rate = run.system.rate_after(&run.state, &Run::number(run.time));
         let (states, rates) = (vec![run.state; radau.nodes.len()], vec![rate; radau.nodes.len()]);
         Self { radau, decay, states, rates, length: run.last, next: 2.0 * run.last }

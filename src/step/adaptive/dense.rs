@@ -183,7 +183,7 @@ fn piece<T: Analytic + Copy + FromPrimitive>(
 fn window<'a, T: Analytic + Copy>(system: &System<T>, torque: &'a Torque<T>) -> (&'a Torque<T>, [f64; 2]) {
     let (mut torque, mut first, mut last) = (torque, f64::NEG_INFINITY, f64::INFINITY);
     while let Torque::During { start, end, torque: inner } = torque {
-        let [start, end] = [*start, *end].map(|time| signed(time - *system.time()));
+        let [start, end] = [*start, *end].map(|time| signed(time - system.time));
         (torque, first, last) = (&**inner, first.max(start), last.min(end));
     }
     (torque, [first, last])
@@ -210,7 +210,7 @@ fn acting<T: Analytic + Copy + FromPrimitive>(system: &System<T>, from: f64, unt
         })
         .collect();
     let mut piece = System::of_numbers(*system.moments(), torques);
-    piece.set_time(*system.time() + T::from_f64(from).unwrap_or_else(T::zero));
+    piece.set_time(system.time + T::from_f64(from).unwrap_or_else(T::zero));
     piece
 }
 
@@ -246,7 +246,7 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
         if run.flips.is_none() {
             return Pair::new(run).map(Self::Pair);
         }
-        let why = if !run.system.sum_of_torques().functions.is_empty() {
+        let why = if !run.system.sum.functions.is_empty() {
             "steps under a torque that is a function have no series: give the torque by its name, or look for changes of sign"
         } else {
             "steps under two gravity gradients, or three rates of periodic torques, have no series: look for changes of sign"
@@ -285,8 +285,8 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
     /// After some steps that stiffness keeps short: solves for damping, once the motion is slow.
     fn solve_damping(&mut self, run: &mut Run<T>, budget: usize) -> Result<(), Error> {
         let (system, state) = (&run.system, &run.state);
-        let sum = system.sum_of_torques();
-        let decay = largest(sum.damping.component_mul(system.inverse()).as_slice());
+        let sum = &system.sum;
+        let decay = largest(sum.damping.component_mul(&system.inverse).as_slice());
         if run.stiff < DAMPED_STEPS && decay * run.last <= LONG {
             return Ok(());
         }

@@ -63,7 +63,7 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
         let torque = largest(run.system.torque_after(&run.state, &Run::number(run.time)).as_slice());
         let turning =
             ratio(largest(rate.attitude.coords.as_slice()), largest(run.state.attitude.coords.as_slice()));
-        let turning_rate = (2.0 * turning).max((torque * largest(run.system.inverse().as_slice())).sqrt());
+        let turning_rate = (2.0 * turning).max((torque * largest(run.system.inverse.as_slice())).sqrt());
         let guess = eighth_root(run.tolerance) / turning_rate;
         // Where nothing turns yet nothing gives a time: a second.
         let guess = if guess.is_finite() { guess } else { 1.0 };
@@ -97,7 +97,7 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
             // A torque that jumps: no step across the jump is right relative to what it gives on the way. It
             // is measured by the momentum that turns the body by a radian in the time until now.
             let time = run.time.abs().max(h.abs());
-            whole = whole.max(ratio(1.0, largest(run.system.inverse().as_slice()) * time));
+            whole = whole.max(ratio(1.0, largest(run.system.inverse.as_slice()) * time));
         }
         let attitude =
             ratio(largest(off.attitude.coords.as_slice()), largest(run.state.attitude.coords.as_slice()));

@@ -107,7 +107,7 @@ pub(crate) fn one_newton<T: Analytic>(system: &System<T>, start: &State<T>, h: &
 
 pub(crate) fn linearised<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     let impulse = system.rate(start).momentum.map(|x| x * h.clone());
-    let change = solved(system, start, h, &impulse, &system.sum_of_torques().damping);
+    let change = solved(system, start, h, &impulse, &system.sum.damping);
     ended(system, start, h, &change)
 }
 

@@ -103,7 +103,7 @@ fn halved<T: Analytic>(
     half: &T,
     time: &T,
 ) -> Result<(State<T>, bool), Error> {
-    let g = system.inverse().map(|x| x * half.clone());
+    let g = system.inverse.map(|x| x * half.clone());
     let tangents = |mean: &Vector3<T>| mean.component_mul(&g);
     let turn = |c: &Vector3<T>| {
         let cosine = T::one() / (T::one() + c.dot(c)).sqrt();

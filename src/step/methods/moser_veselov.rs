@@ -72,9 +72,9 @@ impl<T: Analytic> Prepared<T> {
     /// A step so long that preprocessing would alter an inverse moment by [`MOST_ALTERED`] of itself or more.
     #[inline]
     pub(crate) fn new(system: &System<T>, momentum: &Vector3<T>, h: &T, order: u32) -> Result<Self, Error> {
-        let corrections = system.corrections();
+        let corrections = &system.corrections;
         let inverse = corrections.ratios.clone();
-        let whole = system.inverse().x.clone() * h.clone();
+        let whole = system.inverse.x.clone() * h.clone();
         let inverse = if order > 2 {
             let turned = momentum.map(|x| x * whole.clone());
             let (a, b) = corrections.at(&turned, order);

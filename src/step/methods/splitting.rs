@@ -73,7 +73,7 @@ fn composed<T: Analytic>(system: &System<T>, start: &State<T>, h: &T, shares: &[
 
 /// The turn that the energy of the spin about one axis alone makes in a time.
 fn turned<T: Analytic>(system: &System<T>, motion: &mut State<T>, axis: usize, time: &T) {
-    let rate = motion.momentum[axis].clone() * system.inverse()[axis].clone();
+    let rate = motion.momentum[axis].clone() * system.inverse[axis].clone();
     spun(motion, axis, &(rate * time.clone() / T::integer(2)));
 }
 
@@ -106,7 +106,7 @@ fn spun<T: Analytic>(motion: &mut State<T>, axis: usize, half_angle: &T) {
 pub(crate) fn symmetric_top<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     let half = h.clone() / T::integer(2);
     let quarter = half.clone() / T::integer(2);
-    let inverse = system.inverse();
+    let inverse = &system.inverse;
     let difference = |axis: usize| inverse[axis].clone() - inverse.x.clone();
     let rest = |motion: &mut State<T>| {
         let angle = difference(1) * motion.momentum.y.clone() * quarter.clone();
