@@ -33,7 +33,6 @@ mod elliptic_motion;
 mod flips;
 mod geometry;
 mod mount;
-mod period;
 mod regime;
 mod sensitivity;
 pub(crate) mod series;
@@ -41,7 +40,7 @@ mod top;
 
 pub use batch::Batch;
 pub use flips::Flips;
-pub use period::{Polhode, time_between_flips};
+pub use geometry::{Polhode, time_between_flips};
 pub use regime::Regime;
 pub use top::{LagrangeTop, TopRegime};
 

@@ -12,8 +12,8 @@ pub use kind::TopRegime;
 
 use super::Instant;
 use super::elementary::Turn;
+use super::geometry::seconds;
 use super::mount::spin_along;
-use super::period::seconds;
 use crate::attitude::{checked, product};
 use crate::body::Body;
 use crate::error::{Error, Refusal, Subject, finite, finite_vector, not_negative, representable};

@@ -169,38 +169,47 @@ impl Lane for f64 {
     type Mask = bool;
     const WIDTH: usize = 1;
 
+    #[inline(always)]
     fn from_lanes(mut of: impl FnMut(usize) -> f64) -> Self {
         of(0)
     }
 
+    #[inline(always)]
     fn lane(&self, _: usize) -> f64 {
         *self
     }
 
+    #[inline(always)]
     fn lt(self, other: Self) -> bool {
         self < other
     }
 
+    #[inline(always)]
     fn any(mask: bool) -> bool {
         mask
     }
 
+    #[inline(always)]
     fn select(mask: bool, yes: Self, no: Self) -> Self {
         if mask { yes } else { no }
     }
 
+    #[inline(always)]
     fn abs(self) -> Self {
         self.abs()
     }
 
+    #[inline(always)]
     fn sign(self) -> Self {
         1_f64.copysign(self)
     }
 
+    #[inline(always)]
     fn sqrt(self) -> Self {
         Float::sqrt(self)
     }
 
+    #[inline(always)]
     fn round_ties_even(self) -> Self {
         // Where the machine has an instruction for it.
         #[cfg(all(
@@ -217,6 +226,7 @@ impl Lane for f64 {
         if self.abs() < LARGE { ((self.abs() + LARGE) - LARGE).copysign(self) } else { self }
     }
 
+    #[inline(always)]
     fn two_product_error(self, other: Self, product: Self) -> Self {
         Float::mul_add(self, other, -product)
     }

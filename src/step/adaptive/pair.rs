@@ -1,9 +1,8 @@
 //! Steps by the pair of Dormand and Prince of orders 8, 5 and 3 [HNW93](crate::references), for torques that
 //! are functions.
 
-use super::derivatives::Derivatives;
 use super::dop853_coefficients::{FIFTH, STAGES, STEP, THIRD, Weights};
-use super::{Run, largest, ratio};
+use super::{Derivatives, Run, largest, ratio};
 use crate::body::{Rate, State};
 use crate::error::{Error, Subject, representable};
 use crate::number::Analytic;

@@ -3,7 +3,7 @@
 //! Spin, attitude and world vectors in body axes are bilinear in each other: each coefficient is a sum of
 //! products of those before.
 
-use super::derivatives::Derivatives;
+use super::Derivatives;
 use super::law::{DissipationLaw, Law, PERIODIC_RATES, WorldLaw};
 use super::sums::{
     Coefficients, Lanes, across, across_sums, add_scaled, lanes, own_sums, pairs, scaled, sums, turn,

@@ -1,9 +1,8 @@
 //! Steps by Taylor series, as long as their last terms allow.
 
-use super::derivatives::Derivatives;
 use super::law::{Law, Rates};
 use super::series::{LENGTH, MOST, Series};
-use super::{Run, TRIES, largest, logarithm, ratio, smallest};
+use super::{Derivatives, Run, TRIES, largest, logarithm, ratio, smallest};
 use crate::body::State;
 use crate::error::Error;
 use crate::number::Analytic;
