@@ -143,11 +143,8 @@ pub(crate) fn matrix(attitude: UnitQuaternion<f64>) -> Result<Matrix3<f64>, Erro
 pub fn checked(attitude: UnitQuaternion<f64>) -> Result<UnitQuaternion<f64>, Error> {
     let q = attitude.quaternion();
     let norm = finite(Subject::AttitudeLength, q.norm())?;
-    if (norm - 1.0).abs() > UNIT_TOLERANCE {
-        return Err(
-            Refusal::NotUnit { what: Subject::Attitude, length: norm, tolerance: UNIT_TOLERANCE }.into()
-        );
-    }
+    Refusal::NotUnit { what: Subject::Attitude, length: norm, tolerance: UNIT_TOLERANCE }
+        .when((norm - 1.0).abs() > UNIT_TOLERANCE)?;
     let drifted = (norm - 1.0).abs() > 2.0 * f64::EPSILON;
     Ok(if drifted { UnitQuaternion::new_unchecked(q / norm) } else { attitude })
 }

@@ -3,17 +3,13 @@
 pub mod named;
 #[cfg(feature = "serde")]
 mod serial;
-pub(crate) mod state;
-
-pub(crate) use state::Rate;
-pub use state::State;
-pub(crate) use state::along;
 
 use crate::attitude;
 use crate::error::{Error, Refusal, Subject, finite_vector, representable};
 use crate::inertia::{Inertia, length, omega_world, product};
 use crate::number::power_of_two::{exponent, times_power_of_two};
-use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use crate::number::{Analytic, Field};
+use nalgebra::{Matrix3, Quaternion, SVector, UnitQuaternion, Vector3};
 
 /// A rigid body turning about its centre of mass, or a top about a fixed point: the constant inertia tensor
 /// about that point in the body's own axes, an attitude that takes body coordinates to world, and the angular
@@ -75,9 +71,8 @@ impl Body {
         for (what, vector) in [(Subject::AngularMomentum, momentum_world), (Subject::Spin, &omega)] {
             representable(what, &[length(vector) * (1.0 + 1e-12)])?;
         }
-        if omega == Vector3::zeros() && *momentum_world != Vector3::zeros() {
-            return Err(Refusal::OutOfRange { what: Subject::Spin, value: 0.0 }.into());
-        }
+        Refusal::OutOfRange { what: Subject::Spin, value: 0.0 }
+            .when(omega == Vector3::zeros() && *momentum_world != Vector3::zeros())?;
         Ok(body)
     }
 
@@ -93,9 +88,8 @@ impl Body {
         finite_vector(Subject::Spin, omega_body)?;
         let momentum = product(&attitude::matrix(attitude)?, &product(&inertia.matrix(), omega_body));
         representable(Subject::AngularMomentum, momentum.as_slice())?;
-        if momentum == Vector3::zeros() && *omega_body != Vector3::zeros() {
-            return Err(Refusal::OutOfRange { what: Subject::AngularMomentum, value: 0.0 }.into());
-        }
+        Refusal::OutOfRange { what: Subject::AngularMomentum, value: 0.0 }
+            .when(momentum == Vector3::zeros() && *omega_body != Vector3::zeros())?;
         Self::new(inertia, attitude, &momentum)
     }
 
@@ -183,6 +177,77 @@ impl Body {
             |v: Vector3<f64>| (v.map(|x| times_power_of_two(x, -exponent(v.amax()))), exponent(v.amax()));
         let ((omega, a), (momentum, b)) = (scaled(omega), scaled(momentum));
         times_power_of_two(0.5 * omega.dot(&momentum), a + b)
+    }
+}
+
+/// A body's attitude and angular momentum at one instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State<T: nalgebra::Scalar> {
+    /// Body to world; of length 1 for a body, of any length inside a step.
+    pub attitude: Quaternion<T>,
+    /// In body axes, kg m²/s.
+    pub momentum: Vector3<T>,
+}
+
+/// The rate at which a [`State`] changes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Rate<T: nalgebra::Scalar> {
+    /// `q' = q w / 2`, 1/s.
+    pub attitude: Quaternion<T>,
+    /// `L' = L x w + torque` in body axes, N m.
+    pub momentum: Vector3<T>,
+}
+
+impl<T: Field> State<T> {
+    /// `self + rate h`: straight along the rate for `h` seconds, the attitude's length left as it comes.
+    #[must_use]
+    pub fn plus(&self, rate: &Rate<T>, h: T) -> Self {
+        Self {
+            attitude: Quaternion::from_vector(along(&self.attitude.coords, &rate.attitude.coords, &h)),
+            momentum: along(&self.momentum, &rate.momentum, &h),
+        }
+    }
+}
+
+impl<T: Field> Rate<T> {
+    /// `self + other times`.
+    pub(crate) fn plus(&self, other: &Self, times: T) -> Self {
+        Self {
+            attitude: Quaternion::from_vector(along(&self.attitude.coords, &other.attitude.coords, &times)),
+            momentum: along(&self.momentum, &other.momentum, &times),
+        }
+    }
+
+    /// The change in this time along it.
+    pub(crate) fn times(&self, h: &T) -> Self {
+        Self {
+            attitude: Quaternion::from_vector(self.attitude.coords.map(|x| x * h.clone())),
+            momentum: self.momentum.map(|x| x * h.clone()),
+        }
+    }
+}
+
+/// `start + rate h`.
+pub(crate) fn along<T: Field, const N: usize>(
+    start: &SVector<T, N>,
+    rate: &SVector<T, N>,
+    h: &T,
+) -> SVector<T, N> {
+    start.zip_map(rate, |x, y| x + y * h.clone())
+}
+
+impl<T: Analytic> State<T> {
+    /// The state, if all its numbers are finite.
+    pub(crate) fn checked(self) -> Result<Self, Error> {
+        // Two loops of known length: a chain of iterators costs as much as a short step.
+        let sum = |sum: f64, x: &T| sum + x.size();
+        let size = self.attitude.coords.as_slice().iter().fold(0.0, sum);
+        let size = self.momentum.as_slice().iter().fold(size, sum);
+        if size.is_finite() {
+            Ok(self)
+        } else {
+            Err(Refusal::OutOfRange { what: Subject::MotionAfterStep, value: size }.into())
+        }
     }
 }
 

@@ -135,6 +135,7 @@ pub(crate) fn finite_vector(what: Subject, vector: &nalgebra::Vector3<f64>) -> R
 }
 
 /// That the numbers of a result are finite.
+#[inline]
 pub(crate) fn representable(what: Subject, values: &[f64]) -> Result<(), Error> {
     match values.iter().find(|x| !x.is_finite()) {
         Some(&value) => Err(Refusal::OutOfRange { what, value }.into()),

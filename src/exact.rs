@@ -32,10 +32,7 @@ mod elliptic;
 mod elliptic_motion;
 mod flips;
 mod geometry;
-mod kernel;
 mod mount;
-mod period;
-mod polhode;
 mod regime;
 mod sensitivity;
 pub(crate) mod series;
@@ -43,8 +40,7 @@ mod top;
 
 pub use batch::Batch;
 pub use flips::Flips;
-pub use period::time_between_flips;
-pub use polhode::Polhode;
+pub use geometry::{Polhode, time_between_flips};
 pub use regime::Regime;
 pub use top::{LagrangeTop, TopRegime};
 
@@ -111,15 +107,13 @@ impl FreeMotion {
         let (i, w): ([f64; 3], [f64; 3]) = (moments.into(), (*omega).into());
         let (unit_moments, unit_omega, exponent) = scaled(&i, &w);
         let thinnest = unit_moments.iter().copied().fold(1.0, f64::min);
-        if thinnest < THINNEST {
-            return Err(Refusal::TooSmall {
-                what: Subject::SmallestMoment,
-                value: moments.smallest(),
-                least: THINNEST * moments.largest(),
-                meaning: "1e-100 of the largest moment",
-            }
-            .into());
+        Refusal::TooSmall {
+            what: Subject::SmallestMoment,
+            value: moments.smallest(),
+            least: THINNEST * moments.largest(),
+            meaning: "1e-100 of the largest moment",
         }
+        .when(thinnest < THINNEST)?;
         let law = match classify(moments, omega) {
             Kind::Steady if *omega == Vector3::zeros() => Motion::AtRest,
             Kind::Steady => Motion::Steady(Turn::along(unit_omega.map(Into::into))),

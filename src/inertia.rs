@@ -4,9 +4,7 @@
 //! write the sum without the minus and the minus in the matrix; the matrix is the same.
 
 mod frame;
-mod inverse;
 mod moments;
-mod nearest;
 mod possible;
 mod principal;
 #[cfg(feature = "serde")]
@@ -21,8 +19,8 @@ pub use principal::{Axis, PrincipalAxes};
 
 use crate::error::{Error, Refusal, Subject, finite_vector, representable};
 use crate::number::Ring;
-use crate::number::double_double::DoubleDouble;
-use crate::number::power_of_two::{exponent, times_power_of_two};
+use crate::number::double_double::{DoubleDouble, difference_of_products};
+use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 /// The tensor turned by the rotation matrix `rotation`: `R I R^T`.
@@ -148,9 +146,7 @@ impl Inertia {
     /// A spin that is not finite or has no direction, or one along an ideal rod, which has no momentum.
     pub fn angle_to_momentum(&self, omega: &Vector3<f64>) -> Result<f64, Error> {
         finite_vector(Subject::Spin, omega)?;
-        if *omega == Vector3::zeros() {
-            return Err(Refusal::ZeroVector { what: Subject::Spin }.into());
-        }
+        Refusal::ZeroVector { what: Subject::Spin }.when(*omega == Vector3::zeros())?;
         // Neither size changes the angle: bring both near 1, so that no product overflows.
         let unit = |x: f64, largest: f64| times_power_of_two(x, -exponent(largest));
         let w = omega.map(|x| DoubleDouble::from(unit(x, omega.amax())));
@@ -159,9 +155,8 @@ impl Inertia {
         let l = [row(0), row(1), row(2)];
         // A rod that is turned carries the rounding of its entries: momentum below that is none.
         let rounding = if is_diagonal(&self.tensor) { 0.0 } else { 8.0 * f64::EPSILON };
-        if l.iter().all(|x| x.hi().abs() <= rounding) {
-            return Err(Refusal::ZeroVector { what: Subject::AngularMomentum }.into());
-        }
+        Refusal::ZeroVector { what: Subject::AngularMomentum }
+            .when(l.iter().all(|x| x.hi().abs() <= rounding))?;
         let cross = Vector3::new(
             (w.y * l[2] - w.z * l[1]).hi(),
             (w.z * l[0] - w.x * l[2]).hi(),
@@ -191,6 +186,34 @@ impl Inertia {
         let tensor = symmetrized(&turned(&rotation, &self.tensor));
         in_range(Subject::TurnedMoment, &tensor)?;
         Ok(Self { tensor })
+    }
+
+    /// The inverse matrix `J` in 1/(kg m²), `w = J L`, along the same axes: to be computed once and turned,
+    /// instead of inverting at each step.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// let inverse = tumbling::Inertia::from_moments(2.0, 4.0, 5.0)?.inverse()?;
+    /// assert_eq!(inverse * Vector3::new(2.0, 2.0, 0.0), Vector3::new(1.0, 0.5, 0.0));
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A smallest moment that is zero to rounding (an ideal rod), or an inverse beyond `f64`.
+    pub fn inverse(&self) -> Result<Matrix3<f64>, Error> {
+        let m = &self.tensor;
+        let diagonal = is_diagonal(m);
+        let moments = moments_of(m);
+        // The moments of a diagonal tensor are known exactly: only a true zero is singular there.
+        let rounding = if diagonal { 0.0 } else { 2.0 * ulp(moments[2]) };
+        Refusal::Singular { smallest: moments[0], largest: moments[2] }.when(moments[0] <= rounding)?;
+        let inverse = if diagonal {
+            Matrix3::from_diagonal(&m.diagonal().map(|x| 1.0 / x))
+        } else {
+            adjugate_inverse(m)
+        };
+        in_range(Subject::InverseMoment, &inverse)?;
+        Ok(inverse)
     }
 
     /// The principal moments and axes.
@@ -228,9 +251,7 @@ fn is_diagonal(m: &Matrix3<f64>) -> bool {
 /// That a computed tensor is finite and did not vanish: `what` names one of its entries.
 fn in_range(what: Subject, tensor: &Matrix3<f64>) -> Result<(), Error> {
     representable(what, tensor.as_slice())?;
-    if tensor.diagonal() == Vector3::zeros() {
-        return Err(Refusal::OutOfRange { what, value: 0.0 }.into());
-    }
+    Refusal::OutOfRange { what, value: 0.0 }.when(tensor.diagonal() == Vector3::zeros())?;
     Ok(())
 }
 
@@ -254,9 +275,28 @@ pub(crate) fn length(v: &Vector3<f64>) -> f64 {
 /// The unit vector along `v`, which may be as short or long as an `f64` can say.
 pub(crate) fn unit(what: Subject, v: &Vector3<f64>) -> Result<Vector3<f64>, Error> {
     finite_vector(what, v)?;
-    if *v == Vector3::zeros() {
-        return Err(Refusal::ZeroVector { what }.into());
-    }
+    Refusal::ZeroVector { what }.when(*v == Vector3::zeros())?;
     let scale = exponent(v.amax());
     Ok(v.map(|x| times_power_of_two(x, -scale)).normalize())
+}
+
+/// The inverse by cofactors. Each cofactor is a difference of products that nearly cancels in a needle's
+/// tensor, so it is computed as if exactly; the scale is taken out so that none underflows. Zeros come out
+/// without a sign.
+fn adjugate_inverse(m: &Matrix3<f64>) -> Matrix3<f64> {
+    let scale = exponent(m.amax());
+    let a = m.map(|x| times_power_of_two(x, -scale));
+    let cofactor = |i: usize, j: usize| {
+        let (r, s) = ((i + 1) % 3, (i + 2) % 3);
+        let (p, q) = ((j + 1) % 3, (j + 2) % 3);
+        difference_of_products(a[(r, p)], a[(s, q)], a[(r, q)], a[(s, p)])
+    };
+    let determinant = (DoubleDouble::from(a[(0, 0)]) * cofactor(0, 0)
+        + DoubleDouble::from(a[(0, 1)]) * cofactor(0, 1)
+        + DoubleDouble::from(a[(0, 2)]) * cofactor(0, 2))
+    .hi();
+    Matrix3::from_fn(|i, j| {
+        let (i, j) = (i.min(j), i.max(j));
+        times_power_of_two(cofactor(i, j).hi() / determinant, -scale) + 0.0
+    })
 }

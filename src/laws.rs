@@ -1,7 +1,7 @@
 //! Laws on any kind of number that are public for proofs alone: `crates/proofs` runs these very functions on
 //! algebraic symbols, and the closed form on intervals. The other laws that it runs stand in their modules.
 
-pub use crate::body::state::Rate;
+pub use crate::body::Rate;
 pub use crate::exact::series::{
     ClosedForm, ComplementaryPair, ComplementarySeries, DirectPair, DirectSeries, Parts,
 };

@@ -34,7 +34,6 @@ pub trait Ring:
     Scalar + Zero + One + ClosedAddAssign + ClosedSubAssign + ClosedMulAssign + Neg<Output = Self>
 {
     /// The integer `n` in this ring, by doubling and adding 1: exact wherever `n` has a place.
-    #[must_use]
     #[inline]
     fn integer(n: u32) -> Self {
         // The compiler knows which type it is, and keeps one of the two branches.
@@ -67,15 +66,12 @@ impl<T: Ring + ClosedDivAssign> Field for T {}
 /// prove a method's order.
 pub trait Analytic: Field {
     /// The square root; whatever the type has for "undefined" where there is none.
-    #[must_use]
     fn sqrt(&self) -> Self;
 
     /// Sine and cosine of an angle in radians.
-    #[must_use]
     fn sin_cos(&self) -> (Self, Self);
 
     /// The exponential.
-    #[must_use]
     fn exp(&self) -> Self;
 
     /// `cos(r)` and `sin(r)/r` of the root `r` of this number, both smooth where it is zero: what the
@@ -87,17 +83,14 @@ pub trait Analytic: Field {
     /// assert!((cosine - 2.0_f64.cos()).abs() < 1e-15 && (sinc - 2.0_f64.sin() / 2.0).abs() < 1e-15);
     /// assert_eq!(0.0_f64.cos_sinc_of_root(), (1.0, 1.0));
     /// ```
-    #[must_use]
     fn cos_sinc_of_root(&self) -> (Self, Self);
 
     /// How large it is, for deciding whether an iteration still moves: the absolute value of a number; of a
     /// power series anything that falls as its lowest power rises, and is 0 only for zero. NaN if undefined.
-    #[must_use]
     fn size(&self) -> f64;
 
     /// Changes below this, relative to the size, are rounding: the type's machine epsilon, 0 for exact
     /// numbers.
-    #[must_use]
     fn rounding() -> f64;
 }
 

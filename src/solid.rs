@@ -14,38 +14,22 @@
 //! # Ok::<(), tumbling::Error>(())
 //! ```
 
-mod ball;
-mod capsule;
 mod compound;
-mod cone;
 mod cuboid;
-mod cylinder;
-mod disk;
-mod ellipsoid;
 pub(crate) mod mesh;
-mod plate;
-mod point_masses;
 mod properties;
-mod rod;
+mod round;
 #[cfg(feature = "serde")]
 mod serial;
 mod shells;
-mod tetrahedron;
-mod topology;
+mod thin;
 
-pub use ball::Ball;
-pub use capsule::Capsule;
 pub use compound::Compound;
-pub use cone::Cone;
-pub use cuboid::Cuboid;
-pub use cylinder::Cylinder;
-pub use disk::ThinDisk;
-pub use ellipsoid::Ellipsoid;
-pub use mesh::Mesh;
-pub use plate::ThinPlate;
+pub use cuboid::{Cuboid, Ellipsoid};
+pub use mesh::{Mesh, Tetrahedron, tetrahedron_moments};
 pub use properties::{MassMoments, MassProperties, combined};
-pub use rod::ThinRod;
-pub use tetrahedron::{Tetrahedron, tetrahedron_moments};
+pub use round::{Ball, Capsule, Cone, Cylinder};
+pub use thin::{ThinDisk, ThinPlate, ThinRod};
 
 use crate::error::{Error, Refusal, Subject, not_negative, positive};
 use crate::number::extended::Extended;
@@ -91,13 +75,8 @@ pub trait Shape<const N: usize> {
     fn moments<T: Field>(mass: &T, sizes: [&T; N]) -> Vector3<T>;
 }
 
-/// The properties of a shape with these sizes whose centre is the origin.
-fn centred<S: Shape<N>, const N: usize>(mass: f64, sizes: [f64; N]) -> Result<MassProperties, Error> {
-    centred_at::<S, N>(Vector3::zeros(), mass, sizes)
-}
-
 /// The properties of a shape with these sizes and this centre.
-fn centred_at<S: Shape<N>, const N: usize>(
+fn even<S: Shape<N>, const N: usize>(
     centre: Vector3<Extended>,
     mass: f64,
     sizes: [f64; N],
@@ -107,15 +86,45 @@ fn centred_at<S: Shape<N>, const N: usize>(
     MassMoments { mass, centre, inertia }.checked()
 }
 
+/// Makes a shape a solid: by how much of it there is, from its sizes, and by its centre if that is not the
+/// origin.
+macro_rules! solid {
+    ($Name:ident, $what:ident, |$sizes:pat_param| $measure:expr $(, |$placed:pat_param| $centre:expr)?) => {
+        impl Solid for $Name {
+            fn measure(&self) -> Result<f64, Error> {
+                let $sizes = self.sizes.map(Extended::from);
+                ($measure).in_full(Subject::$what)
+            }
+            fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
+                let centre = solid!(@centre self.sizes.map(Extended::from) $(, |$placed| $centre)?);
+                even::<Self, _>(centre, mass, self.sizes)
+            }
+        }
+    };
+    (@centre $given:expr) => { Vector3::zeros() };
+    (@centre $given:expr, |$sizes:pat_param| $centre:expr) => {{
+        let $sizes = $given;
+        $centre
+    }};
+}
+use solid;
+
+fn four_thirds_pi() -> Extended {
+    Extended::from(4.0) * Extended::from(PI) / Extended::from(3.0)
+}
+
+/// Sizes that are finite and above zero.
+fn positive_sizes<const N: usize>(named: [(Subject, f64); N]) -> Result<[f64; N], Error> {
+    named.iter().try_for_each(|&(what, size)| positive(what, size).map(drop))?;
+    Ok(named.map(|(_, size)| size))
+}
+
 /// That these can be the radii of a hole and of the whole.
 fn ordered(inner: f64, outer: f64) -> Result<(), Error> {
     not_negative(Subject::InnerRadius, inner)?;
     positive(Subject::OuterRadius, outer)?;
-    if inner <= outer {
-        return Ok(());
-    }
     let (smaller, larger) = (Subject::InnerRadius, "the outer radius");
-    Err(Refusal::Order { smaller, small: inner, larger, large: outer }.into())
+    Refusal::Order { smaller, small: inner, larger, large: outer }.when(inner > outer)
 }
 
 fn square<T: Ring>(x: &T) -> T {

@@ -24,7 +24,7 @@ pub use crate::body::State;
 pub use fixed_rate::fixed_rate;
 pub use info::{Conserved, MethodInfo};
 pub use method::Method;
-pub use methods::rk4::rk4;
+pub use methods::runge_kutta::rk4;
 pub use pitfalls::Engine;
 pub use position_stage::{PositionStage, Stepped};
 pub use stepper::Stepper;

@@ -15,16 +15,14 @@
 //! # Ok::<(), tumbling::Error>(())
 //! ```
 
-mod boxes_and_balls;
 mod part;
-mod racket;
-mod steel;
+mod sizes;
 
 use alloc::vec::Vec;
-use boxes_and_balls::REMOTE_CONTROL;
-pub use boxes_and_balls::{BALL, BOOK, Even, PHONE, THE_BOX};
 use part::Fill;
 pub use part::{Part, Section};
+use sizes::REMOTE_CONTROL;
+pub use sizes::{BALL, BOOK, Even, PHONE, THE_BOX};
 
 use crate::error::Error;
 use crate::inertia::point_mass;
@@ -105,10 +103,10 @@ impl NamedBody {
             Self::Book => put(BOOK.part("pages", "paper")),
             Self::Phone => put(PHONE.part("phone", "even")),
             Self::RemoteControl => put(REMOTE_CONTROL.part("remote control", "even")),
-            Self::Hammer => steel::hammer(put),
-            Self::TennisRacket => racket::parts(put),
-            Self::WingNut => steel::wing_nut(put),
-            Self::THandle => steel::t_handle(put),
+            Self::Hammer => sizes::hammer(put),
+            Self::TennisRacket => sizes::racket(put),
+            Self::WingNut => sizes::wing_nut(put),
+            Self::THandle => sizes::t_handle(put),
         }
     }
 

@@ -122,10 +122,6 @@ impl<T: Real> Asymmetric<T> {
         }
     }
 
-    fn moment(&self, axis: usize) -> T {
-        self.moments[axis]
-    }
-
     /// Whether it is certain that the motion is not on the separatrix.
     pub(crate) fn off_the_separatrix(&self) -> bool {
         T::zero() < self.discriminant.hi()
@@ -133,7 +129,7 @@ impl<T: Real> Asymmetric<T> {
 
     /// The rate at which Jacobi's argument runs, without its sign.
     pub(crate) fn rate(&self) -> DoubleDouble<T> {
-        let [x, m, c] = [self.across, self.middle, self.around].map(|axis| self.moment(axis));
+        let [x, m, c] = [self.across, self.middle, self.around].map(|axis| self.moments[axis]);
         // Rooted in two parts, so that a needle's small moment meets its small difference first.
         // (C6)
         let first = self.d_cm / DoubleDouble::from(x);
@@ -162,9 +158,9 @@ impl<T: Real> Asymmetric<T> {
     pub(crate) fn amplitudes(&self, lift: i32) -> [DoubleDouble<T>; 3] {
         // (C5)
         let off = |axis: usize, d: DoubleDouble<T>| {
-            (self.off_squared / (d * self.moment(axis))).sqrt().scaled(self.off_axis + lift)
+            (self.off_squared / (d * self.moments[axis])).sqrt().scaled(self.off_axis + lift)
         };
-        let round = (self.round_squared / (self.d_cx * self.moment(self.around))).sqrt();
+        let round = (self.round_squared / (self.d_cx * self.moments[self.around])).sqrt();
         [off(self.across, self.d_cx), off(self.middle, self.d_cm), round]
     }
 

@@ -89,9 +89,8 @@ pub fn of_spin(moments: PrincipalMoments, axis: Axis, omega: f64) -> Result<Stab
     if factor == 0.0 || speed == 0.0 {
         return Ok(Stability::Neutral);
     }
-    if !rate.is_finite() || rate == 0.0 {
-        return Err(Refusal::OutOfRange { what: Subject::DisturbanceRate, value: rate }.into());
-    }
+    Refusal::OutOfRange { what: Subject::DisturbanceRate, value: rate }
+        .when(!rate.is_finite() || rate == 0.0)?;
     Ok(match axis {
         Axis::Middle => Stability::Growth { rate },
         Axis::Smallest | Axis::Largest => Stability::Libration { rate },

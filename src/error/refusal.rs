@@ -155,6 +155,12 @@ refusals! {
 }
 
 impl Refusal {
+    /// This refusal where the rule is broken.
+    #[inline]
+    pub(crate) fn when(self, broken: bool) -> Result<(), Error> {
+        if broken { Err(self.into()) } else { Ok(()) }
+    }
+
     pub(super) fn kind(&self) -> ErrorKind {
         self.explained(|kind, _, _| kind)
     }

@@ -2,7 +2,7 @@
 
 mod group;
 
-use super::elementary::{SteadySpin, TopSpin, Turn};
+use super::elementary::{TopSpin, Turn};
 use super::elliptic_motion::{
     ComplementaryAttitude, ComplementarySpin, DirectAttitude, DirectSpin, EllipticMotion,
 };
@@ -53,7 +53,7 @@ pub struct Batch<T, A = Instant> {
     direct: Group<T, DirectSpin<T>, DirectAttitude<T>>,
     complementary: Group<T, ComplementarySpin<T>, ComplementaryAttitude<T>>,
     tops: Group<T, TopSpin<T>, Turn<T>>,
-    steady: Group<T, SteadySpin<T>, Turn<T>>,
+    steady: Group<T, Vector3<T>, Turn<T>>,
     alone: Vec<(usize, FreeMotion)>,
     /// As they were given.
     starts: Vec<Instant>,

@@ -1,6 +1,6 @@
-//! The motions that sines and cosines describe: a steady spin, and that of a body with two equal moments.
+//! What an instant of a free motion takes, by [lanes](Lane): one body is the lane of one. And the motions
+//! that sines and cosines describe: a steady spin, and that of a body with two equal moments.
 
-use super::kernel::{FirstAxis, Kernel};
 use crate::attitude::{product, unit};
 use crate::exact::elliptic::sin_cos_of_turns;
 use crate::number::double_double::DoubleDouble;
@@ -9,6 +9,55 @@ use crate::number::power_of_two::{exponent, times_power_of_two};
 use crate::number::{Gather, Lane, gather_fields, splat};
 use core::f64::consts::PI;
 use nalgebra::{Quaternion, Vector3};
+
+/// The constants of one kind of motion, those of the spin. What the attitude needs beyond them is kept apart,
+/// since spins are also requested alone.
+pub(super) trait Kernel<T: Lane> {
+    /// The further constants of the attitude.
+    type Attitude;
+    /// What spin and attitude at one instant have in common.
+    type Phase;
+
+    /// At scaled time `time`.
+    fn phase(&self, time: T) -> Self::Phase;
+
+    /// The spin along the principal axes, rad/s.
+    fn omega(&self, phase: &Self::Phase) -> Vector3<T>;
+
+    /// The turn since the start.
+    fn turn(&self, attitude: &Self::Attitude, phase: &Self::Phase, time: T) -> Quaternion<T>;
+}
+
+/// Which principal axis is taken first, which differs from body to body: the other two follow in cyclic
+/// order.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct FirstAxis<T = f64> {
+    index: T,
+}
+
+gather_fields!(FirstAxis { index });
+
+impl<T: Lane> FirstAxis<T> {
+    pub(super) fn new(axis: usize) -> Self {
+        Self { index: splat([0.0, 1.0, 2.0][axis % 3]) }
+    }
+
+    /// Components given from the first axis on, in the order of the body.
+    #[inline(always)]
+    pub(super) fn arranged(&self, [first, second, third]: [T; 3]) -> [T; 3] {
+        let (is_x, is_z) = (self.index.lt(splat::<T>(0.5)), splat::<T>(1.5).lt(self.index));
+        if T::WIDTH == 1 {
+            // One branch is less than six selections.
+            return match (T::any(is_x), T::any(is_z)) {
+                (true, _) => [first, second, third],
+                (_, true) => [second, third, first],
+                _ => [third, first, second],
+            };
+        }
+        let one_of = |if_x, if_y, if_z| T::select(is_x, if_x, T::select(is_z, if_z, if_y));
+        [one_of(first, third, second), one_of(second, first, third), one_of(third, second, first)]
+    }
+}
 
 /// A turn at an even rate about a fixed direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,19 +104,7 @@ impl<T: Lane> Turn<T> {
 }
 
 /// A spin that does not change.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct SteadySpin<T = f64> {
-    omega: Vector3<T>,
-}
-
-impl<T: Lane> Gather for SteadySpin<T> {
-    type One = Vector3<f64>;
-    fn gather<S>(from: &[S], of: impl Fn(&S) -> &Vector3<f64>) -> Self {
-        Self { omega: Gather::gather(from, of) }
-    }
-}
-
-impl<T: Lane> Kernel<T> for SteadySpin<T> {
+impl<T: Lane> Kernel<T> for Vector3<T> {
     type Attitude = Turn<T>;
     type Phase = ();
 
@@ -76,7 +113,7 @@ impl<T: Lane> Kernel<T> for SteadySpin<T> {
 
     #[inline(always)]
     fn omega(&self, (): &()) -> Vector3<T> {
-        self.omega
+        *self
     }
 
     #[inline(always)]

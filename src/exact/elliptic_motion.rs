@@ -1,7 +1,6 @@
 //! The motion of a body with three different moments, about its largest or smallest axis or between: Jacobi's
 //! elliptic functions.
 
-mod axes;
 mod instant;
 mod prepare;
 mod range_reduction;
@@ -12,8 +11,8 @@ pub(super) use prepare::{argument_at_start, phase_at_start};
 pub(super) use range_reduction::{Exponentials, Reduction};
 
 use super::Regime;
+use super::elementary::Kernel;
 use super::flips::Clock;
-use super::kernel::Kernel;
 use crate::inertia::Axis;
 use crate::number::double_double::DoubleDouble;
 use crate::number::functions::atan2;

@@ -64,15 +64,13 @@ impl Clock {
         };
         let half_turns = (rate * times_power_of_two(t, exponent) + offset).hi();
         let room = limit - 8.0;
-        if half_turns.is_nan() || half_turns.abs() > room {
-            return Err(Refusal::Order {
-                smaller: Subject::FlipNumber,
-                small: half_turns.abs(),
-                larger: "the greatest for which the times of two flips differ in f64",
-                large: room,
-            }
-            .into());
+        Refusal::Order {
+            smaller: Subject::FlipNumber,
+            small: half_turns.abs(),
+            larger: "the greatest for which the times of two flips differ in f64",
+            large: room,
         }
+        .when(half_turns.is_nan() || half_turns.abs() > room)?;
         // From one or two before: the instant decides, as it is rounded.
         let step = self.step();
         let mut number = if step > 0.0 { half_turns.floor() } else { half_turns.ceil() } - step;

@@ -1,21 +1,19 @@
 //! Lagrange's top in closed form: a symmetric body that turns about a fixed point on its axis under its
 //! weight.
 
-mod cubic;
 mod factor;
 mod integrals;
 mod kind;
 mod mounted;
 mod nutation;
 mod precession;
-mod prepare;
 
 pub use kind::TopRegime;
 
 use super::Instant;
 use super::elementary::Turn;
+use super::geometry::seconds;
 use super::mount::spin_along;
-use super::period::seconds;
 use crate::attitude::{checked, product};
 use crate::body::Body;
 use crate::error::{Error, Refusal, Subject, finite, finite_vector, not_negative, representable};
@@ -126,9 +124,8 @@ impl LagrangeTop {
         let pull = torque * 2.0 / across;
         let rates = [spin.x, spin.y, along.hi(), spin.z, pull.hi().sqrt()];
         let fastest = rates.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        if !fastest.is_finite() || !pull.hi().is_finite() {
-            return Err(Refusal::OutOfRange { what: Subject::TopFastestRate, value: fastest }.into());
-        }
+        Refusal::OutOfRange { what: Subject::TopFastestRate, value: fastest }
+            .when(!fastest.is_finite() || !pull.hi().is_finite())?;
         let power = exponent(fastest).clamp(-1000, 1000);
         let scaled = |x: f64| times_power_of_two(x, -power);
         let start = Start {
@@ -335,9 +332,8 @@ fn in_range(integrals: &Integrals, start: &Start, spin: &Vector3<f64>, pulled: b
     ] {
         let value = square.hi();
         representable(what, &[value])?;
-        if (present || value != 0.0) && value.abs() < SMALLEST {
-            return Err(Refusal::Underflow { what, value, least: SMALLEST }.into());
-        }
+        Refusal::Underflow { what, value, least: SMALLEST }
+            .when((present || value != 0.0) && value.abs() < SMALLEST)?;
     }
     Ok(())
 }

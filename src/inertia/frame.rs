@@ -42,27 +42,18 @@ impl<T: Ring> Frame<T> {
     /// A vector along the principal axes in body axes.
     #[inline(always)]
     pub(crate) fn in_body(&self, v: Vector3<T>) -> Vector3<T> {
-        match &self.to_principal {
-            Some(q) => rotate_inverse(q, &v),
-            None => v,
-        }
+        if let Some(q) = &self.to_principal { rotate_inverse(q, &v) } else { v }
     }
 
     /// The attitude of the principal axes, from that of the body.
     pub(crate) fn attitude_of_axes(&self, body: Quaternion<T>) -> Quaternion<T> {
-        match &self.to_principal {
-            Some(q) => product(&body, &conjugate(q)),
-            None => body,
-        }
+        if let Some(q) = &self.to_principal { product(&body, &conjugate(q)) } else { body }
     }
 
     /// The attitude of the body, from that of the principal axes: as long as this.
     #[inline(always)]
     pub(crate) fn attitude_as_long(&self, axes: Quaternion<T>) -> Quaternion<T> {
-        match &self.to_principal {
-            Some(q) => product(&axes, q),
-            None => axes,
-        }
+        if let Some(q) = &self.to_principal { product(&axes, q) } else { axes }
     }
 
     /// Takes vectors in body axes to those along the principal axes, where these differ.

@@ -1,7 +1,7 @@
 //! Three principal moments that belong to one body, checked once.
 
-use super::possible::{DIAGONAL_ROUNDING_ULPS, physically_possible};
-use super::{Axis, Inertia, nearest};
+use super::possible::{DIAGONAL_ROUNDING_ULPS, nearest_possible, physically_possible};
+use super::{Axis, Inertia};
 use crate::error::{Error, Subject, positive};
 use crate::number::power_of_two::ulp;
 use core::fmt;
@@ -69,7 +69,7 @@ impl PrincipalMoments {
     /// the nearest that it takes.
     pub(crate) fn of_tensor(moments: Vector3<f64>) -> Result<Self, Error> {
         let found = Self::ordered(moments)?;
-        if found.possible().is_ok() { Ok(found) } else { Self::ordered(nearest::possible(&moments)) }
+        if found.possible().is_ok() { Ok(found) } else { Self::ordered(nearest_possible(&moments)) }
     }
 
     fn ordered(moments: Vector3<f64>) -> Result<Self, Error> {

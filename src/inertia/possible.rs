@@ -1,6 +1,6 @@
 //! Which tensors a body can have, to rounding, and the nearest of them.
 
-use super::{Inertia, PrincipalAxes, in_range, is_diagonal, moments_of, nearest, symmetrized, turned};
+use super::{Inertia, PrincipalAxes, ascending, in_range, is_diagonal, moments_of, symmetrized, turned};
 use crate::error::{Error, ErrorKind, Refusal, Subject, finite, not_negative, positive, representable};
 use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, Vector3};
@@ -111,13 +111,14 @@ impl Inertia {
             return Ok((value, distance(&symmetric)));
         }
         let adjusted = if is_diagonal(&symmetric) {
-            Matrix3::from_diagonal(&nearest::possible(&symmetric.diagonal()))
+            Matrix3::from_diagonal(&nearest_possible(&symmetric.diagonal()))
         } else {
-            let change = nearest::possible(&moments) - moments;
+            let change = nearest_possible(&moments) - moments;
             let frame = PrincipalAxes::of(&symmetric).frame();
             symmetrized(&(symmetric + turned(&frame, &Matrix3::from_diagonal(&change))))
         };
-        let moved = nearest::near_enough(distance(&adjusted), relative_tolerance)?;
+        let (moved, tolerance) = (distance(&adjusted), relative_tolerance);
+        Refusal::TooFar { moved, tolerance }.when(moved > tolerance)?;
         let value = Self::try_from(adjusted.map(|x| times_power_of_two(x, scale)))?;
         Ok((value, moved))
     }
@@ -138,8 +139,69 @@ pub(super) fn physically_possible(moments: &Vector3<f64>, tolerance: f64) -> Res
 }
 
 fn not_below_zero(what: Subject, value: f64, largest: f64, tolerance: f64) -> Result<(), Error> {
-    if value >= -tolerance {
-        return Ok(());
+    Refusal::NegativeMoment { what, value, printed: -value <= PRINTED * largest }.when(value < -tolerance)
+}
+
+/// The moments nearest to `moments`, in any order, that a body can have: none below zero, none above the sum
+/// of the other two.
+///
+/// Possible moments form a cone whose edges are the rods, (0, 1, 1) and its like, and whose faces are the
+/// flat bodies. What lies outside is projected onto the flat bodies; if that leaves a moment below zero, onto
+/// the rods; and if they are all on the far side, onto zero.
+///
+/// They also give the nearest tensor in the Frobenius norm, with the principal axes of the one given: no two
+/// symmetric matrices are nearer than their sorted eigenvalues are [HW53](crate::references).
+pub(super) fn nearest_possible(moments: &Vector3<f64>) -> Vector3<f64> {
+    let order = ascending(moments);
+    let [a, b, c] = order.map(|i| moments[i]);
+    let excess = (c - b) - a;
+    let sorted = if excess <= 0.0 {
+        [a, b, c]
+    } else if a + excess / 3.0 > 0.0 {
+        let (a, b) = (a + excess / 3.0, b + excess / 3.0);
+        [a, b, a + b]
+    } else {
+        let rod = (0.5 * b + 0.5 * c).max(0.0);
+        [0.0, rod, rod]
+    };
+    let mut nearest = Vector3::zeros();
+    for (place, moment) in order.into_iter().zip(sorted) {
+        nearest[place] = moment;
     }
-    Err(Refusal::NegativeMoment { what, value, printed: -value <= PRINTED * largest }.into())
+    nearest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::nearest_possible;
+    use nalgebra::Vector3;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// The nearest point `p` of a cone is the one in it with `(x - p) . p = 0` and `(x - p) . r <= 0`
+        /// along each edge `r`.
+        #[test]
+        fn the_nearest_moments_meet_the_conditions_of_a_projection_onto_the_cone_of_bodies(
+            x in prop::array::uniform3(-2.0..3.0_f64),
+        ) {
+            let x = Vector3::from(x);
+            let p = nearest_possible(&x);
+            let off = x - p;
+            prop_assert!((0..3).all(|i| p[i] >= 0.0 && p[i] <= (p[(i + 1) % 3] + p[(i + 2) % 3]) * (1.0 + 1e-15)));
+            prop_assert!(off.dot(&p).abs() <= 1e-14, "{x:?} {p:?}: {:e}", off.dot(&p));
+            for axis in 0..3 {
+                prop_assert!(off[(axis + 1) % 3] + off[(axis + 2) % 3] <= 1e-14, "{x:?} {p:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn each_way_out_of_the_cone_leads_to_the_nearest_flat_body_or_rod() {
+        // Excess 0.3: a third of it on each moment. A negative moment: the rod with the mean of the other
+        // two.
+        let flat = nearest_possible(&Vector3::new(1.0, 3.3, 2.0));
+        assert!((flat - Vector3::new(1.1, 3.2, 2.1)).amax() < 1e-15, "{flat:?}");
+        assert_eq!(nearest_possible(&Vector3::new(1.0, -0.25, 1.25)), Vector3::new(1.125, 0.0, 1.125));
+        assert_eq!(nearest_possible(&Vector3::new(-1.0, -0.25, -2.0)), Vector3::zeros());
+    }
 }

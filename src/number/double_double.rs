@@ -72,7 +72,8 @@ impl<T: Lane> DoubleDouble<T> {
     /// `a + b` without error.
     #[inline(always)]
     pub(crate) fn sum(a: T, b: T) -> Self {
-        two_sum(a, b)
+        let [hi, lo] = a.sum_in_two(b);
+        Self { hi, lo }
     }
 
     /// `a b` without error (but for underflow).
@@ -92,7 +93,7 @@ impl<T: Lane> DoubleDouble<T> {
     /// work.
     #[inline(always)]
     pub(crate) fn plus(self, other: Self) -> Self {
-        let sum = two_sum(self.hi, other.hi);
+        let sum = DoubleDouble::sum(self.hi, other.hi);
         Self { hi: sum.hi, lo: sum.lo + (self.lo + other.lo) }
     }
 
@@ -133,13 +134,6 @@ impl<T: Lane> From<T> for DoubleDouble<T> {
     }
 }
 
-/// `a + b` without error.
-#[inline(always)]
-fn two_sum<T: Lane>(a: T, b: T) -> DoubleDouble<T> {
-    let [hi, lo] = a.sum_in_two(b);
-    DoubleDouble { hi, lo }
-}
-
 /// `a + b` without error, where `|a| >= |b|` or `a` is zero.
 #[inline(always)]
 fn quick_two_sum<T: Lane>(a: T, b: T) -> DoubleDouble<T> {
@@ -151,8 +145,8 @@ impl<T: Lane> Add for DoubleDouble<T> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        let high = two_sum(self.hi, other.hi);
-        let low = two_sum(self.lo, other.lo);
+        let high = DoubleDouble::sum(self.hi, other.hi);
+        let low = DoubleDouble::sum(self.lo, other.lo);
         let sum = quick_two_sum(high.hi, high.lo + low.hi);
         quick_two_sum(sum.hi, sum.lo + low.lo)
     }
@@ -209,7 +203,7 @@ pub(crate) fn exact_sum<const N: usize>(terms: [f64; N]) -> DoubleDouble {
         let mut carried = term;
         // The first that is still free takes what is carried past the others.
         for part in expansion.iter_mut().take(count) {
-            let sum = two_sum(*part, carried);
+            let sum = DoubleDouble::sum(*part, carried);
             (*part, carried) = (sum.lo, sum.hi);
         }
         if let Some(free) = expansion.get_mut(count) {

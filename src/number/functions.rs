@@ -13,7 +13,6 @@
 mod arc;
 mod exponential;
 mod lanes;
-mod reduction;
 mod root;
 mod trigonometric;
 

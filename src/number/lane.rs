@@ -4,7 +4,7 @@ use super::Field;
 use core::f64::consts::TAU;
 use core::fmt::Debug;
 use core::ops::{Add, Mul, Sub};
-use nalgebra::{Quaternion, Vector3};
+use nalgebra::{Quaternion, SVector};
 use num_traits::Float;
 
 /// 2^52: from here on numbers have no fraction.
@@ -24,7 +24,6 @@ pub trait Series: Field {
     /// use tumbling::number::Series;
     /// assert_eq!(1.0_f64.up_to(|| unreachable!("never computed for an f64")), 1.0);
     /// ```
-    #[must_use]
     #[inline(always)]
     fn up_to(self, _rest: impl FnOnce() -> Self) -> Self {
         self
@@ -69,49 +68,38 @@ pub trait Lane:
     const WIDTH: usize;
 
     /// The number that `of` gives for each lane.
-    #[must_use]
     fn from_lanes(of: impl FnMut(usize) -> f64) -> Self;
 
     /// The number in lane `k`.
-    #[must_use]
     fn lane(&self, k: usize) -> f64;
 
     /// In each lane whether the number is less than that of `other`: false where either is NaN, and -0 is not
     /// less than 0.
-    #[must_use]
     fn lt(self, other: Self) -> Self::Mask;
 
     /// Whether the mask holds in any lane.
-    #[must_use]
     fn any(mask: Self::Mask) -> bool;
 
     /// `yes` where the mask holds, `no` elsewhere.
-    #[must_use]
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
 
     /// The absolute value in each lane: the sign bit cleared, also of -0 and NaN.
-    #[must_use]
     fn abs(self) -> Self;
 
     /// In each lane 1 or -1, by the sign bit: -1 for -0.
-    #[must_use]
     fn sign(self) -> Self;
 
     /// The square root of a number that is not negative.
-    #[must_use]
     fn sqrt(self) -> Self;
 
     /// The nearest integer, the even one of two equally near.
-    #[must_use]
     fn round_ties_even(self) -> Self;
 
     /// `self * other - product` rounded once, where `product` is `self * other` rounded: what that rounding
     /// left off.
-    #[must_use]
     fn two_product_error(self, other: Self, product: Self) -> Self;
 
     /// `self + other` in two parts, the second what rounding left off the first: without error.
-    #[must_use]
     #[inline(always)]
     fn sum_in_two(self, other: Self) -> [Self; 2] {
         let high = self + other;
@@ -120,7 +108,6 @@ pub trait Lane:
     }
 
     /// [`sum_in_two`](Self::sum_in_two) where `self` is not the smaller of the two, or is zero.
-    #[must_use]
     #[inline(always)]
     fn quick_sum_in_two(self, other: Self) -> [Self; 2] {
         let high = self + other;
@@ -128,7 +115,6 @@ pub trait Lane:
     }
 
     /// `self * other` in two parts: without error (but for underflow).
-    #[must_use]
     #[inline(always)]
     fn product_in_two(self, other: Self) -> [Self; 2] {
         let high = self * other;
@@ -136,28 +122,24 @@ pub trait Lane:
     }
 
     /// A number in two parts as the nearest single one and the rest.
-    #[must_use]
     #[inline(always)]
     fn in_one(high: Self, low: Self) -> [Self; 2] {
         [high, low]
     }
 
     /// The number that a quotient or a root is improved from.
-    #[must_use]
     #[inline(always)]
     fn near(self) -> Self {
         self
     }
 
     /// Whether it is neither infinite nor NaN.
-    #[must_use]
     #[inline(always)]
     fn finite(self) -> Self::Mask {
         self.abs().lt(splat(f64::INFINITY))
     }
 
     /// A number that only rounding can bring below zero.
-    #[must_use]
     #[inline(always)]
     fn not_below_zero(self) -> Self {
         let zero = splat::<Self>(0.0);
@@ -165,14 +147,12 @@ pub trait Lane:
     }
 
     /// Sine and cosine of this part of a turn, at most an eighth.
-    #[must_use]
     #[inline(always)]
     fn sin_cos_of_part(self) -> (Self, Self) {
         crate::number::functions::sin_cos_near_zero(self * TAU)
     }
 
     /// `exp(-x)` and `exp(-x) - 1` of `x = self + rest >= 0`.
-    #[must_use]
     #[inline(always)]
     fn decay(self, rest: Self) -> [Self; 2] {
         crate::number::functions::decay(self, rest)
@@ -284,17 +264,17 @@ impl<G: Gather, const N: usize> Gather for [G; N] {
     }
 }
 
-impl<T: Lane> Gather for Vector3<T> {
-    type One = Vector3<f64>;
-    fn gather<S>(from: &[S], of: impl Fn(&S) -> &Vector3<f64>) -> Self {
-        [0, 1, 2].map(|n| T::gather(from, |s| &of(s)[n])).into()
+impl<T: Lane, const N: usize> Gather for SVector<T, N> {
+    type One = SVector<f64, N>;
+    fn gather<S>(from: &[S], of: impl Fn(&S) -> &Self::One) -> Self {
+        Self::from_fn(|n, _| T::gather(from, |s| &of(s)[n]))
     }
 }
 
 impl<T: Lane> Gather for Quaternion<T> {
     type One = Quaternion<f64>;
     fn gather<S>(from: &[S], of: impl Fn(&S) -> &Quaternion<f64>) -> Self {
-        Quaternion::from_vector([0, 1, 2, 3].map(|n| T::gather(from, |s| &of(s).coords[n])).into())
+        Quaternion::from_vector(Gather::gather(from, |s| &of(s).coords))
     }
 }
 

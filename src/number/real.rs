@@ -9,57 +9,44 @@ use core::f64::consts::PI;
 /// `==`, `<` and the like hold of an enclosure where they hold of all numbers in it.
 pub trait Real: Lane<Mask = bool> + PartialOrd {
     /// The circle's constant in two parts, to 107 bits.
-    #[must_use]
     fn pi_in_two() -> [Self; 2];
 
     /// `self * 2^exponent`.
-    #[must_use]
     fn times_power_of_two(self, exponent: i32) -> Self;
 
     /// The power of two at or below its size; 0 for zero.
-    #[must_use]
     fn exponent(self) -> i32;
 
     /// The exponential of a number that is not positive.
-    #[must_use]
     fn exp(self) -> Self;
 
     /// The exponential of a number that is not positive, and that less 1.
-    #[must_use]
     fn exp_and_exp_m1(self) -> (Self, Self);
 
     /// Sine and cosine of an angle in radians.
-    #[must_use]
     fn sin_cos(self) -> (Self, Self);
 
     /// The angle of the point `(x, self)` from the first axis, in radians.
-    #[must_use]
     fn atan2(self, x: Self) -> Self;
 
     /// The length of the vector `(self, other)`.
-    #[must_use]
     fn hypot(self, other: Self) -> Self;
 
     /// A number that only rounding can bring beyond 1.
-    #[must_use]
     fn at_most_one(self) -> Self;
 
     /// Its size with the sign of another; of an enclosure with both signs, with either.
-    #[must_use]
     fn with_sign(self, of: Self) -> Self;
 
     /// Itself; of an enclosure with both signs all numbers, since what follows holds for one sign only.
-    #[must_use]
     fn of_one_sign(self) -> Self {
         self
     }
 
     /// What is zero but for rounding: itself if it is small enough for that, otherwise zero.
-    #[must_use]
     fn but_for_rounding(self) -> Self;
 
     /// Whether it is far enough from zero to have all its digits.
-    #[must_use]
     fn has_all_digits(self) -> bool;
 }
 

@@ -1,4 +1,4 @@
-//! A box with three different edges: the book's first body.
+//! Bodies of three sizes: a box, an ellipsoid.
 
 use super::*;
 
@@ -15,7 +15,7 @@ use super::*;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cuboid {
-    edges: [f64; 3],
+    sizes: [f64; 3],
 }
 
 impl Cuboid {
@@ -24,10 +24,8 @@ impl Cuboid {
     /// # Errors
     /// An edge that is not finite and positive.
     pub fn new(a: f64, b: f64, c: f64) -> Result<Self, Error> {
-        positive(Subject::EdgeX, a)?;
-        positive(Subject::EdgeY, b)?;
-        positive(Subject::EdgeZ, c)?;
-        Ok(Self { edges: [a, b, c] })
+        let sizes = positive_sizes([(Subject::EdgeX, a), (Subject::EdgeY, b), (Subject::EdgeZ, c)])?;
+        Ok(Self { sizes })
     }
 }
 
@@ -46,13 +44,47 @@ impl Shape<3> for Cuboid {
     }
 }
 
-impl Solid for Cuboid {
-    fn measure(&self) -> Result<f64, Error> {
-        let [a, b, c] = self.edges.map(Extended::from);
-        (a * b * c).in_full(Subject::Volume)
-    }
+solid!(Cuboid, Volume, |[a, b, c]| a * b * c);
 
-    fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        centred::<Self, 3>(mass, self.edges)
+/// A full ellipsoid with semi-axes `a` along x, `b` along y and `c` along z, centred at the origin.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tumbling::solid::{Ellipsoid, Solid};
+/// let egg = Ellipsoid::new(2.0, 1.0, 3.0)?;
+/// assert_eq!(egg.measure()?, 8.0 * std::f64::consts::PI);
+/// assert_eq!(egg.with_mass(5.0)?.inertia().matrix().diagonal(), Vector3::new(10.0, 13.0, 5.0));
+/// # Ok::<(), tumbling::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Ellipsoid {
+    sizes: [f64; 3],
+}
+
+impl Ellipsoid {
+    /// From the three semi-axes, m.
+    ///
+    /// # Errors
+    /// A semi-axis that is not finite and positive.
+    pub fn new(a: f64, b: f64, c: f64) -> Result<Self, Error> {
+        let named = [(Subject::SemiAxisX, a), (Subject::SemiAxisY, b), (Subject::SemiAxisZ, c)];
+        Ok(Self { sizes: positive_sizes(named)? })
     }
 }
+
+impl Shape<3> for Ellipsoid {
+    /// The moments of a full ellipsoid about its centre: `m/5 (b² + c²)` and cyclically. Source:
+    /// [LL76](crate::references), section 32, problem 2f.
+    ///
+    /// ```
+    /// use tumbling::solid::{Ellipsoid, Shape};
+    /// use nalgebra::Vector3;
+    /// let moments = Ellipsoid::moments(&5.0, [&2.0, &1.0, &3.0]);
+    /// assert_eq!(moments, Vector3::new(10.0, 13.0, 5.0));
+    /// ```
+    fn moments<T: Field>(mass: &T, sizes: [&T; 3]) -> Vector3<T> {
+        across(sizes) * (mass.clone() / T::integer(5))
+    }
+}
+
+solid!(Ellipsoid, Volume, |[a, b, c]| four_thirds_pi() * (a * b * c));

@@ -1,13 +1,12 @@
-//! Any solid bounded by triangles, by the divergence theorem.
+//! A tetrahedron, and any solid bounded by triangles, by the divergence theorem.
 //!
 //! Each face and a reference point span a tetrahedron, counted negative where the face looks towards the
 //! point; together they fill the solid. The sums over them are polynomials in the coordinates, and only
 //! what is made of them takes divisions. Source: [Ebe02](crate::references).
 
-use super::tetrahedron::{determinant, triple};
-use super::{MassMoments, MassProperties, Solid, shells, topology};
+use super::{MassMoments, MassProperties, Solid, shells};
 use crate::error::{Error, Refusal, Subject, finite_vector, positive};
-use crate::inertia::moments_of;
+use crate::inertia::{moments_of, point_mass};
 use crate::number::extended::Extended;
 use crate::number::power_of_two::ulp;
 use crate::number::{Field, Ring};
@@ -129,14 +128,12 @@ impl Mesh {
     /// nested, or a tensor that no body has.
     pub fn new(vertices: &[Vector3<f64>], faces: &[[usize; 3]]) -> Result<Self, Error> {
         for (what, count) in [(Subject::Vertices, vertices.len()), (Subject::Faces, faces.len())] {
-            if count < 4 {
-                return Err(Refusal::TooFew { what, count, needed: 4 }.into());
-            }
+            Refusal::TooFew { what, count, needed: 4 }.when(count < 4)?;
         }
         for (index, vertex) in vertices.iter().enumerate() {
             finite_vector(Subject::Vertex, vertex).map_err(|e| e.of_part(index))?;
         }
-        let shell = topology::shells(faces, vertices.len())?;
+        let shell = shells::of_faces(faces, vertices.len())?;
         let wide: Vec<_> = vertices.iter().map(|v| v.map(Extended::from)).collect();
         let triangles = || faces.iter().map(|face| face.map(|v| &wide[v]));
         let near = mean(triangles());
@@ -190,11 +187,9 @@ fn enclosed<'a>(
     }
     // Eight half units for each term, as in a tetrahedron, and one for each addition.
     let rounding = size * Extended::from((8.0 + count) * 0.5 * f64::EPSILON);
-    if (six_volumes - rounding).is_positive() {
-        return Ok(());
-    }
     let sixth = |x: Extended| (x / Extended::from(6.0)).nearest();
-    Err(Refusal::NoVolume { volume: sixth(six_volumes), tolerance: sixth(rounding) }.into())
+    Refusal::NoVolume { volume: sixth(six_volumes), tolerance: sixth(rounding) }
+        .when(!(six_volumes - rounding).is_positive())
 }
 
 /// That some body could have this tensor, to the rounding of a sum of `count` terms: a surface that passes
@@ -206,16 +201,102 @@ fn possible(tensor: &Matrix3<Extended>, count: usize) -> Result<(), Error> {
     let moments = moments_of(&tensor.map(|x| (x / largest).nearest()));
     let tolerance = (64.0 + count as f64) * ulp(moments[2]);
     let excess = (moments[2] - moments[1]) - moments[0];
-    if excess <= tolerance {
-        return Ok(());
-    }
     let size = |x: f64| (Extended::from(x) * largest).nearest();
     let moments = moments.map(size).into();
-    Err(Refusal::TriangleInequality {
-        moments,
-        excess: size(excess),
-        tolerance: size(tolerance),
-        printed: false,
+    Refusal::TriangleInequality { moments, excess: size(excess), tolerance: size(tolerance), printed: false }
+        .when(excess > tolerance)
+}
+
+/// Centre and inertia of a full tetrahedron: as if a twentieth of its mass sat at each vertex, measured from
+/// the centre.
+///
+/// The second moments of a simplex are `m/20 (sum v v^T + s s^T)` with `s` the sum of the vertices, which
+/// vanishes from the centre. Source: [Ebe02](crate::references), for the integrals.
+///
+/// ```
+/// use nalgebra::{Matrix3, Vector3};
+/// let corner = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 4.0]].map(Vector3::from);
+/// let body = tumbling::solid::tetrahedron_moments(&5.0, &corner);
+/// assert_eq!(body.centre, Vector3::new(1.0, 1.0, 1.0));
+/// assert_eq!(body.inertia, Matrix3::new(6.0, 1.0, 1.0, 1.0, 6.0, 1.0, 1.0, 1.0, 6.0));
+/// ```
+#[must_use]
+pub fn tetrahedron_moments<T: Field>(mass: &T, vertices: &[Vector3<T>; 4]) -> MassMoments<T> {
+    let [a, b, c, d] = vertices;
+    let edges = [b - a, c - a, d - a];
+    let middle = (&edges[0] + &edges[1] + &edges[2]).map(|x| x / T::integer(4));
+    let share = mass.clone() / T::integer(20);
+    let mut inertia: Matrix3<T> = point_mass(&share, &middle);
+    for edge in &edges {
+        inertia += point_mass(&share, &(edge - &middle));
     }
-    .into())
+    MassMoments { mass: mass.clone(), centre: a + middle, inertia }
+}
+
+/// A full tetrahedron, its four vertices in any order.
+///
+/// ```
+/// use nalgebra::Vector3;
+/// use tumbling::solid::{Solid, Tetrahedron};
+/// let corner = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 6.0]].map(Vector3::from);
+/// let body = Tetrahedron::new(corner)?;
+/// assert_eq!(body.measure()?, 16.0);
+/// assert_eq!(body.with_mass(1.0)?.centre(), Vector3::new(1.0, 1.0, 1.5));
+/// # Ok::<(), tumbling::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tetrahedron {
+    vertices: [Vector3<f64>; 4],
+}
+
+impl Tetrahedron {
+    /// From its vertices, m. Their order may turn either way: the inside of four points is the same.
+    ///
+    /// # Errors
+    /// A vertex that is not finite, or four in one plane to rounding.
+    pub fn new(vertices: [Vector3<f64>; 4]) -> Result<Self, Error> {
+        for vertex in &vertices {
+            finite_vector(Subject::Vertex, vertex)?;
+        }
+        let (six_volume, rounding) = six_volume(&vertices);
+        if (six_volume - rounding).is_positive() {
+            return Ok(Self { vertices });
+        }
+        let sixth = |x: Extended| (x / Extended::from(6.0)).nearest();
+        Err(Refusal::NoVolume { volume: sixth(six_volume), tolerance: sixth(rounding) }.into())
+    }
+}
+
+impl Solid for Tetrahedron {
+    fn measure(&self) -> Result<f64, Error> {
+        (six_volume(&self.vertices).0 / Extended::from(6.0)).in_full(Subject::Volume)
+    }
+
+    fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
+        let mass = Extended::from(positive(Subject::Mass, mass)?);
+        tetrahedron_moments(&mass, &self.vertices.map(|v| v.map(Extended::from))).checked()
+    }
+}
+
+/// Six times the volume, and how far rounding may have moved it.
+fn six_volume(vertices: &[Vector3<f64>; 4]) -> (Extended, Extended) {
+    let [a, b, c, d] = vertices.map(|v| v.map(Extended::from));
+    let (volume, size) = determinant([&(b - a), &(c - a), &(d - a)]);
+    // Three roundings of the edges, two of each product, three of the sum: eight half units.
+    (volume.abs(), size * Extended::from(4.0 * f64::EPSILON))
+}
+
+/// The determinant of three vectors, and the same with every term taken positive, which bounds its rounding.
+fn determinant([a, b, c]: [&Vector3<Extended>; 3]) -> (Extended, Extended) {
+    let size = |v: &Vector3<Extended>| v.map(Extended::abs);
+    let plus = |p: &Vector3<Extended>, q: &Vector3<Extended>| {
+        Vector3::new(p.y * q.z + p.z * q.y, p.z * q.x + p.x * q.z, p.x * q.y + p.y * q.x)
+    };
+    let dot = |p: &Vector3<Extended>, q: &Vector3<Extended>| p.x * q.x + p.y * q.y + p.z * q.z;
+    (triple(a, b, c), dot(&size(a), &plus(&size(b), &size(c))))
+}
+
+/// `a . (b x c)`.
+pub(super) fn triple<T: Ring>(a: &Vector3<T>, b: &Vector3<T>, c: &Vector3<T>) -> T {
+    a.dot(&b.cross(c))
 }

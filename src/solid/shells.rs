@@ -1,14 +1,16 @@
-//! Whether the shells of a surface are turned and nested so that they bound a solid.
+//! Whether a list of triangles is a closed surface with one side in and one side out, and of which shells;
+//! and whether these are turned and nested so that they bound a solid.
 //!
 //! The winding number of a point is how many times the shells together enclose it, cavities counted negative:
 //! the solid angles of all faces at it, over a full sphere. In a solid it is 1, elsewhere 0. It is the same
 //! all along a shell that no other crosses, so one point at each shell decides. The solid angle of a
 //! triangle: [OS83](crate::references).
 
-use super::tetrahedron::triple;
+use super::mesh::triple;
 use crate::error::{Error, Refusal};
 use crate::number::extended::Extended;
 use crate::number::functions::atan2;
+use alloc::collections::BTreeMap;
 use alloc::vec::Vec;
 use core::f64::consts::TAU;
 use nalgebra::Vector3;
@@ -49,10 +51,7 @@ pub(super) fn check(
             let around = shells.iter().zip(&bounds).filter(|(_, bounds)| !outside(&near, bounds));
             for (other, _) in around.filter(|(other, _)| other.may_enclose(&point)) {
                 views += other.faces.len();
-                if views > MOST_VIEWS {
-                    let shells = shells.len();
-                    return Err(Refusal::TooManyShells { shells, most: MOST_VIEWS }.into());
-                }
+                Refusal::TooManyShells { shells: shells.len(), most: MOST_VIEWS }.when(views > MOST_VIEWS)?;
                 for face in &other.faces {
                     match solid_angle(face.map(|v| point.sight(&vertices[v]))) {
                         Some(angle) => winding += angle / (2.0 * TAU),
@@ -196,4 +195,96 @@ fn solid_angle(corners: [Option<Vector3<f64>>; 3]) -> Option<f64> {
     let (sine, cosine) = (triple(&a, &b, &c), 1.0 + a.dot(&b) + b.dot(&c) + c.dot(&a));
     let on_it = sine.abs() <= ROUNDING && cosine <= ROUNDING;
     (!on_it).then(|| 2.0 * atan2(sine, cosine))
+}
+
+/// An edge of a face, its two vertices in rising order, and whether the face runs it that way.
+struct Side {
+    edge: [usize; 2],
+    face: usize,
+    rising: bool,
+}
+
+/// The shell of each face, numbered from 0 in the order of their first faces; each shell is closed.
+///
+/// That every face names three different vertices below `count` and is listed once, and along every edge as
+/// many faces run one way as the other. In a plain surface that is one each way; two each way is where parts
+/// touch along an edge, which still have an inside. Faces that touch only there are different shells
+/// wherever each of them closes without the other.
+pub(super) fn of_faces(faces: &[[usize; 3]], count: usize) -> Result<Vec<usize>, Error> {
+    let mut listed = BTreeMap::new();
+    let mut sides = Vec::with_capacity(3 * faces.len());
+    for (face, &vertices) in faces.iter().enumerate() {
+        let [a, b, c] = vertices;
+        let distinct = a != b && b != c && c != a;
+        let bad = !distinct || vertices.iter().any(|&v| v >= count);
+        Refusal::BadFace { face, vertices, count }.when(bad)?;
+        // One of the three orders that turn alike stands for the face.
+        let turns = [[a, b, c], [b, c, a], [c, a, b]];
+        let first = turns.into_iter().min().unwrap_or(vertices);
+        if let Some(before) = listed.insert(first, face) {
+            return Err(Refusal::RepeatedFace { face, before, vertices }.into());
+        }
+        for [from, to] in [[a, b], [b, c], [c, a]] {
+            sides.push(Side { edge: [from.min(to), from.max(to)], face, rising: from < to });
+        }
+    }
+    // Sorted, so that the same mesh always gives the same answer.
+    sides.sort_by_key(|side| (side.edge, side.face));
+    let edges = || sides.chunk_by(|a, b| a.edge == b.edge);
+    let mut joined = Joined((0..faces.len()).collect());
+    for around in edges() {
+        balanced(around)?;
+        if let [one, other] = around {
+            joined.join(one.face, other.face);
+        }
+    }
+    for around in edges().filter(|around| around.len() > 2) {
+        // Those that close here without the others stay apart; the rest are one.
+        let parts: Vec<_> = around.iter().map(|side| (joined.root(side.face), side.rising)).collect();
+        let mut surplus = BTreeMap::new();
+        for &(part, rising) in &parts {
+            *surplus.entry(part).or_insert(0_i64) += if rising { 1 } else { -1 };
+        }
+        let mut open = parts.iter().map(|p| p.0).filter(|part| surplus.get(part) != Some(&0));
+        if let Some(start) = open.next() {
+            open.for_each(|part| joined.join(start, part));
+        }
+    }
+    let mut numbers = BTreeMap::new();
+    Ok((0..faces.len())
+        .map(|face| {
+            let next = numbers.len();
+            *numbers.entry(joined.root(face)).or_insert(next)
+        })
+        .collect())
+}
+
+/// That as many faces run the edge one way as the other.
+fn balanced(around: &[Side]) -> Result<(), Error> {
+    let faces = around.len();
+    let rising = around.iter().filter(|side| side.rising).count();
+    let Some(&Side { edge: [low, high], .. }) = around.first() else {
+        return Ok(());
+    };
+    Refusal::OpenMesh { edge: [low, high], faces }.when(faces % 2 == 1)?;
+    let edge = if 2 * rising > faces { [low, high] } else { [high, low] };
+    Refusal::FlippedFace { edge }.when(2 * rising != faces)
+}
+
+/// Which faces belong together: each names another of its part, or itself.
+struct Joined(Vec<usize>);
+
+impl Joined {
+    fn root(&mut self, mut face: usize) -> usize {
+        while self.0[face] != face {
+            self.0[face] = self.0[self.0[face]];
+            face = self.0[face];
+        }
+        face
+    }
+
+    fn join(&mut self, a: usize, b: usize) {
+        let (a, b) = (self.root(a), self.root(b));
+        self.0[a.max(b)] = a.min(b);
+    }
 }

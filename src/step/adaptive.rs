@@ -3,25 +3,22 @@
 
 mod collocation;
 mod dense;
-mod derivatives;
 mod dop853_coefficients;
 mod flips;
 mod law;
-mod logarithm;
 mod pair;
-mod radau;
 mod series;
-mod steps;
 mod sums;
-mod switching;
 mod taylor;
 
 use crate::body::State;
 use crate::error::{Error, Refusal, Subject, positive};
 use crate::number::Analytic;
+use crate::number::power_of_two::{exponent, times_power_of_two};
 use crate::step::system::System;
+use crate::step::torque::before_or_at;
 use alloc::sync::Arc;
-use derivatives::DerivativeSizes;
+use core::f64::consts::{LN_2, SQRT_2};
 use flips::Flips;
 use nalgebra::{Quaternion, Vector3};
 use num_traits::FromPrimitive;
@@ -32,11 +29,8 @@ pub(super) use dense::{AdaptiveRun, Tracked};
 pub(super) fn check_tolerance<T: Analytic>(tolerance: f64) -> Result<(), Error> {
     positive(Subject::Tolerance, tolerance)?;
     let least = 4.0 * T::rounding();
-    if tolerance >= least {
-        return Ok(());
-    }
     let (what, meaning) = (Subject::Tolerance, "rounding in a step");
-    Err(Refusal::TooSmall { what, value: tolerance, least, meaning }.into())
+    Refusal::TooSmall { what, value: tolerance, least, meaning }.when(tolerance < least)
 }
 
 /// How often a step is tried again, shorter, before it is refused.
@@ -228,4 +222,77 @@ fn largest<T: Analytic>(parts: &[T]) -> f64 {
 /// A share, of which zero is zero of anything.
 fn ratio(part: f64, whole: f64) -> f64 {
     if part == 0.0 { 0.0 } else { part / whole }
+}
+
+/// The number with its sign.
+fn signed<T: Analytic + Copy>(x: T) -> f64 {
+    if before_or_at(&T::zero(), &x) { x.size() } else { -x.size() }
+}
+
+/// The natural logarithm of a number not below zero, to 1e-5; of zero minus infinity. For choosing steps: by
+/// rounded operations alone, so that every machine takes the same.
+fn logarithm(x: f64) -> f64 {
+    if x == 0.0 || !x.is_finite() {
+        return if x == 0.0 { f64::NEG_INFINITY } else { x };
+    }
+    let whole = exponent(x);
+    let m = times_power_of_two(x, -whole);
+    let z = (m - SQRT_2) / (m + SQRT_2);
+    let square = z * z;
+    (f64::from(whole) + 0.5) * LN_2 + 2.0 * z * (1.0 + square * (1.0 / 3.0 + square * 0.2))
+}
+
+/// How many derivatives a number carries at most.
+const DIRECTIONS: usize = 6;
+
+/// The sizes of the derivatives of a number.
+type DerivativeSizes<T> = fn(&T) -> [f64; DIRECTIONS];
+
+/// The derivatives of a state by each variable.
+#[derive(Debug, Clone, Copy)]
+struct Derivatives<T> {
+    of: DerivativeSizes<T>,
+    /// The size of each column.
+    sizes: [f64; DIRECTIONS],
+}
+
+impl<T> Derivatives<T> {
+    /// Of an attitude and of a spin in radians in the unit of time.
+    fn of(of: DerivativeSizes<T>, attitude: &[T], spin: &[T]) -> Self {
+        let mut derivatives = Self { of, sizes: [1.0; DIRECTIONS] };
+        derivatives.sizes = derivatives.shares(attitude.iter().chain(spin));
+        derivatives
+    }
+
+    /// The largest derivative of each column, in sizes of the column.
+    fn shares<'a>(&self, parts: impl Iterator<Item = &'a T>) -> [f64; DIRECTIONS]
+    where
+        T: 'a,
+    {
+        parts.map(self.of).fold([0.0; DIRECTIONS], |most, derivatives| {
+            core::array::from_fn(|i| largest(&[most[i], ratio(derivatives[i], self.sizes[i])]))
+        })
+    }
+
+    /// The largest derivative, in sizes of its column.
+    fn share<'a>(&self, parts: impl Iterator<Item = &'a T>) -> f64
+    where
+        T: 'a,
+    {
+        largest(&self.shares(parts))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_logarithm_of_a_power_of_e_is_its_exponent() {
+        for x in [-700.0, -36.0, -1.5, 0.0, 0.3, 2.0, 700.0] {
+            assert!((logarithm(f64::exp(x)) - x).abs() < 1e-5, "{x}: {}", logarithm(f64::exp(x)));
+        }
+        assert_eq!(logarithm(0.0), f64::NEG_INFINITY);
+        assert!(logarithm(f64::NAN).is_nan());
+    }
 }

@@ -105,7 +105,7 @@ fn parts(turn: f64) -> Result<u32, Error> {
 /// The free motion in the time of a step.
 #[inline]
 fn drifted<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
-    let inverse = system.inverse();
+    let inverse = &system.inverse;
     // Energy and momentum stay, and so does this: the parts do not change on the way.
     let omega = system.omega(&start.momentum);
     // No more than the energy allows about the smallest moment: cheap, and enough for most.

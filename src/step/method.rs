@@ -1,9 +1,6 @@
 //! The contract of a stepper: motion in, motion out, and the method's order and laws.
 
-use super::methods::engine_rules::{explicit, newton, runge_kutta};
-use super::methods::{
-    buss, dormand_prince, gauss, lie, moser_veselov, rk4, spiral, splitting, symmetric_top,
-};
+use super::methods::{averaged, engine_rules, gauss, moser_veselov, runge_kutta, splitting};
 use crate::body::State;
 use crate::error::{Error, Refusal, Subject};
 use crate::number::Analytic;
@@ -130,32 +127,32 @@ impl Method {
         let h = &h;
         check_square_underflow(&system.omega(&start.momentum), h)?;
         let end = match self {
-            Self::ExplicitEuler => rk4::euler(system, start, h),
-            Self::RungeKutta4 => rk4::step(system, start, h),
-            Self::DormandPrince5 => dormand_prince::step(system, start, h),
-            Self::MuntheKaas4 => lie::step(system, start, h),
-            Self::Buss => buss::step(system, start, h),
-            Self::Spiral => spiral::step(system, start, h),
+            Self::ExplicitEuler => runge_kutta::euler(system, start, h),
+            Self::RungeKutta4 => runge_kutta::rk4_step(system, start, h),
+            Self::DormandPrince5 => runge_kutta::dormand_prince(system, start, h),
+            Self::MuntheKaas4 => runge_kutta::munthe_kaas(system, start, h),
+            Self::Buss => averaged::buss(system, start, h),
+            Self::Spiral => averaged::spiral(system, start, h),
             Self::ImplicitMidpoint => gauss::midpoint(system, start, h)?,
             Self::Gauss4 => gauss::gauss_4(system, start, h)?,
             Self::Gauss6 => gauss::gauss_6(system, start, h)?,
             Self::RotationSplitting2 => splitting::order_2(system, start, h),
             Self::RotationSplitting4 => splitting::order_4(system, start, h),
             Self::RotationSplitting6 => splitting::order_6(system, start, h),
-            Self::SymmetricTop => symmetric_top::step(system, start, h),
+            Self::SymmetricTop => splitting::symmetric_top(system, start, h),
             Self::MoserVeselov2 => moser_veselov::step(system, start, h, 2)?,
             Self::MoserVeselov4 => moser_veselov::step(system, start, h, 4)?,
             Self::MoserVeselov6 => moser_veselov::step(system, start, h, 6)?,
             Self::MoserVeselov8 => moser_veselov::step(system, start, h, 8)?,
             Self::MoserVeselov10 => moser_veselov::step(system, start, h, 10)?,
-            Self::ConstantSpin => explicit::constant_spin(system, start, h),
-            Self::SemiImplicitEuler => explicit::semi_implicit(system, start, h),
-            Self::Rescaled => explicit::rescaled(system, start, h),
-            Self::RescaledLinearAttitude => explicit::rescaled_straight(system, start, h),
-            Self::ImplicitOneNewton => newton::one_newton(system, start, h),
-            Self::LinearisedImplicit => newton::linearised(system, start, h),
-            Self::MeanSpinRungeKutta4 => runge_kutta::mean_spin(system, start, h),
-            Self::TurnedRungeKutta4 => runge_kutta::corrected(system, start, h),
+            Self::ConstantSpin => engine_rules::constant_spin(system, start, h),
+            Self::SemiImplicitEuler => engine_rules::semi_implicit(system, start, h),
+            Self::Rescaled => engine_rules::rescaled(system, start, h),
+            Self::RescaledLinearAttitude => engine_rules::rescaled_straight(system, start, h),
+            Self::ImplicitOneNewton => engine_rules::one_newton(system, start, h),
+            Self::LinearisedImplicit => engine_rules::linearised(system, start, h),
+            Self::MeanSpinRungeKutta4 => engine_rules::mean_spin(system, start, h),
+            Self::TurnedRungeKutta4 => engine_rules::corrected(system, start, h),
         };
         end.checked()
     }

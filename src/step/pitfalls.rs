@@ -1,7 +1,7 @@
 //! Four engines that differ in what they carry and how they read the spin from it. One is right; three are
 //! the pitfalls.
 
-use super::methods::rk4::rk4;
+use super::methods::runge_kutta::rk4;
 use crate::attitude;
 use crate::body::{Body, along};
 use crate::error::{Error, Refusal, Subject, finite};
@@ -163,9 +163,8 @@ impl Engine {
             if step > 0 {
                 motion = rk4(&motion, h, law, plus);
                 let norm = motion.0.norm();
-                if !(norm.is_finite() && norm > 0.0) {
-                    return Err(Refusal::OutOfRange { what: Subject::AttitudeAfterStep, value: norm }.into());
-                }
+                Refusal::OutOfRange { what: Subject::AttitudeAfterStep, value: norm }
+                    .when(!(norm.is_finite() && norm > 0.0))?;
                 motion.0 /= norm;
             }
             let (attitude, carried) = &motion;

@@ -5,9 +5,9 @@ mod side_by_side;
 pub(crate) mod turn;
 
 use crate::attitude::product;
-use crate::error::{Error, Refusal, Subject};
+use crate::error::{Error, Refusal, Subject, finite};
 use crate::number::Field;
-use coefficients::{Coefficients, finite};
+use coefficients::{Coefficients, value};
 use nalgebra::{Quaternion, Scalar, Vector3};
 use num_traits::Float;
 use turn::{change_of_spin, conserving_turn, three};
@@ -118,12 +118,10 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
         let ordinary = number::<T>(1e-30)..=number(1e30);
         if !ordinary.contains(&square(&Quaternion::from_vector(frame))) {
             for x in frame.iter() {
-                finite(Subject::AxesTurn, *x)?;
+                finite(Subject::AxesTurn, value(*x))?;
             }
             let largest = frame.iter().fold(T::zero(), |most, x| most.max(x.abs()));
-            if largest == T::zero() {
-                return Err(Refusal::ZeroVector { what: Subject::AxesTurn }.into());
-            }
+            Refusal::ZeroVector { what: Subject::AxesTurn }.when(largest == T::zero())?;
             frame = frame.map(|x| x / largest);
         }
         let norm = square(&Quaternion::from_vector(frame)).sqrt();
@@ -214,8 +212,8 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
         // What rounding left of the attitude's length is divided out.
         let root = (stretched * length).sqrt();
         let once = T::one() / (below * root);
-        let over = once * below;
-        let scale = once * over;
+        let factor = once * below;
+        let scale = once * factor;
         // The change of the spin is relative to the attitude before: small, so that a steady spin keeps its
         // digits, which turning the spin to the body and back would not.
         let [u, v, t] = change_of_spin(&turn);
@@ -223,12 +221,12 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
         let omega = Vector3::new(start.omega.x + back(0), start.omega.y + back(1), start.omega.z + back(2));
         let [a, b, c] = self.in_body(tangents);
         let attitude = Quaternion::new(
-            (w * below - (x * a + y * b + z * c)) * over,
-            (x * below + (w * a + (y * c - z * b))) * over,
-            (y * below + (w * b + (z * a - x * c))) * over,
-            (z * below + (w * c + (x * b - y * a))) * over,
+            (w * below - (x * a + y * b + z * c)) * factor,
+            (x * below + (w * a + (y * c - z * b))) * factor,
+            (y * below + (w * b + (z * a - x * c))) * factor,
+            (z * below + (w * c + (x * b - y * a))) * factor,
         );
-        End { attitude, omega, turn: fastest, length, over }
+        End { attitude, omega, turn: fastest, length, factor }
     }
 
     /// A vector along the principal axes, in the body frame.
@@ -252,8 +250,8 @@ struct End<T: Scalar> {
     omega: Vector3<T>,
     turn: T,
     length: T,
-    /// What the attitude was divided by.
-    over: T,
+    /// What the attitude was multiplied by.
+    factor: T,
 }
 
 impl<T: Field + Float + From<f32>> End<T> {
@@ -262,7 +260,7 @@ impl<T: Field + Float + From<f32>> End<T> {
     fn taken(&self) -> bool {
         self.turn <= longest()
             && (self.length - T::one()).abs() <= T::epsilon() * number(32.0)
-            && (self.omega.x + self.omega.y + self.omega.z + self.over).is_finite()
+            && (self.omega.x + self.omega.y + self.omega.z + self.factor).is_finite()
     }
 
     #[inline(always)]
@@ -294,15 +292,15 @@ fn steady_turn<T: Field + Float + From<f32>>(attitude: &Quaternion<T>, omega: &V
     let series = one / n(12.0) + turn * (one / n(120.0) + turn * (n(17.0) / n(20160.0)));
     let half = (one + turn * series) * (h / n(2.0));
     let [a, b, c] = three(|i| omega[i] * half);
-    let over = one / (((one + a * a) + (b * b + c * c)) * length).sqrt();
+    let factor = one / (((one + a * a) + (b * b + c * c)) * length).sqrt();
     let [w, x, y, z] = [attitude.coords.w, attitude.coords.x, attitude.coords.y, attitude.coords.z];
     let attitude = Quaternion::new(
-        (w - (a * x + b * y + c * z)) * over,
-        (x + (a * w + (b * z - c * y))) * over,
-        (y + (b * w + (c * x - a * z))) * over,
-        (z + (c * w + (a * y - b * x))) * over,
+        (w - (a * x + b * y + c * z)) * factor,
+        (x + (a * w + (b * z - c * y))) * factor,
+        (y + (b * w + (c * x - a * z))) * factor,
+        (z + (c * w + (a * y - b * x))) * factor,
     );
-    End { attitude, omega: *omega, turn, length, over }
+    End { attitude, omega: *omega, turn, length, factor }
 }
 
 /// The square of the length.

@@ -3,7 +3,7 @@
 use super::adaptive::AdaptiveRun;
 use super::fixed_rate::fixed_rate;
 use crate::body::{Body, State};
-use crate::error::{Error, Refusal, Subject, finite, positive};
+use crate::error::{Error, Refusal, Subject, finite, positive, representable};
 use crate::inertia::Frame;
 use crate::number::Analytic;
 use crate::step::method::Method;
@@ -87,8 +87,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         let frame = to_body.map_or(Frame::BODY, |to_body| Frame::new(to_body.into_inner()));
         let moments = cast_exactly(Subject::PrincipalMoment, &moments.vector())?;
         let inverse = moments.map(|moment| (T::one() / moment).size());
-        if let Some(&value) = inverse.iter().find(|x| !x.is_normal()) {
-            return Err(Refusal::OutOfRange { what: Subject::InverseMoment, value }.into());
+        for value in inverse.iter().copied() {
+            Refusal::OutOfRange { what: Subject::InverseMoment, value }.when(!value.is_normal())?;
         }
         let start = body.state();
         let state = State {
@@ -145,9 +145,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     }
 
     fn go(&mut self, after: f64, h: T) -> Result<State<T>, Error> {
-        if !after.is_finite() {
-            return Err(Refusal::OutOfRange { what: Subject::TimeAfterStep, value: after }.into());
-        }
+        representable(Subject::TimeAfterStep, &[after])?;
         let end = match self.rule {
             Rule::Method(method) => method.step(&self.system, &self.state, h),
             Rule::FixedRate => fixed_rate(&self.system, &self.state, h),
@@ -173,45 +171,11 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         }
     }
 
-    /// Goes on from another state (along the body's axes) at another time, s: what happened to the body in
-    /// between is not for the stepper to know, such as a blow.
-    ///
-    /// ```
-    /// use nalgebra::{UnitQuaternion, Vector3};
-    /// use tumbling::step::{State, Stepper};
-    /// use tumbling::{Body, Inertia};
-    /// let inertia = Inertia::from_moments(1.0, 2.0, 2.5)?;
-    /// let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(0.1, 2.0, 0.3))?;
-    /// let mut stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000)?;
-    /// let before = stepper.step(0.5)?;
-    /// stepper.restart(&State { momentum: before.momentum * 2.0, ..before }, 100.0)?;
-    /// let _ = stepper.step(0.5)?;
-    /// assert!((stepper.body()?.energy() / body.energy() - 4.0).abs() < 1e-11);
-    /// assert_eq!(stepper.time(), 100.5);
-    /// # Ok::<(), tumbling::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// A state, a spin or a time that is not finite; the stepper then stays as it was.
-    pub fn restart(&mut self, state: &State<T>, time: f64) -> Result<(), Error> {
-        let time = finite(Subject::Time, time)?;
-        let along = State {
-            attitude: self.frame.attitude_of_axes(state.attitude),
-            momentum: self.frame.along(&state.momentum),
-        };
-        self.arrive(along, time)?;
-        self.run = None;
-        Ok(())
-    }
-
     /// The state, if it and the spin are finite along the body's axes.
     pub(super) fn checked(&self) -> Result<State<T>, Error> {
         let value = self.omega().iter().map(Analytic::size).sum::<f64>();
-        if value.is_finite() {
-            self.state().checked()
-        } else {
-            Err(Refusal::OutOfRange { what: Subject::Spin, value }.into())
-        }
+        representable(Subject::Spin, &[value])?;
+        self.state().checked()
     }
 
     /// The cause of a step that failed on a torque that is not finite where it began or at the time where it
@@ -296,11 +260,8 @@ fn rounded<T: Analytic + FromPrimitive>(x: f64) -> T {
 fn cast<T: Analytic + FromPrimitive>(what: Subject, v: &Vector3<f64>) -> Result<Vector3<T>, Error> {
     let cast = v.map(rounded::<T>);
     let (before, after) = (v.amax(), cast.iter().map(Analytic::size).fold(0.0, f64::max));
-    if (after - before).abs() <= T::rounding() * before {
-        Ok(cast)
-    } else {
-        Err(Refusal::OutOfRange { what, value: after }.into())
-    }
+    let held = (after - before).abs() <= T::rounding() * before;
+    Refusal::OutOfRange { what, value: after }.when(!held).map(|()| cast)
 }
 
 /// The vector in another number type, each component to that type's rounding.

@@ -3,7 +3,7 @@
 use crate::attitude;
 use crate::body::{Rate, State};
 use crate::dynamics::{euler, observe};
-use crate::error::{Error, Refusal, Subject};
+use crate::error::{Error, Refusal, Subject, representable};
 use crate::inertia::PrincipalMoments;
 use crate::number::{Analytic, Field};
 use crate::step::methods::moser_veselov::Corrections;
@@ -19,13 +19,15 @@ use nalgebra::Vector3;
 #[derive(Debug, Clone, PartialEq)]
 pub struct System<T: nalgebra::Scalar> {
     moments: Vector3<T>,
-    inverse: Vector3<T>,
-    /// As they were given, and their sum.
+    /// The inverses of the principal moments, 1/(kg m²).
+    pub(super) inverse: Vector3<T>,
     torques: Vec<Torque<T>>,
-    sum: Torques<T>,
-    time: T,
+    /// All of them, summed by kind.
+    pub(super) sum: Torques<T>,
+    /// When the next step begins, s.
+    pub(super) time: T,
     /// What steps at a fixed rate take of the body.
-    corrections: Corrections<T>,
+    pub(super) corrections: Corrections<T>,
 }
 
 impl System<f64> {
@@ -50,19 +52,12 @@ impl System<f64> {
     /// # Errors
     /// As [`free`](Self::free), a torque that is not valid, or torques whose sum is beyond `f64`.
     pub fn with(moments: PrincipalMoments, torques: Vec<Torque<f64>>) -> Result<Self, Error> {
-        for &moment in &moments.vector() {
-            let inverse = 1.0 / moment;
-            if !inverse.is_normal() {
-                return Err(Refusal::OutOfRange { what: Subject::InverseMoment, value: inverse }.into());
-            }
+        for value in moments.vector().iter().map(|moment| 1.0 / moment) {
+            Refusal::OutOfRange { what: Subject::InverseMoment, value }.when(!value.is_normal())?;
         }
         torques.iter().try_for_each(Torque::validate)?;
         let system = Self::of_numbers(moments.vector(), torques);
-        let value = system.sum.largest();
-        if !value.is_finite() {
-            return Err(Refusal::OutOfRange { what: Subject::Torque, value }.into());
-        }
-        Ok(system)
+        representable(Subject::Torque, &[system.sum.largest()]).map(|()| system)
     }
 }
 
@@ -82,15 +77,6 @@ impl<T: Field> System<T> {
         &self.moments
     }
 
-    /// The inverses of the principal moments, 1/(kg m²).
-    pub(crate) fn inverse(&self) -> &Vector3<T> {
-        &self.inverse
-    }
-
-    pub(crate) fn corrections(&self) -> &Corrections<T> {
-        &self.corrections
-    }
-
     /// The torques on the body, all at once.
     #[must_use]
     pub fn torques(&self) -> &[Torque<T>] {
@@ -101,16 +87,6 @@ impl<T: Field> System<T> {
     /// it is set.
     pub(crate) fn set_time(&mut self, time: T) {
         self.time = time;
-    }
-
-    /// The time at which the next step begins, s.
-    pub(crate) fn time(&self) -> &T {
-        &self.time
-    }
-
-    /// All torques, summed by kind.
-    pub(crate) fn sum_of_torques(&self) -> &Torques<T> {
-        &self.sum
     }
 
     pub(crate) fn is_free(&self) -> bool {
@@ -194,6 +170,18 @@ impl<T: Analytic> System<T> {
     pub(crate) fn adjoint_kick(&self, motion: &State<T>, h: T) -> State<T> {
         let end = self.time.clone() + h.clone() + h.clone();
         self.kicked(&end, motion, h, true)
+    }
+
+    /// A step of `h` seconds of free motion between two half kicks: with torques of order 2.
+    #[inline]
+    pub(crate) fn between_half_kicks(
+        &self,
+        start: &State<T>,
+        h: &T,
+        free: impl FnOnce(State<T>) -> State<T>,
+    ) -> State<T> {
+        let half = h.clone() / T::integer(2);
+        self.adjoint_kick(&free(self.kick(start, half.clone())), half)
     }
 
     fn kicked(&self, time: &T, motion: &State<T>, h: T, adjoint: bool) -> State<T> {

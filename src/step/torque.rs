@@ -209,10 +209,8 @@ impl<T: nalgebra::Scalar + ToPrimitive> Torque<T> {
                 let (what, direction) = (Subject::GradientDirection, vector(direction));
                 finite_vector(what, &direction)?;
                 let length = direction.norm();
-                if (length - 1.0).abs() > UNIT_TOLERANCE {
-                    return Err(Refusal::NotUnit { what, length, tolerance: UNIT_TOLERANCE }.into());
-                }
-                Ok(())
+                let off = (length - 1.0).abs();
+                Refusal::NotUnit { what, length, tolerance: UNIT_TOLERANCE }.when(off > UNIT_TOLERANCE)
             }
             Self::Periodic { amplitude, rate, phase } => {
                 finite_vector(Subject::Torque, &vector(amplitude))?;
@@ -222,14 +220,10 @@ impl<T: nalgebra::Scalar + ToPrimitive> Torque<T> {
             Self::During { start, end, torque } => {
                 let [start, end] = [start, end].map(number);
                 for (what, time) in [(Subject::TorqueStart, start), (Subject::TorqueEnd, end)] {
-                    if time.is_nan() {
-                        return Err(Refusal::Undefined { what, why: "its time is not a number" }.into());
-                    }
+                    Refusal::Undefined { what, why: "its time is not a number" }.when(time.is_nan())?;
                 }
-                if start > end {
-                    let (smaller, larger) = (Subject::TorqueStart, "its end");
-                    return Err(Refusal::Order { smaller, small: start, larger, large: end }.into());
-                }
+                let (smaller, larger) = (Subject::TorqueStart, "its end");
+                Refusal::Order { smaller, small: start, larger, large: end }.when(start > end)?;
                 torque.validate()
             }
             Self::Function(_) => Ok(()),

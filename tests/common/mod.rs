@@ -4,7 +4,9 @@ use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 use proptest::prelude::*;
-use tumbling::{Error, ErrorKind};
+use tumbling::exact::FreeMotion;
+use tumbling::step::{System, Torque};
+use tumbling::{Error, ErrorKind, PrincipalMoments};
 
 pub type Exact = BigRational;
 
@@ -20,6 +22,21 @@ pub fn refused<T: std::fmt::Debug>(result: Result<T, Error>, kind: ErrorKind, wo
         error.kind()
     );
     error
+}
+
+/// The body with these moments, free of torque.
+pub fn free(moments: impl Into<[f64; 3]>) -> System<f64> {
+    under(moments, Vec::new())
+}
+
+/// The body with these moments under torques.
+pub fn under(moments: impl Into<[f64; 3]>, torques: Vec<Torque<f64>>) -> System<f64> {
+    System::with(PrincipalMoments::try_from(moments.into()).unwrap(), torques).unwrap()
+}
+
+/// The free motion of the body with these moments from this spin.
+pub fn free_motion(moments: impl Into<[f64; 3]>, omega: &Vector3<f64>) -> FreeMotion {
+    FreeMotion::new(PrincipalMoments::try_from(moments.into()).unwrap(), omega).unwrap()
 }
 
 /// The number that follows `words` in a sentence.

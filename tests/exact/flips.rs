@@ -4,15 +4,14 @@ use super::{distinct, motion};
 use crate::common::*;
 use nalgebra::Vector3;
 use proptest::prelude::*;
-use tumbling::PrincipalMoments;
 use tumbling::dynamics::observe::sign_changes;
-use tumbling::exact::{FreeMotion, Regime, time_between_flips};
+use tumbling::exact::{Regime, time_between_flips};
 
 proptest! {
     #[test]
     fn flips_are_where_the_middle_spin_vanishes_one_beat_apart(m in moments(), omega in generic_spin(), from in -50.0..50.0_f64) {
         prop_assume!(distinct(&m));
-        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+        let motion = free_motion(m, &omega);
         let beat = time_between_flips(m.try_into().unwrap(), &omega).unwrap().unwrap();
         prop_assert!((motion.period().unwrap().unwrap() / beat - 2.0).abs() < 1e-15);
         let times: Vec<f64> = motion.flips(from, from + 5.5 * beat).unwrap().collect();
@@ -179,13 +178,11 @@ fn flips_are_counted_without_being_visited() {
     assert!(at.abs() < 2.0 * half && middle.next().unwrap() > at && many.last().unwrap() > 0.99e15 * half);
     assert!(motion.flips(0.0, 1e300).is_err());
     // The one flip of the separatrix, and none of a steady spin.
-    let once =
-        FreeMotion::new(PrincipalMoments::new(3.0, 4.0, 6.0).unwrap(), &Vector3::new(2.0, 1.0, 1.0)).unwrap();
+    let once = free_motion([3.0, 4.0, 6.0], &Vector3::new(2.0, 1.0, 1.0));
     let flip = once.next_flip(-1e9).unwrap().unwrap();
     let count = |from, to| once.flips(from, to).unwrap().remaining();
     assert_eq!([count(-1e300, 1e300), count(flip, 1.0), count(-1.0, flip), count(1.0, -1.0)], [1, 0, 1, 0]);
-    let steady =
-        FreeMotion::new(PrincipalMoments::new(3.0, 4.0, 6.0).unwrap(), &Vector3::new(0.0, 1.0, 0.0)).unwrap();
+    let steady = free_motion([3.0, 4.0, 6.0], &Vector3::new(0.0, 1.0, 0.0));
     assert_eq!((steady.flips(0.0, 1e300).unwrap().remaining(), steady.next_flip(0.0).unwrap()), (0, None));
 }
 
@@ -202,7 +199,7 @@ proptest! {
         order.sort_by(|&a: &usize, &b: &usize| m[a].total_cmp(&m[b]));
         let mut omega = Vector3::zeros();
         (omega[order[0]], omega[order[1]], omega[order[2]]) = (x, zero, z);
-        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+        let motion = free_motion(m, &omega);
         let Some(half) = time_between_flips(m.try_into().unwrap(), &omega).unwrap() else { return Ok(()) };
         // The first after the start is a half period later, the last before it one earlier; at the start is
         // one of its own.
@@ -233,7 +230,7 @@ proptest! {
         for signs in [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]] {
             let mut omega = Vector3::zeros();
             (omega[low], omega[middle], omega[high]) = (signs[0] * x, 10_f64.powf(power), signs[1] * z);
-            let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+            let motion = free_motion(m, &omega);
             let Regime::Elliptic { .. } = motion.regime() else { return Ok(()) };
             let (first, second) = ((middle + 1) % 3, (middle + 2) % 3);
             let rate = (m[first] - m[second]) / m[middle] * omega[first] * omega[second];

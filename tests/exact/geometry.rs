@@ -43,7 +43,7 @@ proptest! {
     #[test]
     fn the_twist_is_the_integral_of_the_rate_about_the_momentum(m in moments(), omega in generic_spin()) {
         prop_assume!(distinct(&m));
-        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+        let motion = free_motion(m, &omega);
         let Regime::Elliptic { about, complement, .. } = motion.regime() else { panic!("not elliptic") };
         prop_assume!(complement > 1e-3);
         let mut order = [0, 1, 2];
@@ -74,7 +74,7 @@ proptest! {
     #[test]
     fn the_angles_to_the_momentum_bound_the_whole_motion_and_are_reached(m in moments(), omega in generic_spin()) {
         prop_assume!(distinct(&m));
-        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+        let motion = free_motion(m, &omega);
         angles_bound_the_motion(&m, &motion)?;
     }
 
@@ -82,7 +82,7 @@ proptest! {
     // others' rules.
     #[test]
     fn a_tops_angles_to_the_momentum_bound_its_motion_and_are_reached((m, omega, _) in top()) {
-        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+        let motion = free_motion(m, &omega);
         angles_bound_the_motion(&m, &motion)?;
     }
 
@@ -90,7 +90,7 @@ proptest! {
     // attitude.
     #[test]
     fn a_tops_twist_is_its_rate_about_the_momentum_for_half_a_period((m, omega, axis) in top()) {
-        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+        let motion = free_motion(m, &omega);
         let half = motion.period().unwrap().unwrap() / 2.0;
         let start = m.component_mul(&omega);
         let (momentum, along) = (start.norm(), omega[axis].abs());
@@ -224,7 +224,7 @@ proptest! {
         let [a, b, c] = order;
         let mut omega = omega * push;
         omega[b] = 1.0;
-        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+        let motion = free_motion(m, &omega);
         let Regime::Elliptic { complement, rate, .. } = motion.regime() else { return Ok(()) };
         if complement > 0.1 {
             return Ok(());

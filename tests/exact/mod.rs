@@ -8,6 +8,7 @@ mod regime;
 mod sensitivity;
 mod top;
 
+use crate::common::free_motion;
 use nalgebra::{UnitQuaternion, Vector3};
 use serde_json::Value;
 use tumbling::exact::FreeMotion;
@@ -16,7 +17,7 @@ use tumbling::exact::FreeMotion;
 const ROUNDING: f64 = f64::EPSILON / 2.0;
 
 fn motion(moments: [f64; 3], omega: [f64; 3]) -> FreeMotion {
-    FreeMotion::new(moments.try_into().unwrap(), &omega.into()).unwrap()
+    free_motion(moments, &omega.into())
 }
 
 /// The angle between two attitudes is at most twice this.

@@ -75,7 +75,7 @@ fn judge(table: &str) -> [(f64, String); 4] {
         let column =
             |k: usize| Vector6::from_iterator(case["columns"][k].as_array().unwrap().iter().map(number));
         let exact: SMatrix<f64, 6, 9> = SMatrix::from_columns(&std::array::from_fn::<_, 9, _>(column));
-        let found = derivatives(&FreeMotion::new(moments.try_into().unwrap(), &omega).unwrap(), t).unwrap();
+        let found = derivatives(&free_motion(moments, &omega), t).unwrap();
         let condition = condition(&omega, t);
         let units = [
             units(&found.omega_by_omega, &exact.fixed_view::<3, 3>(0, 0).into(), condition),
@@ -163,7 +163,7 @@ proptest! {
     // The momentum in the world is the start's, so its change is too: R (I dw + dI w) + turn x L = dL.
     #[test]
     fn the_change_of_momentum_in_the_world_is_that_of_the_start(m in body(), omega in spin(), t in time()) {
-        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+        let motion = free_motion(m, &omega);
         let (at, change) = (motion.at(t).unwrap(), derivatives(&motion, t).unwrap());
         let rotation = at.attitude.to_rotation_matrix().into_inner();
         let tensor = diagonal(&m);
@@ -186,7 +186,7 @@ proptest! {
     fn the_change_of_energy_and_of_the_length_of_the_momentum_is_that_of_the_start(
         m in body(), omega in spin(), t in time(),
     ) {
-        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+        let motion = free_motion(m, &omega);
         let (now, change) = (motion.omega(t).unwrap(), derivatives(&motion, t).unwrap());
         let bound = |size: f64| 32.0 * ROUNDING * condition(&omega, t) * size;
         for power in [1, 2] {
@@ -208,7 +208,7 @@ proptest! {
     // Only ratios of the moments matter; and a motion with all spins larger is the same, run faster.
     #[test]
     fn a_heavier_body_moves_alike_and_a_faster_start_runs_ahead(m in body(), omega in spin(), t in time()) {
-        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+        let motion = free_motion(m, &omega);
         let (at, change) = (motion.at(t).unwrap(), derivatives(&motion, t).unwrap());
         let bound = |m: &Matrix3<f64>, v: &Vector3<f64>| 32.0 * ROUNDING * condition(&omega, t) * (m.abs() * v.abs()).norm();
         for block in [&change.omega_by_tensor, &change.turn_by_tensor] {
@@ -229,7 +229,7 @@ proptest! {
     // A start a little later on the same motion: spin and attitude are those a little later.
     #[test]
     fn a_start_further_along_the_motion_stays_as_far_along(m in body(), omega in spin(), t in time()) {
-        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+        let motion = free_motion(m, &omega);
         let (at, change) = (motion.at(t).unwrap(), derivatives(&motion, t).unwrap());
         let rate = |w: &Vector3<f64>| euler::angular_acceleration(&m, w, &Vector3::zeros());
         let start = rate(&omega);
@@ -250,11 +250,11 @@ proptest! {
     fn the_change_over_two_spans_is_that_of_the_second_after_the_first(
         m in moments(), omega in spin(), first in time(), second in time(),
     ) {
-        let motion = FreeMotion::new(m.try_into().unwrap(), &omega).unwrap();
+        let motion = free_motion(m, &omega);
         let between = motion.at(first).unwrap();
         let rotation = between.attitude.to_rotation_matrix().into_inner();
         let one = derivatives(&motion, first).unwrap();
-        let two = derivatives(&FreeMotion::new(m.try_into().unwrap(), &between.omega).unwrap(), second).unwrap();
+        let two = derivatives(&free_motion(m, &between.omega), second).unwrap();
         let whole = derivatives(&motion, first + second).unwrap();
         // The start between is rounded, and so is the time: their share grows as the changes do, both over.
         let condition = condition(&omega, first.abs() + second.abs());
@@ -329,7 +329,7 @@ proptest! {
         let with = |x: f64| {
             let mut omega = omega;
             omega[axis] = x;
-            derivatives(&FreeMotion::new(m.try_into().unwrap(), &omega).unwrap(), t).unwrap()
+            derivatives(&free_motion(m, &omega), t).unwrap()
         };
         let (zero, near) = (with(if back { -0.0 } else { 0.0 }), with(1e-9));
         for (a, b) in [

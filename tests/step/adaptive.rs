@@ -1,18 +1,17 @@
 //! Runs whose steps are chosen by their error.
 
-use super::adaptive;
 use super::start;
+use super::{adaptive, free, free_motion, under};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use tumbling::exact::FreeMotion;
-use tumbling::step::{State, Stepper, System, Torque};
+use tumbling::step::{State, Stepper, Torque};
 use tumbling::{Body, ErrorKind, PrincipalMoments};
 
 #[test]
 fn the_error_of_a_controlled_run_follows_its_tolerance() {
     let (moments, omega) = (Vector3::new(5.0 / 6.0, 13.0 / 12.0, 5.0 / 12.0), Vector3::new(1.0, 0.01, 0.01));
-    let system = System::free(moments.try_into().unwrap()).unwrap();
+    let system = free(moments);
     for t in [40.0, -40.0] {
-        let truth = FreeMotion::new(moments.try_into().unwrap(), &omega).unwrap().at(t).unwrap();
+        let truth = free_motion(moments, &omega).at(t).unwrap();
         let tolerances = [1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
         let steps = tolerances.map(|tolerance| {
             let mut left = 1_000_000;
@@ -34,13 +33,13 @@ fn the_error_of_a_controlled_run_follows_its_tolerance() {
 fn an_adaptive_run_is_finite_or_refused_and_soon() {
     let moments = Vector3::new(1.0, 2.0, 2.5);
     let start = |l: Vector3<f64>| State { attitude: Quaternion::identity(), momentum: l };
-    let lossy = |torque| System::with(moments.try_into().unwrap(), vec![torque]).unwrap();
+    let lossy = |torque| under(moments, vec![torque]);
     // Came out as NaN: an error that was NaN counted as none.
     let fast = start(Vector3::new(1.0, 1e6, 1.0));
     let refused = adaptive(&lossy(Torque::Dissipation(1.0)), &fast, 6e-3, 1e-4, &mut 1_000_000).unwrap_err();
     assert_eq!(refused.kind(), ErrorKind::TooMany, "{refused}");
     assert!(refused.to_string().contains("dissipation"), "{refused}");
-    let free = System::free(moments.try_into().unwrap()).unwrap();
+    let free = free(moments);
     assert!(
         adaptive(&free, &start(Vector3::new(1.0, 2.0, 3.0) * 1e203), 1e-200, 1e-4, &mut 1_000_000).is_err()
     );
@@ -83,7 +82,7 @@ fn a_pendulum_let_go_from_rest_swings_under_controlled_error() {
     // angle.
     let (moment, pull, angle) = (2.0_f64, 3.0_f64, 0.1_f64);
     let aligning = Torque::Aligning { arm: Vector3::x(), field: Vector3::x() * pull };
-    let system = System::with(PrincipalMoments::new(1.0, 1.5, moment).unwrap(), vec![aligning]).unwrap();
+    let system = under([1.0, 1.5, moment], vec![aligning]);
     let attitude = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle).into_inner();
     let from = State { attitude, momentum: Vector3::zeros() };
     // The pendulum's period through the arithmetic-geometric mean of 1 and cos(angle / 2).
@@ -113,7 +112,7 @@ fn a_body_at_rest_is_set_turning_by_a_torque_that_comes_later() {
     ];
     for (law, expected) in laws {
         let torque = Torque::function(move |t: f64, _, _| Vector3::y() * law(t));
-        let system = System::with(moments.try_into().unwrap(), vec![torque]).unwrap();
+        let system = under(moments, vec![torque]);
         let rest = start(&system, &Vector3::zeros());
         for tolerance in [1e-4, 1e-6, 1e-10] {
             let end = adaptive(&system, &rest, 3.0, tolerance, &mut 1_000_000).unwrap();
@@ -140,7 +139,7 @@ fn the_attitude_of_an_adaptive_run_stays_a_unit_quaternion_and_its_error_within_
     assert!((length - 1.0).abs() < 4.0 * f64::EPSILON, "{length}");
     assert!((momentum - 1.0).abs() < 1e-12, "{momentum}");
     // A start of another length stands for the same attitude; one of no length for none.
-    let system = System::free(moments).unwrap();
+    let system = free(moments);
     let unit = start(&system, &omega);
     let of_length = |length: f64| State { attitude: unit.attitude * length, ..unit };
     let run = |from: &State<f64>| adaptive(&system, from, 3.0, 1e-9, &mut 1000);
@@ -149,7 +148,7 @@ fn the_attitude_of_an_adaptive_run_stays_a_unit_quaternion_and_its_error_within_
     assert_eq!(run(&of_length(0.0)).unwrap_err().kind(), ErrorKind::OutOfBounds);
     // Under a steady torque about the axis of the spin the body turns by a known angle, and no step is off
     // by more than the tolerance.
-    let pushed = System::with(moments, vec![Torque::InBody(Vector3::new(0.0, 0.0, 0.5))]).unwrap();
+    let pushed = under(moments, vec![Torque::InBody(Vector3::new(0.0, 0.0, 0.5))]);
     let from = start(&pushed, &Vector3::new(0.0, 0.0, 1.0));
     for tolerance in [1e-3, 1e-6, 1e-9] {
         let mut left = 1_000_000;

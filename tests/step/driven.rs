@@ -1,6 +1,6 @@
 //! Adaptive runs under torques: against a table of many digits, another engine, and what is conserved.
 
-use super::{adaptive, apart as off, spinning};
+use super::{adaptive, apart as off, spinning, start, under};
 use crate::common::refused;
 use nalgebra::{Matrix3, Matrix6, Quaternion, UnitQuaternion, Vector3};
 use serde_json::Value;
@@ -25,8 +25,8 @@ fn tops_and_a_damped_spin_end_where_sixty_digits_say() {
             Some(weight) => vec![Torque::gravity(&vector("arm"), weight)],
             None => vec![Torque::Damping(vector("damping"))],
         };
-        let system = System::with(vector("moments").try_into().unwrap(), torques).unwrap();
-        let start = State { attitude: Quaternion::identity(), momentum: system.momentum(&vector("omega")) };
+        let system = under(vector("moments"), torques);
+        let start = start(&system, &vector("omega"));
         let [w, x, y, z] = digits(&story["attitude"]);
         let truth = State { attitude: Quaternion::new(w, x, y, z), momentum: vector("momentum") };
         for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14] {
@@ -76,7 +76,7 @@ fn every_named_torque_together_moves_a_body_as_the_function_that_says_the_same()
         momentum: Vector3::new(0.5, 3.0, -0.4),
     };
     let [series, pair] = all_torques(moments).map(|torques| {
-        let system = System::with(moments.try_into().unwrap(), torques).unwrap();
+        let system = under(moments, torques);
         [12.0, -3.0].map(|t| {
             [1e-6, 1e-9, 1e-12]
                 .map(|tolerance| adaptive(&system, &start, t, tolerance, &mut 100_000).unwrap())
@@ -123,7 +123,7 @@ fn a_periodic_torque_moves_a_body_as_the_function_that_says_the_same() {
             sum + arm.cross(&(rotation.transpose() * Vector3::new(0.0, 0.0, -weight)))
         };
         let [series, function] = [named, vec![Torque::function(law)]].map(|torques| {
-            let system = System::with(moments, torques).unwrap();
+            let system = under(moments, torques);
             [9.0, -4.0].map(|t| adaptive(&system, &start, t, 1e-13, &mut 100_000).unwrap())
         });
         for (series, function) in series.iter().zip(&function) {
@@ -156,7 +156,7 @@ fn a_run_forth_and_back_under_lossless_torques_returns_to_its_start() {
         Torque::gravity_gradient(&Vector3::x(), &Vector3::new(0.0, 0.1, 0.5)),
         Torque::during(1.3, 2.1, Torque::InBody(Vector3::new(0.5, -1.0, 0.3))),
     ];
-    let system = System::with(PrincipalMoments::new(1.0, 1.5, 0.75).unwrap(), torques).unwrap();
+    let system = under([1.0, 1.5, 0.75], torques);
     let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.25, 0.75, 6.0) };
     let body = spinning([1.0, 1.5, 0.75], &system.omega(&start.momentum));
     let mut stepper = Stepper::<f64>::adaptive(&body, 1e-13, 1000).unwrap();
@@ -171,7 +171,7 @@ fn in_a_circular_orbit_the_energy_seen_in_the_turning_frame_stays() {
     // T + 3/2 n² e.Ie - n.L, with e the direction to the earth and n the rate of the orbit.
     let (moments, orbit) = (Vector3::new(10.0, 14.0, 20.0), Vector3::new(0.0, 0.0, 0.5));
     let torque = Torque::gravity_gradient(&Vector3::x(), &orbit);
-    let system = System::with(moments.try_into().unwrap(), vec![torque]).unwrap();
+    let system = under(moments, vec![torque]);
     let start = State {
         attitude: UnitQuaternion::from_euler_angles(0.1, 0.3, -0.2).into_inner(),
         momentum: system.momentum(&Vector3::new(0.1, -0.2, 0.6)),
@@ -195,7 +195,7 @@ fn a_thruster_acts_for_the_whole_of_its_time_and_no_longer() {
     // Along the world's z on a sphere: the momentum in the world grows by torque times time, wherever the
     // run begins and ends. A step over the switch by any smooth method misses it by a share of the step.
     let push = Torque::during(0.1, 0.7, Torque::InWorld(Vector3::new(0.0, 0.0, 2.0)));
-    let system = System::with(PrincipalMoments::new(1.0, 1.7, 2.4).unwrap(), vec![push]).unwrap();
+    let system = under([1.0, 1.7, 2.4], vec![push]);
     let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.5, 2.0, -0.4) };
     let world = |state: &State<f64>| UnitQuaternion::from_quaternion(state.attitude) * state.momentum;
     for (end, time) in [(0.05, 0.0), (0.3, 0.2), (0.7, 0.6), (5.0, 0.6), (-2.0, 0.0)] {
@@ -266,7 +266,7 @@ fn a_refused_adaptive_run_says_what_is_in_the_way() {
         "{long}"
     );
     // Rates beyond the numbers leave no step.
-    let lossy = System::with(moments, vec![Torque::Dissipation(1e300)]).unwrap();
+    let lossy = under(moments, vec![Torque::Dissipation(1e300)]);
     let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(1.0, 2.0, 3.0) };
     let refused = adaptive(&lossy, &start, 1.0, 1e-9, &mut 1000).unwrap_err();
     assert_eq!(refused.kind(), ErrorKind::NotConverged);
@@ -278,7 +278,7 @@ fn a_refused_adaptive_run_says_what_is_in_the_way() {
 fn a_step_by_the_pair_may_be_as_short_as_numbers_allow() {
     let moments = PrincipalMoments::new(1.0, 2.0, 2.5).unwrap();
     let push = Torque::function(|_, _, w: &Vector3<f64>| Vector3::new(0.1, -0.2, 0.3) - w);
-    let system = System::with(moments, vec![push]).unwrap();
+    let system = under(moments, vec![push]);
     let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.3, 2.0, 0.7) };
     for h in [1e-160, 1e-200, 1e-300] {
         let end = adaptive(&system, &start, h, 1e-9, &mut 1000).unwrap();
@@ -336,7 +336,8 @@ fn a_driven_swing_through_the_middle_axis_flips_where_its_pendulum_stands_still(
     }
     let period = std::f64::consts::TAU * (moment / pull).sqrt() / a;
     let mut stepper = Stepper::<f64>::adaptive(&body, 1e-14, 1000).unwrap();
-    stepper = stepper.with_torques([Torque::magnetic(&Vector3::x(), &(Vector3::x() * pull))]).unwrap();
+    stepper =
+        stepper.with_torques([Torque::Aligning { arm: Vector3::x(), field: Vector3::x() * pull }]).unwrap();
     let flips = stepper.flips(2.0 * period).unwrap();
     let expected = [0.25, 0.75, 1.25, 1.75].map(|share| share * period);
     assert_eq!(flips.len(), 4, "{flips:?}");
@@ -365,7 +366,7 @@ fn a_run_that_was_refused_on_its_way_stays_where_its_last_step_took_it() {
         Torque::during(0.0, 1.0, Torque::InBody(Vector3::new(0.0, 0.0, 2.0))),
         Torque::during(1.0, 2.0, Torque::function(|_, _, _| Vector3::repeat(f64::NAN))),
     ];
-    let system = System::with(PrincipalMoments::new(1.0, 2.0, 2.5).unwrap(), torques).unwrap();
+    let system = under([1.0, 2.0, 2.5], torques);
     let rest = State { attitude: Quaternion::identity(), momentum: Vector3::zeros() };
     let mut run = Stepper::of_system(system.clone(), &rest, 1e-12, 100_000).unwrap();
     for _ in 0..3 {
@@ -375,7 +376,7 @@ fn a_run_that_was_refused_on_its_way_stays_where_its_last_step_took_it() {
     }
     // One that stiff dissipation stops has no states but those of its last step.
     let torques = vec![Torque::Dissipation(30.0), Torque::gravity(&Vector3::new(0.1, 0.2, 0.3), 10.0)];
-    let system = System::with(PrincipalMoments::new(1.0, 2.0, 2.5).unwrap(), torques).unwrap();
+    let system = under([1.0, 2.0, 2.5], torques);
     let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(1.0, 2.0, 3.0) };
     let mut run = Stepper::of_system(system.clone(), &start, 1e-14, 100).unwrap();
     let error = run.step_to(10.0).unwrap_err();
@@ -408,7 +409,7 @@ fn a_torque_added_on_the_way_acts_by_the_time_of_the_stepper() {
 fn rates_whose_squares_leave_the_range_are_refused() {
     let system = |torque| {
         let torques = vec![Torque::InBody(Vector3::new(0.0, 0.0, 1.0)), torque];
-        System::with(PrincipalMoments::new(1.0, 2.0, 2.5).unwrap(), torques).unwrap()
+        under([1.0, 2.0, 2.5], torques)
     };
     let rest = State { attitude: Quaternion::identity(), momentum: Vector3::zeros() };
     for fast in [1e150, 1e160, 1e165] {
@@ -421,7 +422,7 @@ fn rates_whose_squares_leave_the_range_are_refused() {
 #[test]
 fn a_refusal_counts_from_the_start_of_the_run() {
     let push = Torque::during(5.0, 6.0, Torque::InBody(Vector3::x()));
-    let system = System::with(PrincipalMoments::new(1.0, 2.0, 2.5).unwrap(), vec![push]).unwrap();
+    let system = under([1.0, 2.0, 2.5], vec![push]);
     let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(1.0, 20.0, 3.0) };
     let mut whole = 100_000;
     adaptive(&system, &start, 10.0, 1e-12, &mut whole).unwrap();

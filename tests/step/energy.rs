@@ -37,7 +37,7 @@ fn kinetic_and_potential_energy_together_stay_where_each_torque_has_a_potential(
     let torques = [
         Torque::gravity(&v(0.1, 0.2, 0.3), 4.0),
         Torque::spring(&v(0.3, -0.2, 0.9), &v(0.1, 0.7, 0.6), 2.0),
-        Torque::magnetic(&v(0.5, 0.1, -0.4), &v(0.3, 2.0, 0.1)),
+        Torque::Aligning { arm: v(0.5, 0.1, -0.4), field: v(0.3, 2.0, 0.1) },
         gradient(1.5, Vector3::y()),
         gradient(0.7, v(0.6, 0.0, -0.8)),
     ];

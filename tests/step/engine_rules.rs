@@ -1,18 +1,16 @@
 //! The rules by which physics engines turn a free body: the laws that each keeps and breaks.
 
-use super::energy;
+use super::{energy, free, free_motion, start, under};
 use crate::common::{attitude, generic_spin};
-use nalgebra::{Quaternion, Vector3};
+use nalgebra::Vector3;
 use proptest::prelude::*;
-use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, State, System, Torque};
 
 #[test]
 fn one_newton_step_of_implicit_euler_can_add_energy_to_a_rod_that_turns_by_an_eighth_of_a_radian() {
-    let system =
-        System::free(tumbling::PrincipalMoments::new(0.61281739, 0.00620431, 0.61012591).unwrap()).unwrap();
+    let system = free([0.61281739, 0.00620431, 0.61012591]);
     let omega = Vector3::new(0.79206796, 0.00766532, -0.61038478);
-    let start = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
+    let start = start(&system, &omega);
     let end = Method::ImplicitOneNewton.step(&system, &start, 0.1316947).unwrap();
     // By MuJoCo 4.0.0 itself, implicitfast: 4.17863e-6.
     let gain = energy(&system, &end) / energy(&system, &start) - 1.0;
@@ -25,10 +23,7 @@ fn body() -> impl Strategy<Value = (System<f64>, State<f64>)> {
         let (x, y, z): (f64, f64, f64) = half;
         let moments = Vector3::new(y + z, z + x, x + y);
         let vector = moments.component_mul(&omega);
-        (
-            System::free(moments.try_into().unwrap()).unwrap(),
-            State { attitude: q.into_inner(), momentum: vector },
-        )
+        (free(moments), State { attitude: q.into_inner(), momentum: vector })
     })
 }
 
@@ -52,7 +47,7 @@ proptest! {
 
     #[test]
     fn a_body_without_gyroscopic_term_never_flips(q in attitude(), push in 1e-3..0.1_f64) {
-        let system = System::free(tumbling::PrincipalMoments::new(1.0, 2.0, 3.0).unwrap()).unwrap();
+        let system = free([1.0, 2.0, 3.0]);
         let start = State { attitude: q.into_inner(), momentum: system.momentum(&Vector3::new(push, 10.0, push)) };
         let mut motion = start;
         for _ in 0..600 {
@@ -60,7 +55,7 @@ proptest! {
         }
         prop_assert!((system.omega(&motion.momentum) - system.omega(&start.momentum)).norm() < 1e-13);
         // The exact one flips within these 10 s.
-        let exact = FreeMotion::new((*system.moments()).try_into().unwrap(), &system.omega(&start.momentum)).unwrap();
+        let exact = free_motion(*system.moments(), &system.omega(&start.momentum));
         prop_assert!(exact.flips(0.0, 10.0).unwrap().count() > 0);
     }
 
@@ -72,7 +67,7 @@ proptest! {
         };
         let [a, b] = both(&system);
         prop_assert!((a.momentum - b.momentum).norm() <= 8.0 * f64::EPSILON * start.momentum.norm());
-        let pushed = System::with((*system.moments()).try_into().unwrap(), vec![Torque::InBody(Vector3::new(1.0, 2.0, -1.0))]).unwrap();
+        let pushed = under(*system.moments(), vec![Torque::InBody(Vector3::new(1.0, 2.0, -1.0))]);
         let [a, b] = both(&pushed);
         prop_assert!((a.momentum - b.momentum).norm() > 1e-6);
     }

@@ -1,10 +1,9 @@
 //! The step at a fixed rate: flips counted, stable spins kept, long steps taken in parts.
 
-use super::{changes, start};
+use super::{changes, free, free_motion, start, under};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::body::named::NamedBody;
-use tumbling::exact::FreeMotion;
-use tumbling::step::{State, System, Torque, fixed_rate};
+use tumbling::step::{State, Torque, fixed_rate};
 use tumbling::{Axis, PrincipalMoments};
 
 /// Moments of the named bodies, the box first among them: smallest, middle, largest.
@@ -19,17 +18,12 @@ fn a_game_counts_every_flip_of_ten_minutes_at_60_hertz() {
     let h = 1.0 / 60.0;
     let mut counted = 0;
     for (name, moments) in named() {
-        let system = System::free(moments.try_into().unwrap()).unwrap();
+        let system = free(moments);
         for spin in [1.0, 6.0, 15.0] {
             for push in [0.1, 0.01, 1e-3] {
                 let omega = Vector3::new(push, 1.0, push) * spin;
-                let flips: Vec<f64> = FreeMotion::new(moments.try_into().unwrap(), &omega)
-                    .unwrap()
-                    .flips(0.0, 600.0)
-                    .unwrap()
-                    .collect();
-                let mut motion =
-                    State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
+                let flips: Vec<f64> = free_motion(moments, &omega).flips(0.0, 600.0).unwrap().collect();
+                let mut motion = start(&system, &omega);
                 let mut seen = Vec::new();
                 for step in 0..36_000 {
                     let next = fixed_rate(&system, &motion, h).unwrap();
@@ -56,10 +50,9 @@ fn a_push_as_small_as_rounding_is_where_a_game_miscounts() {
     // The energy that parts this motion from the one that never returns is 1e-16 of the whole.
     let (_, moments) = named().next().unwrap();
     let omega = Vector3::new(1e-8, 1.0, 1e-8) * 15.0;
-    let system = System::free(moments.try_into().unwrap()).unwrap();
-    let flips =
-        FreeMotion::new(moments.try_into().unwrap(), &omega).unwrap().flips(0.0, 600.0).unwrap().count();
-    let mut motion = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
+    let system = free(moments);
+    let flips = free_motion(moments, &omega).flips(0.0, 600.0).unwrap().count();
+    let mut motion = start(&system, &omega);
     let mut seen = 0;
     for _ in 0..36_000 {
         let next = fixed_rate(&system, &motion, 1.0 / 60.0).unwrap();
@@ -72,16 +65,13 @@ fn a_push_as_small_as_rounding_is_where_a_game_miscounts() {
 #[test]
 fn a_stable_spin_stays_where_it_is_for_an_hour_in_a_game() {
     for (name, moments) in named() {
-        let system = System::free(moments.try_into().unwrap()).unwrap();
+        let system = free(moments);
         for side in [Axis::Smallest, Axis::Largest] {
             let axis = PrincipalMoments::try_from(moments).unwrap().axis(side);
             let mut omega = Vector3::new(0.3, 0.3, 0.3);
             omega[axis] = 10.0;
-            let start = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
-            let angles = FreeMotion::new(moments.try_into().unwrap(), &omega)
-                .unwrap()
-                .angles_to_momentum(side)
-                .unwrap();
+            let start = start(&system, &omega);
+            let angles = free_motion(moments, &omega).angles_to_momentum(side).unwrap();
             let mut motion = start;
             for _ in 0..36_000 {
                 motion = fixed_rate(&system, &motion, 0.1).unwrap();
@@ -101,10 +91,10 @@ fn a_stable_spin_stays_where_it_is_for_an_hour_in_a_game() {
 fn a_step_of_many_turns_is_taken_in_parts_in_a_game() {
     let moments = Vector3::new(1.0, 2.0, 2.5);
     let omega = Vector3::new(3.0, 100.0, 20.0);
-    let system = System::free(moments.try_into().unwrap()).unwrap();
-    let start = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
+    let system = free(moments);
+    let start = start(&system, &omega);
     let end = fixed_rate(&system, &start, 1.0).unwrap();
-    let truth = FreeMotion::new(moments.try_into().unwrap(), &omega).unwrap().at(1.0).unwrap();
+    let truth = free_motion(moments, &omega).at(1.0).unwrap();
     let off = (end.attitude.coords - truth.attitude.coords).norm();
     let off = off.min((end.attitude.coords + truth.attitude.coords).norm());
     assert!(off < 1e-5, "{off:e}");
@@ -116,15 +106,12 @@ fn a_game_steps_spheres_tops_and_bodies_of_any_mass() {
     for shape in [[2.0, 2.0, 2.0], [2.0, 2.0, 3.0], [2.0, 3.0, 3.0], [1.0, 2.0, 2.6]] {
         for mass in [1.0, 1e-150, 1e150] {
             let moments = Vector3::from(shape) * mass;
-            let system = System::free(moments.try_into().unwrap()).unwrap();
-            let mut motion = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
+            let system = free(moments);
+            let mut motion = start(&system, &omega);
             for _ in 0..60 {
                 motion = tumbling::step::fixed_rate(&system, &motion, 1.0 / 60.0).unwrap();
             }
-            let truth = tumbling::exact::FreeMotion::new(moments.try_into().unwrap(), &omega)
-                .unwrap()
-                .at(1.0)
-                .unwrap();
+            let truth = free_motion(moments, &omega).at(1.0).unwrap();
             let off = (motion.attitude.coords - truth.attitude.coords).norm();
             assert!(off < 1e-8, "{shape:?} {mass:e}: {off:e}");
         }
@@ -134,7 +121,7 @@ fn a_game_steps_spheres_tops_and_bodies_of_any_mass() {
 #[test]
 fn a_game_steps_a_needle_in_as_many_parts_as_it_turns_and_no_more() {
     // End over end, a needle turns by a tenth of a radian; its length holds no spin at all.
-    let system = System::free(PrincipalMoments::new(1e-8, 1.0, 1.0).unwrap()).unwrap();
+    let system = free([1e-8, 1.0, 1.0]);
     let from = start(&system, &Vector3::new(0.0, 6.0, 0.6));
     let end = tumbling::step::fixed_rate(&system, &from, 1.0 / 60.0).unwrap();
     assert!((end.momentum.norm() / from.momentum.norm() - 1.0).abs() < 1e-14);
@@ -143,8 +130,7 @@ fn a_game_steps_a_needle_in_as_many_parts_as_it_turns_and_no_more() {
 #[test]
 fn a_game_never_calls_a_motion_whole_that_is_not() {
     let moments = Vector3::new(1.0, 2.0, 2.5) * 1e200;
-    let system =
-        System::with(moments.try_into().unwrap(), vec![Torque::Damping(Vector3::repeat(6e202))]).unwrap();
+    let system = under(moments, vec![Torque::Damping(Vector3::repeat(6e202))]);
     // Forth it is stepped: what is refused below is not the body.
     assert!(
         tumbling::step::fixed_rate(

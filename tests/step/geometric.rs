@@ -1,11 +1,11 @@
 //! Methods that keep the laws of motion, held against rounding, long runs, torques and nonsense.
 
-use super::{apart, changes, energy};
+use super::{apart, changes, energy, free, start};
 use crate::common::*;
 use nalgebra::{Quaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::step::{Method, State, System, fixed_rate};
-use tumbling::{Error, ErrorKind, PrincipalMoments};
+use tumbling::{Error, ErrorKind};
 
 fn run(
     method: Method,
@@ -91,9 +91,8 @@ proptest! {
 
 #[test]
 fn the_energy_of_the_splittings_swings_and_does_not_grow() {
-    let system = System::free(PrincipalMoments::new(1.0, 2.0, 2.5).unwrap()).unwrap();
-    let start =
-        State { attitude: Quaternion::identity(), momentum: system.momentum(&Vector3::new(1.0, 1.5, -0.8)) };
+    let system = free([1.0, 2.0, 2.5]);
+    let start = start(&system, &Vector3::new(1.0, 1.5, -0.8));
     for method in [
         Method::RotationSplitting2,
         Method::RotationSplitting4,
@@ -113,9 +112,8 @@ fn the_energy_of_the_splittings_swings_and_does_not_grow() {
 
 #[test]
 fn a_step_too_long_for_an_implicit_method_is_refused() {
-    let system = System::free(PrincipalMoments::new(1.0, 2.0, 2.5).unwrap()).unwrap();
-    let start =
-        State { attitude: Quaternion::identity(), momentum: system.momentum(&Vector3::new(1.0, 1.5, -0.8)) };
+    let system = free([1.0, 2.0, 2.5]);
+    let start = start(&system, &Vector3::new(1.0, 1.5, -0.8));
     // A turn by p takes h L / 2 = p0 K p + p x K p, whose size is at most that of K p: with |L| about 3.7, no
     // turn takes a step of 3 s.
     let long = Method::MoserVeselov2.step(&system, &start, 3.0);

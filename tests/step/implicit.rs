@@ -1,17 +1,13 @@
 //! The implicit midpoint rule and Gauss's methods: roundings of long runs, and steps that plain iteration
 //! does not find.
 
-use super::{energy, start};
+use super::{energy, free, start, under};
 use crate::common::refused;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use tumbling::ErrorKind;
 use tumbling::step::{Method, State, System, Torque};
 
 const IMPLICIT: [Method; 3] = [Method::ImplicitMidpoint, Method::Gauss4, Method::Gauss6];
-
-fn free(moments: [f64; 3]) -> System<f64> {
-    System::free(Vector3::from(moments).try_into().unwrap()).unwrap()
-}
 
 #[test]
 fn roundings_of_what_is_conserved_walk_at_random_and_do_not_drift() {
@@ -69,11 +65,10 @@ fn a_step_too_long_for_iteration_is_found_by_newtons_method() {
 #[test]
 fn a_stiff_damping_and_a_stiff_spring_are_stepped_over_by_the_equations_of_the_method() {
     let moments = Vector3::new(1.0, 2.0, 2.5);
-    let body = moments.try_into().unwrap();
     for decay in [10.0, 1e3, 1e6] {
         // Damping about z alone: each step multiplies the spin by Padé's fraction of the exponential.
         let drag = Torque::Damping(Vector3::new(0.5, 1.5, 1.0) * decay * moments.z);
-        let system = System::with(body, vec![drag.clone()]).unwrap();
+        let system = under(moments, vec![drag.clone()]);
         let from = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.0, 0.0, 3.0) };
         let z = decay;
         let shares = [
@@ -89,7 +84,7 @@ fn a_stiff_damping_and_a_stiff_spring_are_stepped_over_by_the_equations_of_the_m
         }
         // Tumbling under it, leaning under a spring.
         let spring = Torque::spring(&Vector3::new(0.3, -0.2, 0.9), &Vector3::new(0.1, 0.7, 0.6), 50.0);
-        let system = System::with(body, vec![drag, spring]).unwrap();
+        let system = under(moments, vec![drag, spring]);
         let attitude = UnitQuaternion::from_euler_angles(0.4, -0.3, 0.2).into_inner();
         let from = State { attitude, momentum: Vector3::new(0.4, 3.0, -1.2) };
         let end = Method::ImplicitMidpoint.step(&system, &from, 0.5).unwrap();

@@ -1,18 +1,17 @@
 //! Every stepping method against the exact motion, and against what it says of itself.
 
-use super::{adaptive, changes, finite, start};
+use super::{adaptive, changes, finite, free, free_motion, start};
 use crate::common::*;
 use nalgebra::{Quaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::PrincipalMoments;
-use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, State, System, Torque, fixed_rate};
 
 /// Errors of spin (relative) and attitude at `t`.
 fn error(method: Method, moments: &Vector3<f64>, omega: &Vector3<f64>, t: f64, count: usize) -> f64 {
-    let system = System::free((*moments).try_into().unwrap()).unwrap();
+    let system = free(*moments);
     let end = run(method, &system, &start(&system, omega), t / count as f64, count);
-    let truth = FreeMotion::new((*moments).try_into().unwrap(), omega).unwrap().at(t).unwrap();
+    let truth = free_motion(*moments, omega).at(t).unwrap();
     let spin = (system.omega(&end.momentum) - truth.omega).norm() / omega.norm();
     let q = truth.attitude.coords;
     spin.max((end.attitude.coords - q).norm().min((end.attitude.coords + q).norm()))
@@ -41,7 +40,7 @@ fn errors_against_the_exact_motion_fall_by_the_order_of_each_method() {
 fn what_a_method_is_said_to_keep_it_keeps_to_rounding_and_the_rest_it_loses() {
     // Steps of a fifth of a radian and more, ten thousand of them, of a body that flips.
     let moments = Vector3::new(1.3, 2.0, 2.6);
-    let system = System::free(moments.try_into().unwrap()).unwrap();
+    let system = free(moments);
     let from = start(&system, &Vector3::new(0.3, 2.0, -0.4));
     let (h, count) = (0.1, 10_000);
     for &method in Method::ALL {
@@ -97,7 +96,7 @@ proptest! {
 #[test]
 fn a_spin_whose_squares_are_lost_is_refused_where_it_matters() {
     let moments = Vector3::new(1.0, 2.0, 2.6);
-    let system = System::free(moments.try_into().unwrap()).unwrap();
+    let system = free(moments);
     let slow = start(&system, &(Vector3::new(0.3, 1.0, -0.4) * 1e-162));
     for &method in Method::ALL {
         // A step that turns it by a hundredth of a radian, and one in which it does not move.
@@ -116,7 +115,7 @@ fn buss_augments_the_mean_spin_by_a_twelfth() {
     // the last term, so that h^3 w'' / 6 is all that is missing.
     let moments = Vector3::new(1.0, 2.0, 2.6);
     let omega = Vector3::new(0.9, 1.1, -0.7);
-    let system = System::free(moments.try_into().unwrap()).unwrap();
+    let system = free(moments);
     let none = Vector3::zeros();
     let rate = |w: &Vector3<f64>| tumbling::dynamics::euler::angular_acceleration(&moments, w, &none);
     let e = 1e-4;
@@ -125,7 +124,7 @@ fn buss_augments_the_mean_spin_by_a_twelfth() {
     let missing = second + omega.cross(&rate(&omega));
     let h = 1e-2;
     let end = Method::Buss.step(&system, &start(&system, &omega), h).unwrap();
-    let truth = FreeMotion::new(moments.try_into().unwrap(), &omega).unwrap().at(h).unwrap().attitude;
+    let truth = free_motion(moments, &omega).at(h).unwrap().attitude;
     let turn = |q: Quaternion<f64>| nalgebra::UnitQuaternion::new_normalize(q).scaled_axis();
     let off = (turn(truth.into_inner()) - turn(end.attitude)) / h.powi(3) * 6.0;
     assert!((off - missing).norm() < 0.03 * missing.norm(), "{off} {missing}");

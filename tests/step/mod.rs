@@ -24,6 +24,7 @@ mod top;
 mod torque;
 mod transition;
 
+use crate::common::{free, free_motion, under};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use tumbling::step::{Method, State, Stepper, System};
 use tumbling::{Body, Error, Inertia};

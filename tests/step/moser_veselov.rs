@@ -1,15 +1,16 @@
 //! The discrete Moser-Veselov algorithm where its equation has more than one root, or none near.
 
+use super::free;
 use crate::common::*;
 use nalgebra::{Quaternion, Vector3};
 use tumbling::ErrorKind;
-use tumbling::step::{Method, State, System};
+use tumbling::step::{Method, State};
 
 #[test]
 fn the_other_root_of_the_moser_veselov_equation_is_refused_by_its_turn() {
     let moments = Vector3::new(1.126028325178734, 0.49960972808046744, 0.8697129298264454);
     let momentum = Vector3::new(-1.018519532854051, -0.5850619803087775, -1.5600563168390509);
-    let system = System::free(moments.try_into().unwrap()).unwrap();
+    let system = free(moments);
     let start = State { attitude: Quaternion::identity(), momentum };
     // 4.5 rad: the step that was taken here came back 100 % wrong.
     let step = Method::MoserVeselov10.step(&system, &start, 1.8665812127762909);
@@ -41,7 +42,7 @@ fn a_long_moser_veselov_step_comes_back_or_is_refused() {
     for case in 0..20_000 {
         let [p, q, r] = [0; 3].map(|_| random() + 0.01);
         let moments = tumbling::PrincipalMoments::new(p + q, q + r, p + r).unwrap();
-        let system = tumbling::step::System::free(moments).unwrap();
+        let system = free(moments);
         let momentum = nalgebra::Vector3::from([0; 3].map(|_| 2.0 * random() - 1.0));
         let start = tumbling::State { attitude: nalgebra::Quaternion::identity(), momentum };
         let (method, h) = (methods[case % methods.len()], 4.0 * random());

@@ -1,10 +1,10 @@
 //! The order of every method under torques that depend on time, attitude and spin. Orders are proven on power
 //! series by the proofs; here they are seen in `f64`.
 
-use super::{adaptive, apart, in_axes, seen_along, spinning, steppers, turn_by};
+use super::{adaptive, apart, in_axes, seen_along, spinning, steppers, turn_by, under};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use tumbling::Body;
-use tumbling::step::{Method, State, Stepper, System, Torque};
+use tumbling::step::{Method, State, Stepper, Torque};
 
 /// Errors at `t` in `count` steps and in twice as many, as a power of two.
 fn order(
@@ -82,7 +82,7 @@ fn driven_by_time_attitude_and_spin_every_method_has_its_order() {
     let turned = Torque::function(move |time: f64, rotation: &Matrix3<f64>, omega: &Vector3<f64>| {
         frame.tr_mul(&law(time, &(rotation * frame.transpose()), &(frame * omega)))
     });
-    let system = System::with(principal.moments().try_into().unwrap(), vec![turned]).unwrap();
+    let system = under(principal.moments(), vec![turned]);
     let end = adaptive(&system, &seen_along(&body.state(), &turn), t, 1e-14, &mut 1_000_000).unwrap();
     let truth = seen_along(&end, &turn.inverse());
     // And torques with kicks of their own, whose truth is a run by series.

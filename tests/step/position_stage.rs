@@ -1,10 +1,10 @@
 //! The position stage of an engine: nothing gained from nowhere, flips at their times, any body, any step.
 
+use super::free_motion;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use num_traits::Float;
 use proptest::prelude::*;
 use tumbling::body::named::NamedBody;
-use tumbling::exact::FreeMotion;
 use tumbling::number::Field;
 use tumbling::step::{PositionStage, Stepped};
 
@@ -78,7 +78,7 @@ fn the_motion_is_the_exact_one_at_sixty_hertz() {
             for _ in 0..600 {
                 motion = stepped(&body, &motion, 1.0 / 60.0);
             }
-            let truth = FreeMotion::new(moments.try_into().unwrap(), &from.omega).unwrap().at(10.0).unwrap();
+            let truth = free_motion(moments, &from.omega).at(10.0).unwrap();
             let end = seen(&moments, &motion);
             let off = (end.omega - truth.omega).norm() / from.omega.norm();
             assert!(off < 1e-9, "{moments}: spin off by {off:e}");
@@ -92,7 +92,7 @@ fn the_motion_is_the_exact_one_at_sixty_hertz() {
 fn flips<T: Real>(moments: &Vector3<f64>, omega: [f64; 3]) -> (i64, f64) {
     // Of the body as the type has it.
     let moments = &moments.map(|x| real::<T>(x).into());
-    let truth = FreeMotion::new((*moments).try_into().unwrap(), &omega.into()).unwrap();
+    let truth = free_motion(*moments, &omega.into());
     let flips: Vec<f64> = truth.flips(0.0, 600.0).unwrap().collect();
     let body = body::<T>(moments);
     let mut motion = start::<T>(omega);
@@ -349,7 +349,7 @@ fn the_attitude_is_of_sixth_order_and_the_spin_better() {
         let start = seen(&moments, &from);
         let steps = (1.0 / h).round() as u32;
         let end = (0..steps).fold(from, |at, _| stepped(&body, &at, h));
-        let truth = FreeMotion::new(moments.try_into().unwrap(), &start.omega).unwrap().at(1.0).unwrap();
+        let truth = free_motion(moments, &start.omega).at(1.0).unwrap();
         let end = seen(&moments, &end);
         ((end.omega - truth.omega).norm(), end.attitude.angle_to(&(start.attitude * truth.attitude)))
     };

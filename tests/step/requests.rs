@@ -1,11 +1,11 @@
 //! States requested on the way of an adaptive run: the run is the same with them and without.
 
-use super::adaptive;
 use super::apart as off;
+use super::{adaptive, under};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::PrincipalMoments;
-use tumbling::step::{State, Stepper, System, Torque};
+use tumbling::step::{State, Stepper, Torque};
 
 /// Torques of each kind, two of most: of the gravity gradient, and of periodic ones with their own rates.
 fn kinds() -> Vec<Torque<f64>> {
@@ -45,7 +45,7 @@ proptest! {
         let all = kinds();
         let torques: Vec<_> = chosen.iter().map(|&kind| all[kind].clone()).collect();
         let moments = PrincipalMoments::new(1.0, 1.7, 2.4).unwrap();
-        let system = System::with(moments, torques).unwrap();
+        let system = under(moments, torques);
         let attitude = UnitQuaternion::from_euler_angles(0.4, -0.7, 1.1).into_inner();
         let start = State { attitude, momentum: system.momentum(&omega.into()) };
         let (tolerance, end) = (10.0_f64.powi(-digits), if forth { 2.5 } else { -0.02 });

@@ -37,22 +37,6 @@ fn a_quarter_period_after_the_start_the_spin_is_where_the_two_conserved_quantiti
     assert!((spin.y - y_squared.sqrt()).abs() < 1e-6 && (spin.z + z_squared.sqrt()).abs() < 1e-6, "{spin:?}");
 }
 
-/// The time of that instant, a quarter of the period, to 16 digits from the closed form evaluated with 40
-/// digits (tests/data is not needed for one number: mpmath, `ellipk(m)/rate` with m and rate of this start).
-#[test]
-fn the_plain_stepper_converges_at_fourth_order_to_the_closed_form() {
-    let quarter = 2.050372310942469;
-    let start = spinning([10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0], &Vector3::new(1.0, 1.0, 0.0));
-    let error = |steps: usize| {
-        let h = quarter / steps as f64;
-        Engine::Turned.run(&start, h, steps).unwrap()[steps].omega_body().x.abs()
-    };
-    let (coarse, fine) = (error(50), error(100));
-    assert!(fine < 1e-6, "{fine:e}");
-    let order = (coarse / fine).log2();
-    assert!((3.7..4.5).contains(&order), "order {order}");
-}
-
 /// On a steady spin the attitude's equation is linear, and one step is the exponential to fourth order.
 #[test]
 fn one_step_of_a_steady_spin_is_the_exponential_series_to_fourth_order_and_no_further() {

@@ -1,11 +1,11 @@
 //! A body of any tensor stepped in its own axes, under torques given by functions of time, attitude and spin.
 
-use super::{apart, finite, in_axes, seen_along, spinning, steppers};
+use super::{apart, finite, free, in_axes, seen_along, spinning, steppers};
 use crate::common::*;
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Method, State, Stepper, System, Torque};
+use tumbling::step::{Method, State, Stepper, Torque};
 use tumbling::{Body, Error, ErrorKind, Inertia, Subject};
 
 type Rule = fn(&Body) -> Result<Stepper, Error>;
@@ -111,7 +111,7 @@ proptest! {
 #[test]
 fn of_a_diagonal_tensor_a_stepper_is_the_method_itself_to_the_bit() {
     let moments = Vector3::new(2.5, 1.0, 2.0);
-    let system = System::free(moments.try_into().unwrap()).unwrap();
+    let system = free(moments);
     let q = UnitQuaternion::from_euler_angles(0.2, -0.5, 1.0);
     let body = Body::spinning(Inertia::from_moments(2.5, 1.0, 2.0).unwrap(), q, &Vector3::new(0.2, 1.0, 0.4))
         .unwrap();

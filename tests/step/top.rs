@@ -1,10 +1,10 @@
 //! The steppers under gravity, judged by the closed form of Lagrange's top.
 
-use super::adaptive;
+use super::{adaptive, under};
 use crate::exact::apart;
 use nalgebra::{UnitQuaternion, Vector3};
 use tumbling::exact::LagrangeTop;
-use tumbling::step::{Method, State, Stepper, System, Torque};
+use tumbling::step::{Method, State, Stepper, Torque};
 use tumbling::{Body, Inertia};
 
 const ARM: Vector3<f64> = Vector3::new(0.0, 0.0, 0.4);
@@ -41,8 +41,8 @@ fn methods_of_high_order_converge_to_the_closed_form_of_the_top() {
 #[test]
 fn a_controlled_run_meets_the_closed_form_of_the_top() {
     let (body, top) = looping();
-    let moments = Vector3::new(0.9, 0.9, 0.5).try_into().unwrap();
-    let system = System::with(moments, vec![Torque::gravity(&ARM, WEIGHT)]).unwrap();
+    let moments = [0.9, 0.9, 0.5];
+    let system = under(moments, vec![Torque::gravity(&ARM, WEIGHT)]);
     for t in [9.0, -9.0] {
         for tolerance in [1e-4, 1e-8, 1e-12] {
             let State { attitude, .. } =

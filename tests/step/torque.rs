@@ -1,9 +1,8 @@
 //! Bodies under torques, against motions that are known exactly.
 
-use super::apart;
+use super::{apart, free, free_motion, start, under};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use tumbling::PrincipalMoments;
-use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, State, Stepper, System, Torque};
 
 /// A torque of this size, from two vectors.
@@ -36,21 +35,19 @@ fn drag_in_proportion_to_the_momentum_only_slows_the_free_motion_down() {
     // L' = L x w - c L: the spin is e^(-ct) times the free one at the time (1 - e^(-ct))/c. Substitute and
     // see.
     let (moments, omega, c, t) = (Vector3::new(1.0, 2.0, 2.6), Vector3::new(0.4, 1.5, -0.3), 0.3_f64, 4.0);
-    let system = System::with(moments.try_into().unwrap(), vec![Torque::Damping(moments * c)]).unwrap();
+    let system = under(moments, vec![Torque::Damping(moments * c)]);
     let left = (-c * t).exp();
-    let free = FreeMotion::new(moments.try_into().unwrap(), &omega).unwrap().at((1.0 - left) / c).unwrap();
+    let free = free_motion(moments, &omega).at((1.0 - left) / c).unwrap();
     let truth =
         State { attitude: free.attitude.into_inner(), momentum: system.momentum(&(free.omega * left)) };
-    let from = State { attitude: Quaternion::identity(), momentum: system.momentum(&omega) };
+    let from = start(&system, &omega);
     go_to(&truth, &system, &from, t);
 }
 
 #[test]
 fn a_thruster_along_a_principal_axis_speeds_the_spin_up_evenly() {
     let (moments, rate, push, t) = (Vector3::new(1.0, 2.0, 2.6), 0.7, 0.5, 3.0);
-    let system =
-        System::with(moments.try_into().unwrap(), vec![Torque::InBody(Vector3::new(0.0, push, 0.0))])
-            .unwrap();
+    let system = under(moments, vec![Torque::InBody(Vector3::new(0.0, push, 0.0))]);
     let angle = rate * t + 0.5 * push / moments.y * t * t;
     let truth = State {
         attitude: UnitQuaternion::from_axis_angle(&Vector3::y_axis(), angle).into_inner(),
@@ -69,7 +66,7 @@ fn a_heavy_top_precesses_steadily_where_weight_and_spin_balance() {
     let arm = 0.25;
     let moments = Vector3::new(a, a, c);
     let gravity = Torque::gravity(&Vector3::new(0.0, 0.0, arm), pull / arm);
-    let system = System::with(moments.try_into().unwrap(), vec![gravity]).unwrap();
+    let system = under(moments, vec![gravity]);
     let tilted = |turn: f64| {
         UnitQuaternion::from_axis_angle(&Vector3::z_axis(), precession * turn)
             * UnitQuaternion::from_axis_angle(&Vector3::x_axis(), tilt)
@@ -87,8 +84,7 @@ fn a_heavy_top_precesses_steadily_where_weight_and_spin_balance() {
 #[test]
 fn a_torque_that_stands_in_the_world_adds_evenly_to_the_momentum_there() {
     let push = Vector3::new(0.3, -0.2, 0.1);
-    let system =
-        System::with(PrincipalMoments::new(1.0, 2.0, 2.6).unwrap(), vec![Torque::InWorld(push)]).unwrap();
+    let system = under([1.0, 2.0, 2.6], vec![Torque::InWorld(push)]);
     let from = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.4, 3.0, -0.8) };
     for method in methods() {
         let end = run(method, &system, &from, 4.0, 4000);
@@ -135,7 +131,7 @@ fn a_body_that_drag_brings_to_rest_stays_there_however_long() {
     // Ten minutes at 60 Hz: the momentum falls by e^-600, below where squares of it are numbers.
     let moments = Vector3::new(1.0, 2.0, 2.6);
     let torques = vec![Torque::Damping(moments), Torque::Dissipation(0.1)];
-    let system = System::with(moments.try_into().unwrap(), torques).unwrap();
+    let system = under(moments, torques);
     let from = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.1, 2.0, 0.3) };
     let h = 1.0 / 60.0;
     for fixed in [true, false] {
@@ -156,8 +152,7 @@ fn implicit_euler_with_the_damping_inside_never_turns_the_momentum_round() {
     let moments = Vector3::new(1.0, 2.0, 2.6);
     let from = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.0, 0.0, 1.0) };
     for strength in [0.1, 2.0, 1e3, 1e6] {
-        let system =
-            System::with(moments.try_into().unwrap(), vec![Torque::Damping(moments * strength)]).unwrap();
+        let system = under(moments, vec![Torque::Damping(moments * strength)]);
         let end = Method::LinearisedImplicit.step(&system, &from, 1.0).unwrap();
         // L (1 + c h) = L before.
         // What is left of a difference from one.
@@ -182,12 +177,11 @@ fn two_torques_of_a_kind_are_one_of_twice_the_size() {
     ];
     for (number, kind) in kinds.iter().enumerate() {
         let moments: PrincipalMoments = Vector3::new(1.0, 2.0, 2.6).try_into().unwrap();
-        let [both, one] = [vec![kind(1.0, x, y); 2], vec![kind(2.0, x, y)]]
-            .map(|torques| System::with(moments, torques).unwrap());
+        let [both, one] =
+            [vec![kind(1.0, x, y); 2], vec![kind(2.0, x, y)]].map(|torques| under(moments, torques));
         let attitude = UnitQuaternion::from_scaled_axis(Vector3::new(0.4, -1.1, 0.6)).into_inner();
         let state = State { attitude, momentum: Vector3::new(0.9, -0.4, 1.3) };
-        let [free, rate, other] =
-            [&System::free(moments).unwrap(), &one, &both].map(|system| system.rate(&state).momentum);
+        let [free, rate, other] = [&free(moments), &one, &both].map(|system| system.rate(&state).momentum);
         assert!((rate - free).norm() > 0.01 && (other - rate).norm() < 1e-15, "{number}");
         // By kicks.
         let [end, other] =

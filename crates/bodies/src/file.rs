@@ -102,6 +102,11 @@ impl<'a> Reader<'a> {
         Error::at(self.text, span, why).of_field(field)
     }
 
+    /// That a field is right, or what is wrong with it.
+    fn unless(&self, right: bool, field: &str, why: impl Display) -> Result<(), Error> {
+        if right { Ok(()) } else { Err(self.wrong(field, why)) }
+    }
+
     /// The first of these fields that there is, or the one that says what the body is.
     fn blamed(&self, fields: &[&'static str]) -> &'static str {
         let has = |field: &&&str| self.present.iter().any(|(name, _)| name == *field);
@@ -138,9 +143,8 @@ impl<'a> Reader<'a> {
             found.name = nameable(name.get_ref()).map_err(wrong)?.to_owned();
         }
         if let Some(Spin::Speed(spin)) = self.table.spin.as_ref().map(Spanned::get_ref) {
-            if !(*spin > 0.0 && spin.is_finite()) {
-                return Err(self.wrong("spin", format!("{spin} rad/s is not above zero and finite")));
-            }
+            let why = format!("{spin} rad/s is not above zero and finite");
+            self.unless(*spin > 0.0 && spin.is_finite(), "spin", why)?;
             found.spin = Some(*spin);
         }
         self.placed(found)
@@ -220,9 +224,8 @@ impl<'a> Reader<'a> {
     fn mesh(&self) -> Result<BodyModel, Error> {
         let file = self.table.mesh.as_ref().map_or("", |file| file.get_ref());
         let unit = self.table.unit.as_ref().map_or(1.0, |unit| *unit.get_ref());
-        if !(unit > 0.0 && unit.is_finite()) {
-            return Err(self.wrong("unit", format!("{unit} is not above 0 and finite")));
-        }
+        let why = format!("{unit} is not above 0 and finite");
+        self.unless(unit > 0.0 && unit.is_finite(), "unit", why)?;
         let triangles = mesh::read(&self.files.folder.join(file), self.files);
         let (mut vertices, faces) = triangles.map_err(|error| self.wrong(self.by, error))?;
         for vertex in &mut vertices {
@@ -292,10 +295,8 @@ impl<'a> Reader<'a> {
         let path = self.files.folder.join(self.table.urdf.as_ref().map_or("", |file| file.get_ref()));
         let link = self.table.link.as_ref().map(|link| link.get_ref().as_str());
         let tolerance = number(&self.table.tolerance);
-        if !(tolerance >= 0.0 && tolerance.is_finite()) {
-            let why = format!("{tolerance} is not a finite number, zero or above");
-            return Err(self.wrong("tolerance", why));
-        }
+        let why = format!("{tolerance} is not a finite number, zero or above");
+        self.unless(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", why)?;
         let read = || urdf::read(&self.files.text(&path)?, link, tolerance);
         self.files.body(&path, format!("{link:?} within {tolerance}"), read).map_err(|error| match link {
             // Without a line: not an element of the file, but the name that is not in it.
@@ -336,13 +337,10 @@ impl<'a> Reader<'a> {
         if let Some(at) = &self.table.at {
             let place = Vector3::from(*at.get_ref());
             found.centre += place;
-            if !found.centre.iter().all(|x| x.is_finite()) {
-                return Err(self.wrong("at", "the place must be finite"));
-            }
+            self.unless(found.centre.iter().all(|x| x.is_finite()), "at", "the place must be finite")?;
             let reach = found.surfaces.iter().flat_map(|s| &s.vertices).map(|p| p.amax()).fold(0.0, f64::max);
-            if place.amax() > FARTHEST * reach && !found.surfaces.is_empty() {
-                return Err(self.wrong("at", "so far away that rounding would change its shape"));
-            }
+            let near = found.surfaces.is_empty() || place.amax() <= FARTHEST * reach;
+            self.unless(near, "at", "so far away that rounding would change its shape")?;
             for surface in &mut found.surfaces {
                 *surface = surface.mapped(|p| p + place);
             }

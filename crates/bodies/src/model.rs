@@ -1,7 +1,7 @@
 //! A body as figures, films and reports take it.
 
 use crate::error::Error;
-use crate::surface::{LARGEST, SMALLEST, Surface};
+use crate::surface::{Surface, drawable};
 use nalgebra::{Matrix3, Vector3};
 use tumbling::body::named::NamedBody;
 use tumbling::{Inertia, MassProperties, PrincipalAxes, PrincipalMoments};
@@ -102,11 +102,7 @@ impl BodyModel {
 
     /// That what is drawn has a size that can be computed with, or why not.
     pub(crate) fn drawable(&self) -> Result<(), String> {
-        let reach = self.drawn().iter().map(Surface::reach).fold(0.0, f64::max);
-        if (SMALLEST..=LARGEST).contains(&reach) {
-            return Ok(());
-        }
-        Err(format!("it reaches {reach:?} m: what is drawn is from {SMALLEST:e} m to {LARGEST:e} m"))
+        drawable(self.drawn().iter().map(Surface::reach).fold(0.0, f64::max))
     }
 
     /// Whether what is drawn has a length: a surface or a mass was given.

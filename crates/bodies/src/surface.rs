@@ -17,8 +17,8 @@ pub struct Surface {
 
 /// The least and the greatest distance of a surface from its origin that is drawn, m: squares and ratios of
 /// these are numbers.
-pub(crate) const SMALLEST: f64 = 1e-100;
-pub(crate) const LARGEST: f64 = 1e100;
+const SMALLEST: f64 = 1e-100;
+const LARGEST: f64 = 1e100;
 
 /// The farthest place of a body whose shape is still drawn to a millionth, relative to its size.
 pub(crate) const FARTHEST: f64 = 1e9;
@@ -166,6 +166,14 @@ impl Surface {
     pub fn mapped(&self, place: impl Fn(&Vector3<f64>) -> Vector3<f64>) -> Self {
         Self { vertices: self.vertices.iter().map(place).collect(), ..self.clone() }
     }
+}
+
+/// That what reaches so far, m, can be drawn.
+pub(crate) fn drawable(reach: f64) -> Result<(), String> {
+    if (SMALLEST..=LARGEST).contains(&reach) {
+        return Ok(());
+    }
+    Err(format!("it reaches {reach:?} m: what is drawn is from {SMALLEST:e} m to {LARGEST:e} m"))
 }
 
 /// Corners of a circle round the z axis, counter-clockwise from above.

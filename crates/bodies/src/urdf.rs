@@ -5,7 +5,7 @@
 
 use crate::error::Error;
 use crate::model::{BodyModel, nameable};
-use crate::surface::{FARTHEST, LARGEST, SMALLEST, Surface};
+use crate::surface::{FARTHEST, Surface, drawable};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use roxmltree::{Document, Node};
 use tumbling::{Inertia, MassProperties};
@@ -119,11 +119,7 @@ fn surfaces(
             _ => continue,
         };
         let reach = surface.reach();
-        if !(SMALLEST..=LARGEST).contains(&reach) {
-            let why =
-                format!("it reaches {reach:?} m: what is drawn is from {SMALLEST:e} m to {LARGEST:e} m");
-            return Err(wrong(solid, why));
-        }
+        drawable(reach).map_err(|why| wrong(solid, why))?;
         if (place - centre).amax() > FARTHEST * reach {
             let far = [visual, inertial].into_iter().find_map(|node| child(node, "origin"));
             return Err(wrong(far.unwrap_or(solid), "so far away that rounding would change its shape"));

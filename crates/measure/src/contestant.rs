@@ -1,6 +1,6 @@
 //! The contestants: the library's methods, the exact motion, and all else that implements [`Contestant`].
 
-use crate::errors::{Ended, Observer, Outcome};
+use crate::errors::{Ended, Observed, Outcome};
 use crate::story::Story;
 use std::cell::RefCell;
 use std::fmt;
@@ -75,6 +75,29 @@ pub enum Setting {
     None,
 }
 
+impl Setting {
+    /// The number of steps.
+    ///
+    /// # Errors
+    /// Another setting.
+    pub fn steps(self) -> Result<u64, Outcome> {
+        if let Self::Steps(steps) = self { Ok(steps) } else { Err(Self::unknown()) }
+    }
+
+    /// The relative tolerance.
+    ///
+    /// # Errors
+    /// Another setting.
+    pub fn tolerance(self) -> Result<f64, Outcome> {
+        if let Self::Tolerance(tolerance) = self { Ok(tolerance) } else { Err(Self::unknown()) }
+    }
+
+    /// What a contestant says to a setting that it does not have.
+    fn unknown() -> Outcome {
+        Outcome::Refused("it has no such setting".into())
+    }
+}
+
 impl fmt::Display for Setting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -110,23 +133,12 @@ pub trait Contestant {
     ///
     /// # Errors
     /// Why it could not.
-    fn run(
-        &self,
-        story: &Story,
-        setting: Setting,
-        observer: Option<&mut Observer<'_>>,
-    ) -> Result<Ended, Outcome>;
+    fn run(&self, story: &Story, setting: Setting, observer: Observed<'_, '_>) -> Result<Ended, Outcome>;
 
     /// The method behind it, for runs of a million turns.
     fn method(&self) -> Option<Method> {
         None
     }
-}
-
-/// What a contestant says to a setting that it does not have.
-#[must_use]
-pub fn unsettable() -> Outcome {
-    Outcome::Refused("it has no such setting".into())
 }
 
 /// A method of the library, at equal steps.
@@ -140,15 +152,8 @@ impl Contestant for Ours {
         About { name: info.name, group, knob: Knob::Steps }
     }
 
-    fn run(
-        &self,
-        story: &Story,
-        setting: Setting,
-        mut observer: Option<&mut Observer<'_>>,
-    ) -> Result<Ended, Outcome> {
-        let Setting::Steps(steps) = setting else {
-            return Err(unsettable());
-        };
+    fn run(&self, story: &Story, setting: Setting, mut observer: Observed<'_, '_>) -> Result<Ended, Outcome> {
+        let steps = setting.steps()?;
         if story.drive.timed() {
             return counting_time(self.0, story, steps, observer);
         }
@@ -179,7 +184,7 @@ fn counting_time(
     method: Method,
     story: &Story,
     steps: u64,
-    mut observer: Option<&mut Observer<'_>>,
+    mut observer: Observed<'_, '_>,
 ) -> Result<Ended, Outcome> {
     let h = black_box(step_of(story, steps));
     let mut stepper = story.stepper(|body| Stepper::new(body, method))?;
@@ -210,15 +215,8 @@ impl Contestant for Adaptive {
         !story.is_free()
     }
 
-    fn run(
-        &self,
-        story: &Story,
-        setting: Setting,
-        mut observer: Option<&mut Observer<'_>>,
-    ) -> Result<Ended, Outcome> {
-        let Setting::Tolerance(tolerance) = setting else {
-            return Err(unsettable());
-        };
+    fn run(&self, story: &Story, setting: Setting, mut observer: Observed<'_, '_>) -> Result<Ended, Outcome> {
+        let tolerance = setting.tolerance()?;
         let (mut motion, mut budget, mut time) = (story.start, BUDGET, 0.0);
         for phase in &story.phases {
             let mut stepper = Stepper::of_system(phase.system.clone(), &motion, tolerance, budget)?;
@@ -245,11 +243,7 @@ fn time_of(k: u64, steps: u64, end: f64) -> f64 {
 }
 
 /// The closed form at the story's end.
-fn at_the_end(
-    exact: &FreeMotion,
-    story: &Story,
-    observer: Option<&mut Observer<'_>>,
-) -> Result<Ended, Outcome> {
+fn at_the_end(exact: &FreeMotion, story: &Story, observer: Observed<'_, '_>) -> Result<Ended, Outcome> {
     let there = exact.at(black_box(story.end))?;
     if let Some(observer) = observer {
         observer.set_flips(exact.flips(0.0, story.end)?.count());
@@ -272,7 +266,7 @@ impl Contestant for Exact {
         story.is_free()
     }
 
-    fn run(&self, story: &Story, _: Setting, observer: Option<&mut Observer<'_>>) -> Result<Ended, Outcome> {
+    fn run(&self, story: &Story, _: Setting, observer: Observed<'_, '_>) -> Result<Ended, Outcome> {
         let moments = black_box(story.system.moments());
         let omega = story.system.omega(&story.start.momentum);
         let exact = FreeMotion::new((*moments).try_into()?, &omega)?;
@@ -293,13 +287,13 @@ impl Contestant for Prepared {
         story.is_free()
     }
 
-    fn run(&self, story: &Story, _: Setting, observer: Option<&mut Observer<'_>>) -> Result<Ended, Outcome> {
+    fn run(&self, story: &Story, _: Setting, observer: Observed<'_, '_>) -> Result<Ended, Outcome> {
         let mut kept = self.0.borrow_mut();
         if kept.as_ref().is_none_or(|(name, _)| *name != story.name) {
             let omega = story.system.omega(&story.start.momentum);
             *kept = Some((story.name, FreeMotion::new((*story.system.moments()).try_into()?, &omega)?));
         }
-        let Some((_, exact)) = kept.as_ref() else { return Err(unsettable()) };
+        let Some((_, exact)) = kept.as_ref() else { return Err(Setting::unknown()) };
         at_the_end(exact, story, observer)
     }
 }

@@ -66,6 +66,9 @@ pub struct Errors {
     pub direction: Option<f64>,
 }
 
+/// What sees a run, if anything does.
+pub type Observed<'a, 'b> = Option<&'a mut Observer<'b>>;
+
 /// A run as it is seen from outside, step by step.
 #[derive(Debug)]
 pub struct Observer<'a> {

@@ -5,7 +5,7 @@ use std::path::Path;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, State};
 use tumbling_measure::contestant::{About, Contestant, Exact, Group, Knob, Ours, Setting, ours};
-use tumbling_measure::errors::{Ended, Observer, Outcome, turn};
+use tumbling_measure::errors::{Ended, Observed, Observer, Outcome, turn};
 use tumbling_measure::measure::{Effort, measure};
 use tumbling_measure::record::{self, Long, Record, Work};
 use tumbling_measure::story::{self, Story, in_world};
@@ -93,12 +93,7 @@ impl Contestant for Broken {
     fn about(&self) -> About {
         About { name: "broken", group: Group::Neither, knob: Knob::Steps }
     }
-    fn run(
-        &self,
-        story: &Story,
-        setting: Setting,
-        observer: Option<&mut Observer<'_>>,
-    ) -> Result<Ended, Outcome> {
+    fn run(&self, story: &Story, setting: Setting, observer: Observed<'_, '_>) -> Result<Ended, Outcome> {
         let mut ended = Ours(Method::RungeKutta4).run(story, setting, observer)?;
         ended.motion = (self.0)(ended.motion)?;
         Ok(ended)
@@ -141,12 +136,7 @@ fn a_slow_clock_shows_as_phase() {
         fn about(&self) -> About {
             About { name: "slow", group: Group::Neither, knob: Knob::Steps }
         }
-        fn run(
-            &self,
-            story: &Story,
-            _: Setting,
-            observer: Option<&mut Observer<'_>>,
-        ) -> Result<Ended, Outcome> {
+        fn run(&self, story: &Story, _: Setting, observer: Observed<'_, '_>) -> Result<Ended, Outcome> {
             let omega = story.system.omega(&story.start.momentum);
             let exact = FreeMotion::new((*story.system.moments()).try_into()?, &omega)?;
             let mut motion = story.start;

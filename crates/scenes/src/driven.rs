@@ -1,13 +1,16 @@
-//! How a body under torques is stepped: a tolerance is chosen by the accuracy, and then tried.
+//! How a body under torques is stepped: a tolerance is chosen by the accuracy, and then tried; it is stepped
+//! again with a finer one, until two runs agree.
 
-use crate::error::Error;
+use crate::cost;
+use crate::error::{Error, within};
 use crate::initial_state::Checked;
-use crate::outputs::Outputs;
-use crate::scene::Scene;
-use crate::strategy::Driven;
+use crate::plan::Driven;
+use crate::scene::{Outputs, Scene};
 use crate::torques::{Rates, have_series};
-use crate::trial::{Budget, LEAST_TOLERANCE, Trial};
-use tumbling::Body;
+use nalgebra::{UnitQuaternion, Vector3};
+use tumbling::dynamics::observe;
+use tumbling::step::{State, Stepper, Torque};
+use tumbling::{Body, attitude};
 
 /// The largest number of steps of all trial runs together.
 const MOST_STEPS: usize = 3_000_000;
@@ -86,4 +89,211 @@ fn compared(scene: &Scene) -> Vec<f64> {
     times.sort_by(f64::total_cmp);
     times.dedup();
     times
+}
+
+/// The least tolerance that an adaptive [`Stepper`] takes: below it a step's error is rounding.
+const LEAST_TOLERANCE: f64 = 4.0 * f64::EPSILON;
+
+/// What trial runs may take, and what they took.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Budget {
+    /// The number of steps left.
+    left: usize,
+    /// The cost of those taken, in instructions.
+    spent: f64,
+}
+
+/// Why a run ended early.
+#[derive(Debug, Clone, PartialEq)]
+enum Stop {
+    /// The steps allowed are used up.
+    OutOfSteps,
+    /// A step is refused.
+    Refused(Error),
+}
+
+/// What two runs are compared by.
+#[derive(Debug, Clone, Default, PartialEq)]
+struct Run {
+    /// At the times compared, with the spin in body axes.
+    states: Vec<(Vector3<f64>, State<f64>)>,
+    flips: Vec<f64>,
+    /// The number of steps.
+    steps: usize,
+}
+
+struct Trial<'a> {
+    body: &'a Body,
+    torques: &'a [Torque<f64>],
+    /// At which runs are compared.
+    times: &'a [f64],
+    outputs: Outputs,
+    accuracy: f64,
+    /// Radians from start to end.
+    turned: f64,
+}
+
+impl Trial<'_> {
+    /// A stepper at the start with this tolerance, and at most this number of steps from one time to the
+    /// next.
+    fn stepper(&self, tolerance: f64, budget: usize) -> Result<Stepper, Error> {
+        let stepper = Stepper::adaptive(self.body, tolerance, budget)?;
+        Ok(stepper.with_torques(self.torques.iter().cloned())?)
+    }
+
+    /// Refines until two runs agree to half of the accuracy, and takes the finer, or to a tenth, and takes
+    /// the coarser; in at most the steps of the budget in all. Returns the tolerance, the difference from the
+    /// other run and the number of steps.
+    ///
+    /// A tolerance is finer by a hundred, which costs a quarter more: errors fall with it on average only,
+    /// and where the motion multiplies them two runs ten times apart were seen to be wrong by the same.
+    fn refined(&self, first: f64, budget: &mut Budget) -> Result<(f64, f64, usize), Error> {
+        let (all, steps) = (budget.left, self.turned / cost::RADIANS);
+        // Known to take more steps than two runs may.
+        let rule = format!("it must not be above {}, the most that are tried", all / 2);
+        within("the number of steps that the torques require", steps, steps <= (all / 2) as f64, rule)?;
+        let (mut tolerance, mut best) = (first, f64::INFINITY);
+        let mut coarse = self.run(tolerance, budget);
+        while coarse != Err(Stop::OutOfSteps) {
+            let finer = (0.01 * tolerance).max(LEAST_TOLERANCE);
+            if finer == tolerance || steps > budget.left as f64 {
+                break;
+            }
+            let fine = self.run(finer, budget);
+            let difference = match (&coarse, &fine) {
+                (Ok(a), Ok(b)) => self.apart(a, b),
+                _ => f64::INFINITY,
+            };
+            // What is so much better than requested is right by the coarser run already.
+            for (tolerance, run, share) in [(tolerance, &coarse, 0.1), (finer, &fine, 0.5)] {
+                if difference <= share * self.accuracy
+                    && let Ok(Run { steps, .. }) = run
+                {
+                    return Ok((tolerance, difference, *steps));
+                }
+            }
+            best = best.min(difference);
+            (coarse, tolerance) = (fine, finer);
+        }
+        match coarse {
+            // Agreement is half of the accuracy; as much again, for roundings differ with the steps that
+            // another accuracy leads to.
+            _ if 4.0 * best < 1.0 => {
+                Err(Error::Unattainable { requested: self.accuracy, attainable: 4.0 * best })
+            }
+            Err(Stop::Refused(error)) if best.is_infinite() => Err(error),
+            _ => Err(Error::Disagreement { requested: self.accuracy, steps: all - budget.left }),
+        }
+    }
+
+    fn run(&self, tolerance: f64, budget: &mut Budget) -> Result<Run, Stop> {
+        let mut run = Run::default();
+        let done = self.fill(&mut run, tolerance, budget.left);
+        budget.left = budget.left.saturating_sub(run.steps);
+        budget.spent += cost::run(tolerance, self.times.len() as u64, run.steps, false);
+        done.map(|()| run)
+    }
+
+    /// In at most `left` steps.
+    fn fill(&self, run: &mut Run, tolerance: f64, left: usize) -> Result<(), Stop> {
+        let mut stepper = self.stepper(tolerance, left).map_err(Stop::Refused)?;
+        let flips = self.outputs.flips;
+        for &time in self.times {
+            let there = if flips {
+                stepper.flips(time).map(|found| run.flips.extend(found))
+            } else {
+                stepper.step_to(time).map(drop)
+            };
+            run.steps = stepper.steps_of_run();
+            if run.steps > left || (run.steps == left && there.is_err()) {
+                return Err(Stop::OutOfSteps);
+            }
+            there.map_err(|error| Stop::Refused(error.into()))?;
+            run.states.push((stepper.omega(), stepper.state()));
+        }
+        Ok(())
+    }
+
+    /// The largest difference of spin between two runs, or of energy, relative to the largest so far, or the
+    /// largest angle between their attitudes, or the angle turned between their flips; of all but the spin
+    /// where they are requested. Infinite where one is not a number, or only one of the two runs has a flip.
+    fn apart(&self, a: &Run, b: &Run) -> f64 {
+        let Outputs { energy: rich, attitude, flips, .. } = self.outputs;
+        let (mut fastest, mut richest, mut worst) = (0.0_f64, 0.0_f64, 0.0_f64);
+        let share = |x: f64, y: f64| if y > 0.0 { x / y } else { 0.0 };
+        for ((w, one), (v, other)) in a.states.iter().zip(&b.states) {
+            fastest = fastest.max(v.norm());
+            let spin = share((w - v).norm(), fastest);
+            let energy = if rich {
+                let [d, e] = [(w, one), (v, other)].map(|(w, state)| observe::energy(w, &state.momentum));
+                richest = richest.max(e);
+                share((d - e).abs(), richest)
+            } else {
+                0.0
+            };
+            if spin.is_nan() || energy.is_nan() {
+                return f64::INFINITY;
+            }
+            worst = worst.max(spin).max(energy);
+        }
+        if flips {
+            let pairs = a.flips.iter().zip(&b.flips);
+            let late = pairs.map(|(one, other)| (one - other).abs()).fold(0.0, f64::max);
+            worst = if a.flips.len() == b.flips.len() { worst.max(late * fastest) } else { f64::INFINITY };
+        }
+        if attitude { worst.max(largest_angle(a, b)) } else { worst }
+    }
+}
+
+/// The largest angle between two runs' attitudes: from the end, where it mostly is, and with an arctangent
+/// only where the chord says that it may be larger than those before; infinite where one is not a number.
+fn largest_angle(a: &Run, b: &Run) -> f64 {
+    let (mut largest, mut longest) = (0.0_f64, 0.0_f64);
+    for ((_, one), (_, other)) in a.states.iter().zip(&b.states).rev() {
+        let [p, q] = [one, other].map(|state| UnitQuaternion::from_quaternion(state.attitude));
+        let (minus, plus) = (p.coords - q.coords, p.coords + q.coords);
+        let chord = minus.norm_squared().min(plus.norm_squared());
+        // With room for the rounding of two attitudes that agree.
+        if chord + 1e-30 < 0.9 * longest {
+            continue;
+        }
+        let angle = attitude::angle_between(&p, &q);
+        if angle.is_nan() {
+            return f64::INFINITY;
+        }
+        (largest, longest) = (largest.max(angle), longest.max(chord));
+    }
+    largest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::InitialState;
+    use nalgebra::Quaternion;
+
+    /// A needle turns fast about its light axis, and its energy is in the heavy ones: a percent of the spin
+    /// is two thirds of it.
+    #[test]
+    fn runs_that_agree_in_spin_and_not_in_energy_are_apart_where_energy_is_requested() {
+        let moments = Vector3::new(1e-4, 1.0, 1.0);
+        let start = InitialState::spinning(moments, Vector3::x());
+        let [a, b] = [0.1, 0.2].map(|heavy| {
+            let omega = Vector3::new(10.0, heavy, 0.0);
+            let momentum = moments.component_mul(&omega);
+            Run {
+                states: vec![(omega, State { attitude: Quaternion::identity(), momentum })],
+                ..Run::default()
+            }
+        });
+        let apart = |energy| {
+            let outputs = Outputs { spin: true, energy, ..Outputs::NOTHING };
+            let (body, times, torques) = (start.body().unwrap(), &[1.0], &[]);
+            let trial = Trial { body: &body, torques, times, outputs, accuracy: 0.1, turned: 10.0 };
+            trial.apart(&a, &b)
+        };
+        assert!((apart(false) - 0.01).abs() < 1e-5);
+        // 0.005 + 0.005 J and 0.005 + 0.02 J.
+        assert!((apart(true) - 0.6).abs() < 1e-12);
+    }
 }

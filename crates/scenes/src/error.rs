@@ -156,6 +156,11 @@ pub(crate) fn not_negative(what: &'static str, value: f64) -> Result<f64, Error>
     within(what, finite(what, value)?, value >= 0.0, "it must not be below zero")
 }
 
-fn within(what: &'static str, value: f64, holds: bool, rule: &str) -> Result<f64, Error> {
-    if holds { Ok(value) } else { Err(Error::Value { what, value, rule: rule.to_owned() }) }
+pub(crate) fn within(
+    what: &'static str,
+    value: f64,
+    holds: bool,
+    rule: impl Into<String>,
+) -> Result<f64, Error> {
+    if holds { Ok(value) } else { Err(Error::Value { what, value, rule: rule.into() }) }
 }

@@ -2,7 +2,7 @@
 
 use crate::cost::Cost;
 use crate::plan::Plan;
-use crate::strategy::{Driven, Strategy};
+use crate::plan::{Driven, Strategy};
 use crate::torques::is_damping;
 use std::fmt::Write as _;
 

@@ -2,8 +2,8 @@
 
 use crate::error::{Error, finite};
 use crate::initial_state::Checked;
-use crate::outputs::Outputs;
-use crate::strategy::Strategy;
+use crate::plan::Strategy;
+use crate::scene::Outputs;
 use nalgebra::Vector3;
 use tumbling::exact::{FreeMotion, Regime};
 

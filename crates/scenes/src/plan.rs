@@ -5,9 +5,9 @@ use crate::error::Error;
 use crate::free;
 use crate::initial_state::{Checked, InitialState};
 use crate::scene::Scene;
-use crate::strategy::{Driven, Strategy};
 use nalgebra::Vector3;
 use tumbling::exact::{Flips, FreeMotion, Polhode};
+use tumbling::step::Stepper;
 
 /// How to answer for one body of a scene.
 #[derive(Debug, Clone)]
@@ -103,9 +103,8 @@ impl<'a> Plan<'a> {
             return Ok(FlipTimes::Free(motion.flips(0.0, end)?));
         }
         if self.scene.torques().is_empty() {
-            return Ok(FlipTimes::Free(
-                FreeMotion::new(self.start.moments, &self.start.along)?.flips(0.0, end)?,
-            ));
+            let motion = FreeMotion::new(self.start.moments, &self.start.along)?;
+            return Ok(FlipTimes::Free(motion.flips(0.0, end)?));
         }
         let found = match &self.driven {
             Some(driven) if self.start.can_flip() => driven.stepper.clone().flips(end)?,
@@ -125,11 +124,9 @@ impl<'a> Plan<'a> {
 }
 
 fn refuse_polhode_of_driven(scene: &Scene, requested: bool) -> Result<(), Error> {
-    if !requested || scene.torques().is_empty() {
-        return Ok(());
-    }
     let why = "a torque acts: what it follows from is not conserved";
-    Err(Error::Undefined { what: "the polhode", why })
+    let refused = Err(Error::Undefined { what: "the polhode", why });
+    if requested && !scene.torques().is_empty() { refused } else { Ok(()) }
 }
 
 /// Instants of flips, s, in order.
@@ -160,5 +157,56 @@ impl Iterator for FlipTimes {
             Self::Free(flips) => flips.next(),
             Self::Driven(flips) => flips.next(),
         }
+    }
+}
+
+/// The ways to answer, the cheapest first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Strategy {
+    /// No output that moves is requested: all of it follows from what is conserved.
+    Nothing,
+    /// The outputs are constant: the spin of a steady motion, and the attitude of a body at rest.
+    Constant,
+    /// A steady rotation about a fixed axis.
+    Rotation,
+    /// Two equal moments: sines and cosines.
+    SymmetricTop,
+    /// Three different moments, the spin alone: Jacobi's functions.
+    EllipticSpin,
+    /// The attitude too: theta functions.
+    Elliptic,
+    /// Taylor series with their error controlled; collocation where damping is much faster than the motion.
+    Adaptive,
+}
+
+/// A body under torques: how it is stepped, and what the trial runs showed.
+#[derive(Debug, Clone)]
+pub struct Driven {
+    /// At the start.
+    pub(crate) stepper: Stepper,
+    /// Times at which steps end besides those requested, as they did in the trial runs; none where states are
+    /// taken from series.
+    pub(crate) stops: Vec<f64>,
+    pub(crate) tolerance: f64,
+    pub(crate) difference: f64,
+    pub(crate) steps: usize,
+    /// The instructions of all trial runs.
+    pub(crate) trials: f64,
+    /// Whether damping is much faster than the motion.
+    pub(crate) stiff: bool,
+}
+
+impl Driven {
+    /// The largest difference between two trial runs: the one that is taken and one of another tolerance.
+    #[must_use]
+    pub fn observed_difference(&self) -> f64 {
+        self.difference
+    }
+
+    /// The number of steps of the run that is taken.
+    #[must_use]
+    pub fn steps(&self) -> usize {
+        self.steps
     }
 }

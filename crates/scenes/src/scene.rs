@@ -1,8 +1,7 @@
 //! A scene: bodies, torques, times, outputs and an accuracy.
 
-use crate::error::{Error, positive};
+use crate::error::{Error, positive, within};
 use crate::initial_state::InitialState;
-use crate::outputs::Outputs;
 use crate::times::Times;
 use crate::torques::simplified;
 use tumbling::PrincipalMoments;
@@ -61,10 +60,7 @@ impl Scene {
             System::with(any, vec![torque.clone()]).map_err(|source| Error::Torque { index, source })?;
         }
         times.validate()?;
-        if positive("the accuracy", accuracy)? >= 1.0 {
-            let (what, rule) = ("the accuracy", "it must be below 1".to_owned());
-            return Err(Error::Value { what, value: accuracy, rule });
-        }
+        within("the accuracy", positive("the accuracy", accuracy)?, accuracy < 1.0, "it must be below 1")?;
         if accuracy < 2.0 * f64::EPSILON {
             return Err(Error::Unattainable { requested: accuracy, attainable: 2.0 * f64::EPSILON });
         }
@@ -100,5 +96,40 @@ impl Scene {
     #[must_use]
     pub fn accuracy(&self) -> f64 {
         self.accuracy
+    }
+}
+
+/// What is requested of each body.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Outputs {
+    /// The angular velocity in body axes, at each time.
+    pub spin: bool,
+    /// The attitude, body to world, at each time.
+    pub attitude: bool,
+    /// The kinetic energy, at each time.
+    pub energy: bool,
+    /// The angle between spin and momentum, at each time.
+    pub angle_to_momentum: bool,
+    /// The instants up to the end at which the spin along the middle axis changes sign.
+    pub flips: bool,
+    /// The path of the spin in the body. Of free bodies alone.
+    pub polhode: bool,
+}
+
+impl Outputs {
+    /// None of them.
+    pub const NOTHING: Self = Self {
+        spin: false,
+        attitude: false,
+        energy: false,
+        angle_to_momentum: false,
+        flips: false,
+        polhode: false,
+    };
+
+    /// Whether any of them belongs to a time.
+    #[must_use]
+    pub fn states(self) -> bool {
+        self.spin || self.attitude || self.energy || self.angle_to_momentum
     }
 }

@@ -2,8 +2,8 @@
 
 use crate::error::Error;
 use crate::plan::Plan;
+use crate::plan::Strategy;
 use crate::scene::Scene;
-use crate::strategy::Strategy;
 use nalgebra::{UnitQuaternion, Vector3};
 use tumbling::exact::FreeMotion;
 use tumbling::step::Stepper;

@@ -1,6 +1,6 @@
 //! The instants at which states are requested.
 
-use crate::error::{Error, not_negative, positive};
+use crate::error::{Error, not_negative, positive, within};
 
 /// The instants at which states are requested, s from the start.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,25 +43,16 @@ impl Times {
                 for &time in times {
                     not_negative("a time", time)?;
                 }
-                match times.windows(2).find(|pair| pair[0] > pair[1]) {
-                    Some(pair) => Err(Error::Value {
-                        what: "a time",
-                        value: pair[0],
-                        rule: format!("it must not be larger than the one after it, {:?}", pair[1]),
-                    }),
-                    None => Ok(()),
-                }
+                let unordered = times.windows(2).find(|pair| pair[0] > pair[1]);
+                unordered.map_or(Ok(()), |pair| {
+                    let rule = format!("it must not be larger than the one after it, {:?}", pair[1]);
+                    within("a time", pair[0], false, rule).map(drop)
+                })
             }
             Self::Every { step, span } => {
                 let steps = not_negative("the span", *span)? / positive("the time between states", *step)?;
-                if steps > MOST {
-                    return Err(Error::Value {
-                        what: "the number of states",
-                        value: steps,
-                        rule: format!("it must not be above {MOST:e}, up to which f64 counts one by one"),
-                    });
-                }
-                Ok(())
+                let rule = format!("it must not be above {MOST:e}, up to which f64 counts one by one");
+                within("the number of states", steps, steps <= MOST, rule).map(drop)
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use super::Answer;
 use crate::attitude::product;
-use crate::exact::kernel::Kernel;
+use crate::exact::elementary::Kernel;
 use crate::exact::{FreeMotion, Instant};
 use crate::inertia::Frame;
 use crate::number::{Gather, Lane, splat};

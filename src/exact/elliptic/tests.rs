@@ -3,14 +3,13 @@
 
 use super::*;
 use crate::exact::cayley_klein::{ComplementaryPair, DirectPair, Pair, Shape};
-use crate::number::double_double::DoubleDouble;
 use crate::number::functions::{cosh, exp, hypot};
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use alloc::collections::BTreeMap;
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
-use core::f64::consts::{FRAC_PI_2, PI};
+use core::f64::consts::{FRAC_PI_2, PI, TAU};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 use proptest::prelude::*;
@@ -294,4 +293,30 @@ fn at_the_border_no_sum_leaves_out_more_than_a_part_of_a_rounding() {
         let mean = sum / count;
         assert!(worst < 5.0 && mean.abs() < 1.0, "{name}: {worst} roundings, {mean} in the mean");
     }
+}
+
+proptest! {
+    // Independent: the platform's own sine and cosine.
+    #[test]
+    fn sine_and_cosine_of_turns_are_those_of_the_angle(turns in -0.6_f64..0.6) {
+        let (sin, cos) = sin_cos_of_turns(DoubleDouble::from(turns));
+        let (s, c) = (turns * TAU).sin_cos();
+        prop_assert!((sin - s).abs() < 1e-15 && (cos - c).abs() < 1e-15, "{sin} {s} {cos} {c}");
+    }
+
+    #[test]
+    fn whole_turns_change_nothing(turns in -0.5_f64..0.5, whole in -(1_i64 << 40)..(1 << 40)) {
+        let many = DoubleDouble::sum(whole as f64, turns);
+        prop_assert_eq!(sin_cos_of_turns(many), sin_cos_of_turns(DoubleDouble::from(turns)));
+    }
+}
+
+#[test]
+fn quarter_turns_are_exact_and_their_neighbours_keep_all_digits() {
+    assert_eq!(sin_cos_of_turns(DoubleDouble::from(0.25)), (1.0, 0.0));
+    assert_eq!(sin_cos_of_turns(DoubleDouble::from(-0.25)), (-1.0, 0.0));
+    assert_eq!(sin_cos_of_turns(DoubleDouble::from(7.5)).1, -1.0);
+    let beyond = 2_f64.powi(-50);
+    let (_, cos) = sin_cos_of_turns(DoubleDouble::sum(1e6 + 0.25, beyond));
+    assert!((cos / (-TAU * beyond) - 1.0).abs() < 1e-15, "{cos}");
 }

@@ -1,13 +1,13 @@
 //! Spin and attitude at an instant: away from the separatrix by the series of the nome, near it by that of
 //! the complementary nome.
 
-use super::axes::Axes;
 use super::range_reduction::{ReducedArgument, Reduction};
+use crate::attitude::unit;
 use crate::exact::cayley_klein::{ComplementaryPair, DirectPair, Pair, phase_factor};
+use crate::exact::elementary::{FirstAxis, Kernel};
 use crate::exact::elliptic::{ComplementarySeries, DirectSeries, sin_cos_of_turns};
-use crate::exact::kernel::Kernel;
 use crate::number::double_double::DoubleDouble;
-use crate::number::{Gather, Lane, gather_fields};
+use crate::number::{Gather, Lane, gather_fields, splat};
 use nalgebra::{Quaternion, Vector3};
 
 /// The constants of the spin by the series of the nome, in sines and cosines.
@@ -104,5 +104,40 @@ impl<T: Lane> Kernel<T> for ComplementarySpin<T> {
         let steps = DoubleDouble::product(argument.halves, attitude.step);
         let turned = argument.pair(&attitude.pair).turned(phase_factor(attitude.drift * time + steps));
         self.axes.turn(turned.since(&attitude.start))
+    }
+}
+
+/// The places of the circled axis, the middle one and the one across.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Axes<T = f64> {
+    circled: FirstAxis<T>,
+    /// Above zero where across, middle and circled follow each other in cyclic order.
+    sense: T,
+}
+
+gather_fields!(Axes { circled, sense });
+
+impl<T: Lane> Axes<T> {
+    /// Of the indices across, middle, circled.
+    pub(super) fn new([across, middle, circled]: [usize; 3]) -> Self {
+        let cyclic = (across + 1) % 3 == middle;
+        Self { circled: FirstAxis::new(circled), sense: splat(if cyclic { 1.0 } else { -1.0 }) }
+    }
+
+    /// The spin from its amplitudes (across, middle, circled) and Jacobi's functions.
+    #[inline(always)]
+    pub(super) fn spin(&self, amplitudes: &[T; 3], [sn, cn, dn]: [T; 3]) -> Vector3<T> {
+        // (C7)
+        let (across, middle) = (amplitudes[0] * cn, amplitudes[1] * sn);
+        let cyclic = splat::<T>(0.0).lt(self.sense);
+        let (next, last) = (T::select(cyclic, across, middle), T::select(cyclic, middle, across));
+        self.circled.arranged([amplitudes[2] * dn, next, last]).into()
+    }
+
+    /// The turn since the start, from its real part and those along the circled axis and the next two.
+    #[inline(always)]
+    pub(super) fn turn(&self, [real, i, j, k]: [T; 4]) -> Quaternion<T> {
+        let [x, y, z] = self.circled.arranged([i, j, k]);
+        unit(Quaternion::new(real, x, y, z))
     }
 }

@@ -1,6 +1,6 @@
 //! The constants of an elliptic motion, from what stays the same in it and the spin at the start.
 
-use super::axes::Axes;
+use super::instant::Axes;
 use super::range_reduction::Reduction;
 use super::{ComplementaryAttitude, ComplementarySpin, Constants, DirectAttitude, DirectSpin};
 use super::{EllipticMotion, Form};
@@ -8,7 +8,7 @@ use crate::dynamics::invariants::Asymmetric;
 use crate::error::{Error, Refusal, Subject};
 use crate::exact::cayley_klein::{ComplementaryPair, DirectPair, Pair, Shape};
 use crate::exact::elliptic::{self, ComplementarySeries, DirectSeries, NOME_RATIO};
-use crate::exact::period::quarter_period;
+use crate::exact::geometry::quarter_period;
 use crate::inertia::Axis;
 use crate::number::double_double::DoubleDouble;
 use crate::number::{Real, splat};

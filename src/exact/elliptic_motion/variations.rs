@@ -10,8 +10,8 @@
 
 use super::{EllipticMotion, Form};
 use crate::error::{Error, Refusal, Subject};
+use crate::exact::elementary::Kernel;
 use crate::exact::elliptic::rd;
-use crate::exact::kernel::Kernel;
 use crate::exact::sensitivity::{ByTensor, SpinDerivatives};
 use crate::number::Lane;
 use crate::number::double_double::DoubleDouble;

@@ -27,9 +27,7 @@ impl Mounted {
         let off = arm[next].abs().max(arm[last].abs()) / largest.max(f64::MIN_POSITIVE);
         let apart = (moments[next] - moments[last]).abs() / moments[next].max(moments[last]);
         for (what, value) in [(Subject::ArmOffAxis, off), (Subject::MomentDifference, apart)] {
-            if value > ROUNDING {
-                return Err(Refusal::NotBelow { what, value, limit: ROUNDING }.into());
-            }
+            Refusal::NotBelow { what, value, limit: ROUNDING }.when(value > ROUNDING)?;
         }
         let cyclic = match axis {
             0 => Quaternion::new(0.5, 0.5, 0.5, 0.5),
@@ -74,9 +72,7 @@ pub(super) fn onto_arm(
     let apart =
         [next, last].map(|other| (moments[axis] - moments[other]).abs() / moments[axis].max(moments[other]));
     let (value, limit) = (scaled[next].abs().max(scaled[last].abs()), ROUNDING / apart[0].min(apart[1]));
-    if value > limit {
-        return Err(Refusal::NotBelow { what: Subject::ArmOffAxis, value, limit }.into());
-    }
+    Refusal::NotBelow { what: Subject::ArmOffAxis, value, limit }.when(value > limit)?;
     let mut along = Vector3::zeros();
     along[axis] = 1_f64.copysign(arm[axis]);
     let length = scaled.norm();

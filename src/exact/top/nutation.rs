@@ -1,10 +1,18 @@
-//! A motion in which the axis of a top rises and sinks, or precesses evenly.
+//! A motion in which the axis of a top rises and sinks, or precesses evenly, and its constants in theta
+//! functions.
 
-use super::factor::{Complementary, Direct, complementary_denominator, cubic};
-use crate::exact::elliptic::sin_cos_of_turns;
-use crate::exact::elliptic_motion::Reduction;
+use super::factor::{Carriers, Complementary, Direct, Shape, align_weakest, turn_together};
+use super::factor::{complementary_denominator, cubic, denominator};
+use super::integrals::{Integrals, Start};
+use crate::exact::elliptic::{
+    NOME_RATIO, quarter_period, quarter_period_from_root, rf_of_roots, sin_cos_of_turns,
+};
+use crate::exact::elliptic_motion::{Reduction, argument_at_start, phase_at_start};
 use crate::number::double_double::DoubleDouble;
-use crate::number::functions::hypot;
+use crate::number::functions::{atan2, exp, hypot};
+use core::f64::consts::{PI, TAU};
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// All that an instant needs, in units of one rate.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,5 +70,175 @@ impl Nutation {
             length > 0.0 && length.is_finite() && spin[0].is_finite() && spin[1].is_finite()
         }) && self.rate > 0.0
             && self.rate.is_finite()
+    }
+}
+
+/// `F = sqrt(a) R_F(x, y, z)` of squares (T15), and what is left of it to its quarter period, where `square`
+/// is that of the other modulus: each with all its digits where it is small.
+fn depths(a: DoubleDouble, [x, y, z]: [DoubleDouble; 3], square: DoubleDouble) -> [f64; 2] {
+    let root = |x: DoubleDouble| x.hi().max(0.0).sqrt();
+    let product = |a: DoubleDouble, [x, y, z]: [DoubleDouble; 3]| {
+        if a.hi() > 0.0 { root(a) * rf_of_roots(root(x), root(y), root(z)) } else { 0.0 }
+    };
+    let rest = if square.hi() == 0.0 { f64::INFINITY } else { product(x, [square * a, square * z, y]) };
+    [product(a, [x, y, z]), rest]
+}
+
+fn sense(x: DoubleDouble) -> f64 {
+    if x.hi() < 0.0 { -1.0 } else { 1.0 }
+}
+
+/// `x/y`, and zero where `y` is zero.
+fn ratio(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble {
+    if y.hi() == 0.0 { DoubleDouble::ZERO } else { x / y }
+}
+
+/// The differences of the roots times the pull: the third above the lowest and the one between, and these two
+/// apart.
+struct Spans {
+    long: DoubleDouble,
+    short: DoubleDouble,
+    range: DoubleDouble,
+    /// The last one, not times the pull.
+    swept: DoubleDouble,
+}
+
+impl Integrals {
+    fn spans(&self) -> Spans {
+        let swept = self.down + self.up;
+        Spans {
+            long: self.third + self.pull * self.tops[0],
+            short: self.third + self.pull * self.tops[1],
+            range: self.pull * swept,
+            swept,
+        }
+    }
+
+    /// `alpha`, `beta` and the spin across the axis: their zeros (T13, T14) and their sides (T16).
+    fn shapes(&self, start: &Start) -> [Shape; 3] {
+        let Spans { long, short, range, swept } = self.spans();
+        let ([low, high], [lowest, highest]) = (self.bottoms, self.tops);
+        let [still, beyond, fastest] = self.rest();
+        let size = |square: DoubleDouble| square.hi().max(0.0).sqrt();
+        // Where the motion only tends to upright, no zero is ever passed.
+        let saddle = short.hi() == 0.0;
+        let square = ratio(range, long);
+        let zero = |a, of| if saddle { [0.0; 2] } else { depths(a, of, square) };
+        let ([w, z], [x, y], [p, q]) = (start.alpha, start.beta, start.across);
+        let b = self.along.hi();
+        let [v, u] = self.vertical.map(DoubleDouble::hi);
+        let alpha = Shape {
+            first: true,
+            depths: depths(
+                low * long,
+                [swept * long, swept * (self.pull * 2.0 + self.third), high * long],
+                square,
+            ),
+            sense: sense(self.at_bottom),
+            size: size(high * 0.5),
+            rate: ratio(self.at_bottom, high * 2.0),
+            start: start.alpha,
+            // q' = q w/2.
+            start_rate: [-p * x - q * y - b * z, -(p * y) + q * x + b * w],
+        };
+        let beta = Shape {
+            first: false,
+            depths: zero(highest * long, [self.third * swept, swept * short, lowest * short]),
+            sense: sense(self.at_top),
+            size: size(lowest * 0.5),
+            rate: ratio(self.at_top, lowest * 2.0),
+            start: start.beta,
+            start_rate: [p * w - q * z + b * y, p * z + q * w - b * x],
+        };
+        let low_about = self.about + self.along * self.down;
+        let across = Shape {
+            first: false,
+            depths: zero(still * long, [beyond * range, range * short, fastest * short]),
+            sense: sense(self.turning_at_zero()),
+            size: size(fastest),
+            rate: ratio(self.pull * low_about * -0.5, fastest),
+            start: start.across,
+            start_rate: [u, -v],
+        };
+        [alpha, beta, across]
+    }
+
+    /// The motion of a spherical top (T8) from its start (T9), in the axes of a body that turns on its axis
+    /// by `ahead` more per unit of time (T3).
+    pub(super) fn nutation(&self, start: &Start, ahead: DoubleDouble) -> Nutation {
+        let Spans { long, short, range, swept } = self.spans();
+        let rate = long.sqrt() * 0.5;
+        let separatrix = short.hi() <= 0.0;
+        let complement = ratio(short, long).sqrt();
+        let modulus = ratio(range, long).hi().max(0.0).sqrt();
+        let quarter = if separatrix {
+            DoubleDouble::from(f64::INFINITY)
+        } else {
+            quarter_period_from_root(complement, complement.sqrt())
+        };
+        let other = quarter_period(modulus);
+        let shapes = self.shapes(start);
+        let part = |x: DoubleDouble, y: DoubleDouble| ratio(x, y).hi().clamp(0.0, 1.0).sqrt();
+        let sn = part(self.down, swept).copysign(self.rising.hi());
+        let cn = if swept.hi() > 0.0 { part(self.up, swept) } else { 1.0 };
+        let dn = part(self.third + self.pull * self.from_top, long);
+        let sn = if self.rising.hi() == 0.0 { sn.abs() } else { sn };
+        let turn = ahead / (DoubleDouble::PI * 2.0);
+        let form = if !separatrix && other / quarter.hi() >= NOME_RATIO {
+            let quarter_hi = quarter.hi();
+            let nome = exp(-PI * (other / quarter_hi));
+            let turns = rate / (quarter * 4.0);
+            let start = phase_at_start([sn, cn, dn], complement.hi(), quarter_hi);
+            let mut factors = shapes.map(|shape| Direct::new(nome, quarter_hi, turns, start, &shape));
+            let lowest = -atan2(start[0], start[1]) / (TAU * turns.hi());
+            self.join(&shapes, factors.each_mut().map(|f| &mut f.carrier), lowest, Some(turns * 2.0), turn);
+            Form::Direct { turns, start, denominator: denominator(nome), factors }
+        } else {
+            let start = argument_at_start([sn, cn, dn], complement.hi(), quarter, 0);
+            let reduction = Reduction::new(start, rate, quarter, other, 1.0);
+            let exponentials = reduction.argument(0.0).exponentials();
+            let nome = reduction.nome_root * reduction.nome_root;
+            let mut factors =
+                shapes.map(|shape| Complementary::new(nome, reduction.stretch, rate, &exponentials, &shape));
+            let lowest = -reduction.start.hi() / rate.hi();
+            let half_periods = (!separatrix).then_some(reduction.rate);
+            self.join(&shapes, factors.each_mut().map(|f| &mut f.carrier), lowest, half_periods, turn);
+            Form::Complementary { reduction, nome, factors }
+        };
+        let half_period = if separatrix { quarter } else { quarter * 2.0 / rate };
+        Nutation {
+            form,
+            half_period,
+            rate: rate.hi(),
+            precession: self.precession(long, complement.hi(), quarter.hi()),
+        }
+    }
+
+    /// Joins the carriers of the three, that one whose direction at the start is lost in rounding to the
+    /// others, and turns them by what the body turns ahead.
+    fn join(
+        &self,
+        shapes: &[Shape; 3],
+        mut carriers: Carriers<'_>,
+        lowest: f64,
+        half_periods: Option<DoubleDouble>,
+        ahead: DoubleDouble,
+    ) {
+        if let Some(half_periods) = half_periods {
+            let spin = hypot(shapes[2].size, self.along.hi());
+            turn_together(carriers.each_mut().map(|c| &mut **c), [1.0, 1.0, spin], half_periods);
+        }
+        let shares = shapes.map(|shape| shape.share());
+        let share = |k: usize| shares[k];
+        for (weakest, [a, b]) in [[1, 2], [2, 0], [0, 1]].into_iter().enumerate() {
+            if share(weakest) > 0.0 && share(weakest) < 0.1 * share(a).min(share(b)) {
+                let about_lowest = self.at_bottom - self.along * self.bottoms[0];
+                let sign = -shapes[0].sense * sense(about_lowest);
+                align_weakest(carriers.each_mut().map(|c| &mut **c), weakest, sign, lowest);
+            }
+        }
+        for (carrier, times) in carriers.into_iter().zip([0.5, -0.5, -1.0]) {
+            carrier.drift = carrier.drift + ahead * times;
+        }
     }
 }

@@ -1,7 +1,9 @@
-//! Sine and cosine.
+//! Sine and cosine, of every `f64`: an angle beyond an eighth of a turn less its quarter turns, by Payne and
+//! Hanek's reduction.
 
-use super::reduction::quarters;
 use super::{inverse_factorials, polynomial};
+use crate::number::double_double::DoubleDouble;
+use crate::number::power_of_two::{exponent, times_power_of_two};
 use core::f64::consts::FRAC_PI_4;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
@@ -63,4 +65,83 @@ fn beyond(x: f64) -> (f64, f64) {
         _ => (-cos, sin),
     };
     (if x < 0.0 { -sin } else { sin }, cos)
+}
+
+/// The bits of `2/pi`, after 64 zeros.
+const TWO_OVER_PI: [u64; 21] = [
+    0,
+    0xa2f9_836e_4e44_1529,
+    0xfc27_57d1_f534_ddc0,
+    0xdb62_9599_3c43_9041,
+    0xfe51_63ab_debb_c561,
+    0xb724_6e3a_424d_d2e0,
+    0x0649_2eea_09d1_921c,
+    0xfe1d_eb1c_b129_a73e,
+    0xe882_35f5_2ebb_4484,
+    0xe99c_7026_b45f_7e41,
+    0x3991_d639_8353_39f4,
+    0x9c84_5f8b_bdf9_283b,
+    0x1ff8_97ff_de05_980f,
+    0xef2f_118b_5a0a_6d1f,
+    0x6d36_7ecf_27cb_09b7,
+    0x4f46_3f66_9e5f_ea2d,
+    0x7527_bac7_ebe5_f17b,
+    0x3d07_39f7_8a52_92ea,
+    0x6bfb_5fb1_1f8d_5d08,
+    0x5603_3046_fc7b_6bab,
+    0xf0cf_bc20_9af4_361d,
+];
+
+/// The nearest number of quarter turns (modulo 4) of a finite angle of at least a quarter radian, and the
+/// angle that is left: at most an eighth of a turn.
+///
+/// The angle is an integer times a power of two. Of `2/pi` times that power only 192 bits matter: those
+/// before make whole turns, those after less than 2^-137 quarter turns, and no `f64` is nearer to a multiple
+/// than 2^-62.
+fn quarters(angle: f64) -> (u64, DoubleDouble) {
+    const INTEGER: u64 = 1 << 52;
+    let power = exponent(angle) - 52;
+    let integer = (angle.to_bits() & (INTEGER - 1)) | INTEGER;
+    // From the bit that, times the power, counts two quarter turns.
+    let first = (62 + power).unsigned_abs() as usize;
+    let window = [2, 1, 0].map(|k| bits_from(first + 64 * k));
+    let (mut product, mut carry) = ([0_u64; 3], 0_u128);
+    for (digit, part) in product.iter_mut().zip(window) {
+        let sum = u128::from(integer) * u128::from(part) + carry;
+        (*digit, carry) = (sum as u64, sum >> 64);
+    }
+    let [low, middle, high] = product;
+    let quadrant = high.wrapping_add(1 << 61) >> 62;
+    let left = [high.wrapping_sub(quadrant << 62), middle, low];
+    let negative = left[0] >> 63 == 1;
+    let size = from_bits(if negative { negated(left) } else { left }) * (DoubleDouble::PI * 0.5);
+    (quadrant, if negative { -size } else { size })
+}
+
+/// 64 bits of the table from bit number `first`.
+fn bits_from(first: usize) -> u64 {
+    let (word, bit) = (first / 64, first % 64);
+    let [high, low] = [word, word + 1].map(|k| u128::from(TWO_OVER_PI.get(k).copied().unwrap_or(0)));
+    ((high << 64 | low) >> (64 - bit)) as u64
+}
+
+/// The two's complement of an integer of 192 bits, the highest first.
+fn negated([high, middle, low]: [u64; 3]) -> [u64; 3] {
+    let (low, carry) = (!low).overflowing_add(1);
+    let (middle, carry) = (!middle).overflowing_add(u64::from(carry));
+    [(!high).wrapping_add(u64::from(carry)), middle, low]
+}
+
+/// An integer of 192 bits, the highest first, in parts of 2^190: its first 117 bits from the first one that
+/// is set.
+fn from_bits([high, middle, low]: [u64; 3]) -> DoubleDouble {
+    let first = u128::from(high) << 64 | u128::from(middle);
+    let zeros = first.leading_zeros().min(127);
+    let follows = if zeros < 64 { u128::from(low) >> (64 - zeros) } else { u128::from(low) << (zeros - 64) };
+    let bits = first << zeros | follows;
+    let power = 2 - zeros.cast_signed();
+    DoubleDouble::sum(
+        times_power_of_two((bits >> 75) as f64, power - 53),
+        times_power_of_two((bits >> 11) as u64 as f64, power - 117),
+    )
 }

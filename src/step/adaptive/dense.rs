@@ -1,14 +1,20 @@
-//! A run: its steps are as long as the tolerance permits, and a state within the last is read from
-//! the step's own series.
+//! A run: its steps are as long as the tolerance permits, and a state within the last is read from the step's
+//! own series. Where a torque begins or ends a step ends too: the run is made of pieces without a switch.
+//!
+//! What takes the steps of a run: series, a pair where a torque is a function, or collocation where damping
+//! is far faster than the motion.
 
+use super::collocation::Collocation;
 use super::flips::Flips;
-use super::steps::Steps;
-use super::{Run, check_tolerance, switching};
+use super::pair::Pair;
+use super::taylor::Taylor;
+use super::{Run, STIFF, STIFF_STEPS, check_tolerance, largest, ratio, signed};
 use crate::body::State;
-use crate::error::{Error, Subject, finite};
+use crate::error::{Error, Refusal, Subject, finite};
 use crate::number::Analytic;
 use crate::step::method::check_square_underflow;
 use crate::step::system::System;
+use crate::step::torque::Torque;
 use alloc::sync::Arc;
 use alloc::vec::Vec;
 use num_traits::FromPrimitive;
@@ -50,7 +56,7 @@ impl<T: Analytic + Copy + FromPrimitive> AdaptiveRun<T> {
         check_tolerance::<T>(tolerance)?;
         (*start).checked()?;
         let system = Arc::new(system);
-        let (acting, until) = switching::piece(&system, 0.0, end);
+        let (acting, until) = piece(&system, 0.0, end);
         let mut run = Run::new(acting, start, until, tolerance)?;
         match tracked {
             Tracked::Nothing => {}
@@ -114,7 +120,7 @@ impl<T: Analytic + Copy + FromPrimitive> AdaptiveRun<T> {
 
     /// On from where a torque begins or ends.
     fn next_piece(&mut self) -> Result<(), Error> {
-        let (acting, next) = switching::piece(&self.system, self.until, self.end);
+        let (acting, next) = piece(&self.system, self.until, self.end);
         let start = self.run.state.checked()?;
         let mut run = Run::new(acting, &start, next - self.until, self.run.tolerance)?;
         run.from = self.until;
@@ -157,4 +163,169 @@ impl<T: Analytic + Copy + FromPrimitive> AdaptiveRun<T> {
     pub(in crate::step) fn flips_after(&self, time: f64, end: f64) -> bool {
         self.run.flips.is_some() && ((end < time) == (self.end < 0.0))
     }
+}
+
+/// The system under the torques that act from the time `from` to the next switch on the way to `end`, s after
+/// the start of a run; and the time of this switch, or the end.
+fn piece<T: Analytic + Copy + FromPrimitive>(
+    system: &Arc<System<T>>,
+    from: f64,
+    end: f64,
+) -> (Arc<System<T>>, f64) {
+    if !system.torques().iter().any(|torque| matches!(torque, Torque::During { .. })) {
+        return (Arc::clone(system), end);
+    }
+    let until = next_switch(system, from, end);
+    (Arc::new(acting(system, from, until)), until)
+}
+
+/// A torque without its times, and when all of them allow it to act: from and to, s after the system's time.
+fn window<'a, T: Analytic + Copy>(system: &System<T>, torque: &'a Torque<T>) -> (&'a Torque<T>, [f64; 2]) {
+    let (mut torque, mut first, mut last) = (torque, f64::NEG_INFINITY, f64::INFINITY);
+    while let Torque::During { start, end, torque: inner } = torque {
+        let [start, end] = [*start, *end].map(|time| signed(time - system.time));
+        (torque, first, last) = (&**inner, first.max(start), last.min(end));
+    }
+    (torque, [first, last])
+}
+
+/// The first switch after `from` on the way to `duration`, or this.
+fn next_switch<T: Analytic + Copy>(system: &System<T>, from: f64, duration: f64) -> f64 {
+    let ahead = |time: &f64| {
+        if duration < 0.0 { *time < from && *time > duration } else { *time > from && *time < duration }
+    };
+    let switches = system.torques().iter().flat_map(|torque| window(system, torque).1).filter(ahead);
+    switches.fold(duration, |next, time| if (time - from).abs() < (next - from).abs() { time } else { next })
+}
+
+/// The system under the torques that act all the way from one time to the other.
+fn acting<T: Analytic + Copy + FromPrimitive>(system: &System<T>, from: f64, until: f64) -> System<T> {
+    let (first, last) = if from < until { (from, until) } else { (until, from) };
+    let torques: Vec<_> = system
+        .torques()
+        .iter()
+        .filter_map(|torque| {
+            let (torque, [start, end]) = window(system, torque);
+            (start <= first && last <= end).then(|| torque.clone())
+        })
+        .collect();
+    let mut piece = System::of_numbers(*system.moments(), torques);
+    piece.set_time(system.time + T::from_f64(from).unwrap_or_else(T::zero));
+    piece
+}
+
+/// After this number of stiff steps, damping is solved for.
+const DAMPED_STEPS: u32 = 4;
+
+/// Rounding keeps steps of a tight tolerance below the bound of stability, so that none counts as stiff.
+/// After each 16 steps damping is looked at that has more than a quarter of a decay time in the last.
+const CHECKED_STEPS: usize = 16;
+const LONG: f64 = 0.25;
+
+/// Where it is this number of times faster than the motion: a step by collocation, of about a radian, takes
+/// as long as some ten by series, of some seven decay times.
+const FASTER: f64 = 64.0;
+
+/// A momentum that decays has none left after this number of decay times.
+const FADED: f64 = 800.0;
+
+/// What takes the steps of a run under torques that act in all of it.
+#[derive(Debug, Clone)]
+enum Steps<T: nalgebra::Scalar> {
+    Series(Taylor<T>),
+    Pair(Pair<T>),
+    Collocation(Collocation<T>),
+}
+
+impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
+    /// Explicit ones.
+    fn new(run: &Run<T>) -> Result<Self, Error> {
+        if let Some(series) = Taylor::new(&run.system, run.tolerance) {
+            return Ok(Self::Series(series));
+        }
+        if run.flips.is_none() {
+            return Pair::new(run).map(Self::Pair);
+        }
+        let why = if !run.system.sum.functions.is_empty() {
+            "steps under a torque that is a function have no series: give the torque by its name, or look for changes of sign"
+        } else {
+            "steps under two gravity gradients, or three rates of periodic torques, have no series: look for changes of sign"
+        };
+        Err(Refusal::Undefined { what: Subject::FlipTimes, why }.into())
+    }
+
+    /// What takes the next step: it may be another than took the last.
+    fn choose(&mut self, run: &mut Run<T>, budget: usize) -> Result<(), Error> {
+        let solves = matches!(self, Self::Collocation(_));
+        // A piece without a step tells nothing of its damping.
+        let due = run.time != 0.0 && run.steps % CHECKED_STEPS == CHECKED_STEPS - 1;
+        if run.stiff == 0 && solves {
+            *self = Self::new(run)?;
+        } else if !solves && (run.stiff >= DAMPED_STEPS || due) {
+            self.solve_damping(run, budget)?;
+        }
+        Ok(())
+    }
+
+    /// One step further.
+    fn advance(&mut self, run: &mut Run<T>, budget: &mut usize) -> Result<(), Error> {
+        if *budget == 0 {
+            return Err(run.unfinished("all its steps are taken"));
+        }
+        let before = run.steps + run.rejected;
+        let done = match self {
+            Self::Series(series) => series.advance(run),
+            Self::Pair(pair) => pair.advance(run),
+            Self::Collocation(steps) => steps.advance(run),
+        };
+        *budget = budget.saturating_sub((run.steps + run.rejected - before).max(1));
+        done
+    }
+
+    /// After some steps that stiffness keeps short: solves for damping, once the motion is slow.
+    fn solve_damping(&mut self, run: &mut Run<T>, budget: usize) -> Result<(), Error> {
+        let (system, state) = (&run.system, &run.state);
+        let sum = &system.sum;
+        let decay = largest(sum.damping.component_mul(&system.inverse).as_slice());
+        if run.stiff < DAMPED_STEPS && decay * run.last <= LONG {
+            return Ok(());
+        }
+        let change = change(run);
+        let tracked = run.flips.is_some() || run.derivatives.is_some();
+        if !tracked && sum.dissipation.is_zero() && decay * run.last > LONG {
+            let rate = sum.periodic.iter().map(|torque| torque.rate.size()).fold(change, f64::max);
+            if decay > FASTER * largest(system.omega(&state.momentum).as_slice()).max(rate) {
+                *self = Self::Collocation(Collocation::new(run));
+                run.stiff = DAMPED_STEPS;
+                return Ok(());
+            }
+            if decay * run.last > STIFF {
+                return Ok(());
+            }
+        }
+        // To the end, or until nothing is left of the momentum.
+        let left = run.ahead().abs().min(FADED / change) / run.last.abs();
+        if run.stiff == STIFF_STEPS && left > budget as f64 {
+            return Err(
+                run.unfinished("damping or dissipation far faster than the motion keeps its steps short")
+            );
+        }
+        Ok(())
+    }
+
+    /// The state `time` seconds after the start of the last step, where the body was in the state `start` at
+    /// the time `began`.
+    fn within(&self, run: &Run<T>, start: &State<T>, began: f64, time: f64) -> Result<State<T>, Error> {
+        match self {
+            Self::Series(series) => Ok(series.within(run, start, time)),
+            Self::Collocation(steps) => Ok(steps.within(run, start, time)),
+            Self::Pair(pair) => pair.within(run, start, began, time),
+        }
+    }
+}
+
+/// The rate at which the momentum changes, relative to its size, 1/s.
+fn change<T: Analytic + Copy + FromPrimitive>(run: &Run<T>) -> f64 {
+    let rate = run.system.rate_after(&run.state, &Run::number(run.time)).momentum;
+    ratio(largest(rate.as_slice()), largest(run.state.momentum.as_slice()))
 }

@@ -1,7 +1,7 @@
 //! Changes of sign of the spin about the middle axis, from the series of each step.
 
 use super::series::MOST;
-use super::switching::signed;
+use super::signed;
 use crate::body::State;
 use crate::inertia::ascending;
 use crate::number::Analytic;
@@ -18,7 +18,7 @@ const HALVINGS: u32 = 48;
 /// What was seen of a component of the spin.
 #[derive(Debug, Clone)]
 pub(super) struct Flips {
-    axis: usize,
+    pub(super) axis: usize,
     /// Its sign at the end of the last step, or zero before it has one.
     sign: f64,
     /// The start of the run's piece, s.
@@ -34,10 +34,6 @@ impl Flips {
         let [_, axis, _] = ascending(&system.moments().map(|x| x.size()));
         let sign = if before == 0.0 { sign(signed(start.momentum[axis])) } else { before };
         Self { axis, sign, from: 0.0, last: None, found: Vec::new() }
-    }
-
-    pub(super) fn axis(&self) -> usize {
-        self.axis
     }
 
     /// Takes those before a time, s after the start of the run, which may run back; and the sign before it.

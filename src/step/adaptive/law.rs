@@ -34,7 +34,7 @@ impl<T: Analytic + Copy> Law<T> {
     /// That of a system in units of this number of seconds, if all its torques are polynomials: not of a
     /// function, and not of two gravity gradients or three rates of periodic torques.
     pub(super) fn of(system: &System<T>, unit: T) -> Option<Self> {
-        let (inverse, sum) = (system.inverse(), system.sum_of_torques());
+        let (inverse, sum) = (&system.inverse, &system.sum);
         if !sum.functions.is_empty() || !sum.timed.is_empty() || sum.gradients.len() > 1 {
             return None;
         }
@@ -120,7 +120,7 @@ pub(super) struct Rates {
 impl Rates {
     /// Those of a system with a law in seconds.
     pub(super) fn of<T: Analytic + Copy>(system: &System<T>, law: &Law<T>) -> Self {
-        let sum = system.sum_of_torques();
+        let sum = &system.sum;
         let world = law.world().iter().map(|one| {
             // Any axis may turn onto the vector, which is shorter than twice its largest component.
             2.0 * largest(one.vector.as_slice()) * largest(one.acceleration.as_flattened())
@@ -131,7 +131,7 @@ impl Rates {
             + world.sum::<f64>()
             + sum.gradients.iter().map(|gradient| gradient.strength.size()).sum::<f64>();
         let orbits = sum.gradients.iter().map(|gradient| largest(gradient.orbit.as_slice()));
-        let inverse = system.inverse().map(|x| x.size());
+        let inverse = system.inverse.map(|x| x.size());
         Self {
             acceleration,
             torque: acceleration * largest(system.moments().as_slice()),

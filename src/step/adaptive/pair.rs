@@ -1,11 +1,10 @@
 //! Steps by the pair of Dormand and Prince of orders 8, 5 and 3 [HNW93](crate::references), for torques that
 //! are functions.
 
-use super::derivatives::Derivatives;
 use super::dop853_coefficients::{FIFTH, STAGES, STEP, THIRD, Weights};
-use super::{Run, largest, ratio};
+use super::{Derivatives, Run, largest, ratio};
 use crate::body::{Rate, State};
-use crate::error::{Error, Refusal, Subject};
+use crate::error::{Error, Subject, representable};
 use crate::number::Analytic;
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use alloc::sync::Arc;
@@ -57,15 +56,13 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
     pub(super) fn new(run: &Run<T>) -> Result<Self, Error> {
         let rate = run.system.rate_after(&run.state, &Run::number(run.time));
         let size = largest(&[largest(rate.attitude.coords.as_slice()), largest(rate.momentum.as_slice())]);
-        if !size.is_finite() {
-            return Err(Refusal::OutOfRange { what: Subject::RateAtStart, value: size }.into());
-        }
+        representable(Subject::RateAtStart, &[size])?;
         // How fast it turns, and how fast a torque would have it turn. Should the guess be too long, its
         // error will say so.
         let torque = largest(run.system.torque_after(&run.state, &Run::number(run.time)).as_slice());
         let turning =
             ratio(largest(rate.attitude.coords.as_slice()), largest(run.state.attitude.coords.as_slice()));
-        let turning_rate = (2.0 * turning).max((torque * largest(run.system.inverse().as_slice())).sqrt());
+        let turning_rate = (2.0 * turning).max((torque * largest(run.system.inverse.as_slice())).sqrt());
         let guess = eighth_root(run.tolerance) / turning_rate;
         // Where nothing turns yet nothing gives a time: a second.
         let guess = if guess.is_finite() { guess } else { 1.0 };
@@ -99,7 +96,7 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
             // A torque that jumps: no step across the jump is right relative to what it gives on the way. It
             // is measured by the momentum that turns the body by a radian in the time until now.
             let time = run.time.abs().max(h.abs());
-            whole = whole.max(ratio(1.0, largest(run.system.inverse().as_slice()) * time));
+            whole = whole.max(ratio(1.0, largest(run.system.inverse.as_slice()) * time));
         }
         let attitude =
             ratio(largest(off.attitude.coords.as_slice()), largest(run.state.attitude.coords.as_slice()));

@@ -3,12 +3,11 @@
 //! Spin, attitude and world vectors in body axes are bilinear in each other: each coefficient is a sum of
 //! products of those before.
 
-use super::derivatives::Derivatives;
+use super::Derivatives;
 use super::law::{DissipationLaw, Law, PERIODIC_RATES, WorldLaw};
 use super::sums::{
     Coefficients, Lanes, across, across_sums, add_scaled, lanes, own_sums, pairs, scaled, sums, turn,
 };
-use super::switching::signed;
 use crate::attitude::rotate_inverse;
 use crate::number::Analytic;
 use alloc::boxed::Box;
@@ -142,7 +141,7 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     #[inline(always)]
     fn extend<const ACROSS: bool>(&mut self, law: &Law<T>) {
         let n = self.order.min(N - 2);
-        let over = T::one() / T::integer(n as u32 + 1);
+        let inverse = T::one() / T::integer(n as u32 + 1);
         let (attitude, spin, alone) = (&self.attitude, &self.spin, law.world().is_empty());
         // The sums last: all else is at hand before they are.
         let mut rate = if n == 0 { law.constant } else { [T::zero(); 4] };
@@ -154,7 +153,7 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
         for ([cosine, sine], one) in self.periodic.iter_mut().zip(law.periodic()) {
             add_scaled(&mut rate, &one.cosine, *cosine);
             add_scaled(&mut rate, &one.sine, *sine);
-            let turn = one.rate_in_units * over;
+            let turn = one.rate_in_units * inverse;
             (*cosine, *sine) = (-(*sine * turn), *cosine * turn);
         }
         let vector = match (&*self.world, &self.gradient) {
@@ -165,16 +164,16 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
         let sums = sums::<T, N, ACROSS>(n + 1, attitude, vector, spin);
         if ACROSS && let ([rows, more @ ..], [first, others @ ..]) = (&mut *self.world, law.world()) {
             first.add_acceleration(&rows[n], &mut rate);
-            rows[n + 1] = scaled(&across(&sums.across), over);
+            rows[n + 1] = scaled(&across(&sums.across), inverse);
             // Few laws have more, and a loop over none takes its time.
             if !more.is_empty() {
                 for (rows, one) in more.iter_mut().zip(others) {
                     one.add_acceleration(&rows[n], &mut rate);
-                    rows[n + 1] = scaled(&across(&across_sums(n + 1, rows, spin)), over);
+                    rows[n + 1] = scaled(&across(&across_sums(n + 1, rows, spin)), inverse);
                 }
             }
         }
-        self.attitude[n + 1] = scaled(&turn(&sums.turn), over / T::integer(2));
+        self.attitude[n + 1] = scaled(&turn(&sums.turn), inverse / T::integer(2));
         let pairs = pairs(&sums.pairs);
         let free: Lanes<T> = core::array::from_fn(|i| law.coupling[i] * pairs[i]);
         if let (Some(own), Some(dissipation)) = (&mut self.dissipation, &law.dissipation) {
@@ -182,13 +181,13 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
         }
         if ACROSS && let (Some(own), Some(gradient)) = (&mut self.gradient, &law.gradient) {
             let turned = if alone { sums.across } else { across_sums(n + 1, &own.orbit, spin) };
-            own.orbit[n + 1] = scaled(&across(&turned), over);
-            own.add(&gradient.acceleration, n, over, &mut rate);
+            own.orbit[n + 1] = scaled(&across(&turned), inverse);
+            own.add(&gradient.acceleration, n, inverse, &mut rate);
         }
         for i in 0..4 {
             rate[i] += free[i];
         }
-        let spin = scaled(&rate, over);
+        let spin = scaled(&rate, inverse);
         self.spin.set(n + 1, spin);
         if ACROSS && let Some(own) = &mut self.gradient {
             let turning = core::array::from_fn(|i| spin[i] - own.orbit[n + 1][i]);
@@ -227,7 +226,7 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
 
     /// The coefficients of a component of the spin.
     pub(super) fn spin(&self, axis: usize) -> [f64; N] {
-        core::array::from_fn(|power| signed(self.spin.up[power][axis % 3]))
+        core::array::from_fn(|power| super::signed(self.spin.up[power][axis % 3]))
     }
 
     /// What attitude (vector part first) and spin have changed by at `x` units of time.
@@ -296,13 +295,13 @@ impl<T: Analytic + Copy, const N: usize> DissipationSeries<T, N> {
 
 impl<T: Analytic + Copy, const N: usize> GradientSeries<T, N> {
     /// Adds the angular acceleration by the gravity gradient, and makes the direction's next coefficient.
-    fn add(&mut self, acceleration: &Lanes<T>, n: usize, over: T, rate: &mut Lanes<T>) {
+    fn add(&mut self, acceleration: &Lanes<T>, n: usize, inverse: T, rate: &mut Lanes<T>) {
         let (turned, own) = own_sums(n + 1, &self.direction, &self.turning);
         let pairs = pairs(&own);
         for i in 0..4 {
             rate[i] -= acceleration[i] * pairs[i];
         }
-        self.direction.set(n + 1, scaled(&across(&turned), over));
+        self.direction.set(n + 1, scaled(&across(&turned), inverse));
     }
 }
 
@@ -332,7 +331,7 @@ mod tests {
 
         let (mut q, mut w, mut g) = (vec![start], vec![spin], vec![rotate_inverse(&start, &weight)]);
         for n in 0..MOST {
-            let over = 1.0 / (n + 1) as f64;
+            let inverse = 1.0 / (n + 1) as f64;
             let sum = |term: &dyn Fn(usize, usize) -> Vector3<f64>| {
                 (0..=n).map(|k| term(k, n - k)).sum::<Vector3<_>>()
             };
@@ -342,9 +341,9 @@ mod tests {
             let torque = arm.cross(&g[n]) + if n == 0 { thrust } else { Vector3::zeros() };
             let gyroscopic = sum(&|j, k| moments.component_mul(&w[j]).cross(&w[k]));
             let turned = sum(&|j, k| g[j].cross(&w[k]));
-            q.push(turn * (0.5 * over));
-            w.push((gyroscopic + torque).component_div(&moments) * over);
-            g.push(turned * over);
+            q.push(turn * (0.5 * inverse));
+            w.push((gyroscopic + torque).component_div(&moments) * inverse);
+            g.push(turned * inverse);
         }
         for n in 0..=MOST {
             let [attitude, spin] = [fast.attitude[n], fast.spin.up[n]];

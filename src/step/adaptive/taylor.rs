@@ -1,10 +1,8 @@
 //! Steps by Taylor series, as long as their last terms allow.
 
-use super::derivatives::Derivatives;
 use super::law::{Law, Rates};
-use super::logarithm::logarithm;
 use super::series::{LENGTH, MOST, Series};
-use super::{Run, TRIES, largest, ratio, smallest};
+use super::{Derivatives, Run, TRIES, largest, logarithm, ratio, smallest};
 use crate::body::State;
 use crate::error::Error;
 use crate::number::Analytic;
@@ -44,7 +42,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     fn begin(&mut self, run: &Run<T>, state: &State<T>, time: f64) {
         let unit = Run::number(self.unit);
         let spin = run.system.omega(&state.momentum).map(|x| x * unit).into();
-        self.next.begin(&self.law, &state.attitude, spin, *run.system.time() + Run::number(time));
+        self.next.begin(&self.law, &state.attitude, spin, run.system.time + Run::number(time));
         self.next.extend_to(1, &self.law);
     }
 
@@ -204,7 +202,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
             if error <= run.tolerance.max(32.0 * T::rounding()) {
                 run.count_stiffness(if moves { decay * h.abs() } else { 0.0 });
                 if let Some(flips) = &mut run.flips {
-                    let spin = self.series.spin(flips.axis());
+                    let spin = self.series.spin(flips.axis);
                     flips.find(&spin[..=self.series.order], signed, run.time, unit);
                 }
                 run.take(end, h, last);

@@ -103,12 +103,12 @@ fn halved<T: Analytic>(
     half: &T,
     time: &T,
 ) -> Result<(State<T>, bool), Error> {
-    let g = system.inverse().map(|x| x * half.clone());
+    let g = system.inverse.map(|x| x * half.clone());
     let tangents = |mean: &Vector3<T>| mean.component_mul(&g);
     let turn = |c: &Vector3<T>| {
-        let over = T::one() / (T::one() + c.dot(c)).sqrt();
-        let [x, y, z] = [&c.x, &c.y, &c.z].map(|x| x.clone() * over.clone());
-        Quaternion::new(over, x, y, z)
+        let cosine = T::one() / (T::one() + c.dot(c)).sqrt();
+        let [x, y, z] = [&c.x, &c.y, &c.z].map(|x| x.clone() * cosine.clone());
+        Quaternion::new(cosine, x, y, z)
     };
     let kick = |mean: &Vector3<T>, c: &Vector3<T>| {
         let mut sum = turn(c).coords;

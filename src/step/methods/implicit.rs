@@ -181,8 +181,8 @@ pub(crate) fn eliminate<T: Analytic, const N: usize>(rows: &mut [[T; N]], count:
 #[inline(always)]
 pub(crate) fn cramer<T: Field>([x, y, z]: [Vector3<T>; 3], right: &Vector3<T>) -> Vector3<T> {
     let (yz, zx, xy) = (y.cross(&z), z.cross(&x), x.cross(&y));
-    let over = T::one() / x.dot(&yz);
-    Vector3::new(yz.dot(right), zx.dot(right), xy.dot(right)).map(|x| x * over.clone())
+    let inverse = T::one() / x.dot(&yz);
+    Vector3::new(yz.dot(right), zx.dot(right), xy.dot(right)).map(|x| x * inverse.clone())
 }
 
 /// An integer over another.

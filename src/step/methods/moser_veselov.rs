@@ -36,19 +36,10 @@ pub(crate) fn step<T: Analytic>(
     h: &T,
     order: u32,
 ) -> Result<State<T>, Error> {
-    let kicked;
-    let (start, second) = if system.is_free() {
-        (start, None)
-    } else {
-        let half = h.clone() / T::integer(2);
-        kicked = system.kick(start, half.clone());
-        (&kicked, Some(half))
-    };
-    let end = Prepared::new(system, &start.momentum, h, order)?.step(start)?;
-    Ok(match second {
-        Some(half) => system.adjoint_kick(&end, half),
-        None => end,
-    })
+    let half = h.clone() / T::integer(2);
+    let start = system.kick(start, half.clone());
+    let end = Prepared::new(system, &start.momentum, h, order)?.step(&start)?;
+    Ok(system.adjoint_kick(&end, half))
 }
 
 /// The longest turn of a step, rad: there `|c| = 1`.
@@ -81,9 +72,9 @@ impl<T: Analytic> Prepared<T> {
     /// A step so long that preprocessing would alter an inverse moment by [`MOST_ALTERED`] of itself or more.
     #[inline]
     pub(crate) fn new(system: &System<T>, momentum: &Vector3<T>, h: &T, order: u32) -> Result<Self, Error> {
-        let corrections = system.corrections();
+        let corrections = &system.corrections;
         let inverse = corrections.ratios.clone();
-        let whole = system.inverse().x.clone() * h.clone();
+        let whole = system.inverse.x.clone() * h.clone();
         let inverse = if order > 2 {
             let turned = momentum.map(|x| x * whole.clone());
             let (a, b) = corrections.at(&turned, order);
@@ -123,9 +114,9 @@ impl<T: Analytic> Prepared<T> {
                 Refusal::NotBelow { what: Subject::MoserVeselovTurn, value: turn, limit: LONGEST }.into()
             );
         }
-        let over = T::one() / (T::one() + square).sqrt();
-        let part = |x: &T| x.clone() * over.clone();
-        let turned = Quaternion::new(over.clone(), part(&c.x), part(&c.y), part(&c.z));
+        let cosine = T::one() / (T::one() + square).sqrt();
+        let part = |x: &T| x.clone() * cosine.clone();
+        let turned = Quaternion::new(cosine.clone(), part(&c.x), part(&c.y), part(&c.z));
         let momentum = attitude::rotate_inverse(&turned, &start.momentum);
         Ok(State { attitude: attitude::product(&start.attitude, &turned), momentum })
     }

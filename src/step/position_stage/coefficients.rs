@@ -2,7 +2,8 @@
 
 use super::turn::{conserving_rate, three};
 use super::{longest, number};
-use crate::error::{Error, Refusal, Subject};
+use crate::error::{Error, Refusal, Subject, not_negative};
+use crate::inertia::ascending;
 use crate::number::Field;
 use num_traits::Float;
 
@@ -47,7 +48,7 @@ impl<T: Field + Float + From<f32>> Coefficients<T> {
 
     /// A zero moment: nothing resists a spin about that axis, and nothing drives it if the others are equal.
     fn of_rod(moments: [T; 3]) -> Result<Self, Error> {
-        let [i, j, k] = ascending(&moments);
+        let [i, j, k] = order_of(&moments);
         if moments[j] != moments[k] {
             let moments = [i, j, k].map(|n| value(moments[n]));
             let excess = moments[2] - moments[1];
@@ -81,7 +82,7 @@ impl<T: Field + Float + From<f32>> Coefficients<T> {
 
     fn new(moments: [T; 3], coupling: [T; 3]) -> Self {
         let n = number::<T>;
-        let middle = ascending(&moments)[1];
+        let middle = order_of(&moments)[1];
         let (mut twist, mut twist_2) = ([T::zero(); 3], [T::zero(); 6]);
         let axes = [middle, (middle + 1) % 3, (middle + 2) % 3];
         let (y, z) = (coupling[axes[1]], coupling[axes[2]]);
@@ -143,7 +144,7 @@ impl<T: Field + Float + From<f32>> Coefficients<T> {
 /// square of any coupling, on which the proof rests that the roots of a step are real.
 fn bound<T: Field + Float + From<f32>>(moments: &[T; 3], coupling: &[T; 3]) -> [T; 3] {
     let one = T::one();
-    let order = ascending(moments);
+    let order = order_of(moments);
     let [a, b, c] = order.map(|i| moments[i]);
     // What one component gives up, the other may take.
     let share = |[weight, over]: [T; 2], [apart, span]: [T; 2]| {
@@ -162,28 +163,16 @@ fn bound<T: Field + Float + From<f32>>(moments: &[T; 3], coupling: &[T; 3]) -> [
     bound.map(|x| x * strongest * strongest)
 }
 
-fn ascending<T: Float>(x: &[T; 3]) -> [usize; 3] {
-    let mut order = [0, 1, 2];
-    for (i, j) in [(0, 1), (1, 2), (0, 1)] {
-        if x[order[j]] < x[order[i]] {
-            order.swap(i, j);
-        }
-    }
-    order
-}
-
-fn value<T: Float>(x: T) -> f64 {
+pub(super) fn value<T: Float>(x: T) -> f64 {
     x.to_f64().unwrap_or(f64::NAN)
 }
 
-pub(super) fn finite<T: Float>(what: Subject, x: T) -> Result<(), Error> {
-    if x.is_finite() { Ok(()) } else { Err(Refusal::NotFinite { what, value: value(x) }.into()) }
+/// That a number of either type is finite and not below zero.
+fn valid<T: Float>(what: Subject, x: T) -> Result<(), Error> {
+    not_negative(what, value(x)).map(drop)
 }
 
-fn valid<T: Float>(what: Subject, x: T) -> Result<(), Error> {
-    finite(what, x)?;
-    if x < T::zero() {
-        return Err(Refusal::Negative { what, value: value(x) }.into());
-    }
-    Ok(())
+/// The axes, smallest moment first.
+fn order_of<T: Float>(moments: &[T; 3]) -> [usize; 3] {
+    ascending(&moments.map(value).into())
 }

@@ -141,10 +141,10 @@ fn ends_of<T: Field + Float + From<f32>, const FRAMED: bool>(rows: &Rows<T>, h: 
         };
         let frame = if FRAMED { Some(quaternion(25)) } else { None };
         let start = Stepped { attitude: quaternion(0), omega: three(4).into(), parts: 1 };
-        let End { attitude, omega, turn, length, over } =
+        let End { attitude, omega, turn, length, factor } =
             PositionStage { coefficients, frame }.turn(&start, h);
         let q = attitude.coords;
-        let numbers = [q.w, q.x, q.y, q.z, omega.x, omega.y, omega.z, turn, length, over];
+        let numbers = [q.w, q.x, q.y, q.z, omega.x, omega.y, omega.z, turn, length, factor];
         for (row, x) in ends.iter_mut().zip(numbers) {
             row[k] = x;
         }
@@ -160,6 +160,6 @@ fn end_of<T: Field + Float + From<f32>>(ends: &Ends<T>, k: usize) -> End<T> {
         omega: Vector3::new(at(4), at(5), at(6)),
         turn: at(7),
         length: at(8),
-        over: at(9),
+        factor: at(9),
     }
 }

@@ -57,12 +57,6 @@ impl<T: Field> Torque<T> {
         Self::Aligning { arm: arm.clone(), field: rest.map(|x| x * stiffness.clone()) }
     }
 
-    /// The torque of a magnetic moment (A m², body axes) in a field (T, world axes).
-    #[must_use]
-    pub fn magnetic(moment: &Vector3<T>, field: &Vector3<T>) -> Self {
-        Self::Aligning { arm: moment.clone(), field: field.clone() }
-    }
-
     /// The gravity gradient on a satellite in a circular orbit, seen along the world's axes: `toward` (of
     /// length 1, or a stepper refuses it) points to the attracting body at time zero, and turns with the
     /// `orbit`, whose rate (rad/s) stands along its normal. Of a body that is held fixed relative to the

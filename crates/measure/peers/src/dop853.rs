@@ -4,8 +4,8 @@ use crate::equations::{Equations, Packed};
 use differential_equations::prelude::*;
 use differential_equations::solout::Solout;
 use std::cell::Cell;
-use tumbling_measure::contestant::{About, Contestant, Group, Knob, Setting, unsettable};
-use tumbling_measure::errors::{Ended, Observer, Outcome};
+use tumbling_measure::contestant::{About, Contestant, Group, Knob, Setting};
+use tumbling_measure::errors::{Ended, Observed, Observer, Outcome};
 use tumbling_measure::story::Story;
 
 pub struct Dop853;
@@ -49,15 +49,8 @@ impl Contestant for Dop853 {
         About { name: "DOP853 (differential-equations)", group: Group::Peer, knob: Knob::Tolerance }
     }
 
-    fn run(
-        &self,
-        story: &Story,
-        setting: Setting,
-        mut observer: Option<&mut Observer<'_>>,
-    ) -> Result<Ended, Outcome> {
-        let Setting::Tolerance(tolerance) = setting else {
-            return Err(unsettable());
-        };
+    fn run(&self, story: &Story, setting: Setting, mut observer: Observed<'_, '_>) -> Result<Ended, Outcome> {
+        let tolerance = setting.tolerance()?;
         let (whole, start) = Equations::of(story);
         let (last, mut steps) = (Cell::new(start), 0);
         for (law, begin, end) in whole.phases(story) {

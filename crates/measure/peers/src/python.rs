@@ -7,8 +7,8 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::rc::Rc;
 use tumbling::step::State;
 use tumbling_measure::AnyError;
-use tumbling_measure::contestant::{About, Contestant, Group, Knob, Setting, unsettable};
-use tumbling_measure::errors::{Ended, Observer, Outcome};
+use tumbling_measure::contestant::{About, Contestant, Group, Knob, Setting};
+use tumbling_measure::errors::{Ended, Observed, Outcome};
 use tumbling_measure::story::Story;
 
 /// What the program has, by its own name; the name in the record.
@@ -79,10 +79,8 @@ impl Contestant for Python {
         !story.is_free()
     }
 
-    fn run(&self, story: &Story, setting: Setting, _: Option<&mut Observer<'_>>) -> Result<Ended, Outcome> {
-        let Setting::Tolerance(tolerance) = setting else {
-            return Err(unsettable());
-        };
+    fn run(&self, story: &Story, setting: Setting, _: Observed<'_, '_>) -> Result<Ended, Outcome> {
+        let tolerance = setting.tolerance()?;
         let question = format!("{}\t{}\t{tolerance:e}", self.solver, story.name);
         let refused = |why: AnyError| Outcome::Refused(why.to_string());
         let answer = self.process.borrow_mut().ask(&question).map_err(refused)?;

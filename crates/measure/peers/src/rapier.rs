@@ -3,8 +3,8 @@
 use nalgebra::{Quaternion, Vector3};
 use rapier3d_f64::prelude::*;
 use tumbling::step::State;
-use tumbling_measure::contestant::{About, Contestant, Group, Knob, Setting, step_of, unsettable};
-use tumbling_measure::errors::{Ended, Observer, Outcome};
+use tumbling_measure::contestant::{About, Contestant, Group, Knob, Setting, step_of};
+use tumbling_measure::errors::{Ended, Observed, Outcome};
 use tumbling_measure::story::Story;
 
 pub struct Rapier;
@@ -18,15 +18,8 @@ impl Contestant for Rapier {
         story.is_free()
     }
 
-    fn run(
-        &self,
-        story: &Story,
-        setting: Setting,
-        mut observer: Option<&mut Observer<'_>>,
-    ) -> Result<Ended, Outcome> {
-        let Setting::Steps(steps) = setting else {
-            return Err(unsettable());
-        };
+    fn run(&self, story: &Story, setting: Setting, mut observer: Observed<'_, '_>) -> Result<Ended, Outcome> {
+        let steps = setting.steps()?;
         let moments = *story.system.moments();
         let spin = story.system.omega(&story.start.momentum);
         let mut world = PhysicsWorld::default();

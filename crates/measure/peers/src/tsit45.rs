@@ -2,8 +2,8 @@
 
 use crate::equations::Equations;
 use diffsol::{NalgebraMat, OdeBuilder, OdeSolverMethod, OdeSolverStopReason};
-use tumbling_measure::contestant::{About, Contestant, Group, Knob, Setting, unsettable};
-use tumbling_measure::errors::{Ended, Observer, Outcome};
+use tumbling_measure::contestant::{About, Contestant, Group, Knob, Setting};
+use tumbling_measure::errors::{Ended, Observed, Outcome};
 use tumbling_measure::story::Story;
 
 pub struct Tsit45;
@@ -13,15 +13,8 @@ impl Contestant for Tsit45 {
         About { name: "Tsit45 (diffsol)", group: Group::Peer, knob: Knob::Tolerance }
     }
 
-    fn run(
-        &self,
-        story: &Story,
-        setting: Setting,
-        observer: Option<&mut Observer<'_>>,
-    ) -> Result<Ended, Outcome> {
-        let Setting::Tolerance(tolerance) = setting else {
-            return Err(unsettable());
-        };
+    fn run(&self, story: &Story, setting: Setting, observer: Observed<'_, '_>) -> Result<Ended, Outcome> {
+        let tolerance = setting.tolerance()?;
         solve(story, tolerance, observer).map_err(|e| Outcome::Refused(e.to_string()))
     }
 }
@@ -29,7 +22,7 @@ impl Contestant for Tsit45 {
 fn solve(
     story: &Story,
     tolerance: f64,
-    mut observer: Option<&mut Observer<'_>>,
+    mut observer: Observed<'_, '_>,
 ) -> Result<Ended, diffsol::error::DiffsolError> {
     let (whole, mut state) = Equations::of(story);
     let mut steps = 0;

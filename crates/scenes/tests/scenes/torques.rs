@@ -93,7 +93,8 @@ fn a_spring_turns_the_arm_to_where_it_rests() {
 
 #[test]
 fn a_magnet_turns_into_its_field() {
-    held(vec![Torque::magnetic(&(ARM * 2.0), &(REST * 1.5))], |_, q, _| (q * ARM).cross(&REST) * 3.0, &[]);
+    let needle = Torque::Aligning { arm: ARM * 2.0, field: REST * 1.5 };
+    held(vec![needle], |_, q, _| (q * ARM).cross(&REST) * 3.0, &[]);
 }
 
 const ORBIT: Vector3<f64> = Vector3::new(0.5, 0.25, -0.25);

@@ -293,7 +293,7 @@ fn a_spring_a_magnet_an_orbit_and_a_thruster_are_the_librarys() {
     let (direction, orbit) = (Vector3::new(0.0, 0.6, 0.8), Vector3::new(0.1, 0.2, 0.3));
     let expected = [
         Torque::spring(&a, &b, 0.3),
-        Torque::magnetic(&a, &b),
+        Torque::Aligning { arm: a, field: b },
         Torque::gravity_gradient(&direction, &orbit),
         Torque::GravityGradient { strength: 0.7, direction, orbit: Vector3::zeros() },
         Torque::during(0.125, 0.25, Torque::InWorld(a)),

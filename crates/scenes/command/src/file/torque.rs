@@ -100,7 +100,7 @@ pub(super) fn read(text: &str, table: &Spanned<TorqueTable>) -> Result<Torque<f6
     } else if t.arm.is_some() {
         Torque::Aligning { arm: vector(&t.arm), field: vector(&t.field) }
     } else if t.moment.is_some() {
-        Torque::magnetic(&vector(&t.moment), &vector(&t.field))
+        Torque::Aligning { arm: vector(&t.moment), field: vector(&t.field) }
     } else if t.damping.is_some() {
         Torque::Damping(vector(&t.damping))
     } else if let Some(strength) = number(&t.dissipation) {
