@@ -105,7 +105,7 @@ export async function withoutScripts(open, base, page, fault) {
   const count = () => {
     // The answers of questions wait only where there are scripts.
     const seen = (selector) =>
-      [...document.querySelectorAll(selector)].filter((e) => e.getBoundingClientRect().width > 0 && !e.closest(".question")).length;
+      [...document.querySelectorAll(selector)].filter((e) => e.getBoundingClientRect().width > 0 && !e.closest(".question, .question + .fig")).length;
     const lettersOf = (element) => element.innerText.replace(/\s/g, "").length;
     const awake = [...document.querySelectorAll("main .live-stage")].filter((stage) => stage.clientHeight > 0);
     return {
