@@ -9,9 +9,8 @@ use super::{Folders, Piece, Source, nested};
 use crate::site::files;
 use base64::prelude::{BASE64_STANDARD, Engine as _};
 use pulldown_cmark::{Event, Tag};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::PathBuf;
 
 /// How a directive begins.
 const OPENING: &str = "{{#widget";
@@ -44,8 +43,8 @@ fn modules<'a>(widget: &'a &str) -> &'a [&'a str] {
     MODULES.iter().find(|(of, _)| of == widget).map_or(std::slice::from_ref(widget), |(_, modules)| modules)
 }
 
-/// The widgets that the book has so far, and where.
-pub(super) type Placed = BTreeMap<String, PathBuf>;
+/// The widgets that the book has so far.
+pub(super) type Placed = BTreeSet<String>;
 
 /// Replaces the directives of a chapter; returns what was wrong.
 pub(super) fn replace(
@@ -91,17 +90,21 @@ fn directive(paragraph: &str) -> Option<&str> {
 
 /// What stands in the page for a widget, with no blank line in it: that would end the HTML.
 fn place(source: &Source<'_>, name: &str, folders: &Folders, placed: &mut Placed) -> Result<String, String> {
-    if let Some(earlier) = placed.get(name) {
-        return Err(format!("the widget `{name}` stands already in {}: one is enough", earlier.display()));
-    }
     let still = folders.widgets.join(format!("page/{name}.html"));
     let html = fs::read_to_string(&still)
         .map_err(|e| format!("there is no widget `{name}`: {} cannot be read ({e})", still.display()))?;
-    let lines: Vec<&str> = html.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
+    let mut lines: Vec<&str> = html.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
+    let mut id = format!(" id=\"live-{name}\"");
+    // Where it stands again, it waits in a template: the page of the whole book has its ids once.
+    if !placed.insert(name.to_owned()) {
+        let stage = lines.iter().position(|line| line.starts_with("<div class=\"live-stage\"")).unwrap_or(0);
+        lines.insert(stage, "<template>");
+        lines.push("</template>");
+        id.clear();
+    }
     let up = "../".repeat(source.path.components().count().saturating_sub(1));
-    placed.insert(name.to_owned(), source.path.to_owned());
     Ok(format!(
-        "<div class=\"live\" id=\"live-{name}\" data-live=\"{name}\" data-modules=\"{}\" data-from=\"{up}widgets/\">\n{}\n</div>\n\
+        "<div class=\"live\"{id} data-live=\"{name}\" data-modules=\"{}\" data-from=\"{up}widgets/\">\n{}\n</div>\n\
          <script src=\"{up}widgets/live.js\" defer></script>\n\n",
         modules(&name).join(" "),
         lines.join("\n")
@@ -116,7 +119,7 @@ pub(super) fn lay_out(placed: &Placed, folders: &Folders) -> Result<(), String> 
             all.insert(script.clone(), files::bytes(&folders.widgets.join("page").join(script))?);
         }
     }
-    for name in placed.keys() {
+    for name in placed {
         for script in scripts(name, folders)? {
             all.insert(script.clone(), files::bytes(&folders.widgets.join("page").join(script))?);
         }

@@ -168,6 +168,11 @@ globalThis.tumblingLive ??= (() => {
     // The whole book for printing keeps still.
     const boxes = /\/print\.html$/.test(location.pathname) ? [] : document.querySelectorAll("[data-live]");
     for (const box of boxes) {
+        const waits = box.querySelector("template"); // it stands in an earlier chapter too
+        if (waits) {
+            box.id = `live-${box.dataset.live}`;
+            waits.replaceWith(waits.content);
+        }
         // An address that gives a widget its numbers leads to it.
         if (location.hash.startsWith(`#${box.dataset.live}?`)) box.scrollIntoView();
         box.classList.add("live-on");
