@@ -18,7 +18,7 @@ import sys
 from pathlib import Path
 
 LIMIT = 150_000
-FIRST_LIMIT = 300_000
+FIRST_LIMIT = 245_000
 
 
 def fetched(page: Path) -> list[Path]:

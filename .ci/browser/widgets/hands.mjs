@@ -57,14 +57,16 @@ export async function finger(page, from, others, every) {
     type, touchPoints: points.map(([x, y]) => ({ x, y })), ...(every && { timestamp: begun + (count++ * every) / 1000 }),
   });
   const scrolled = () => page.evaluate(() => scrollY);
-  const before = await scrolled();
   await client.send("Emulation.setTouchEmulationEnabled", { enabled: true });
+  await frames(page); // for a finger controls are larger, and the page above may grow
+  const before = await scrolled();
   await touch("touchStart", [from]);
   for (const place of others) await touch("touchMove", [place]);
   await touch("touchEnd", []);
+  const after = await scrolled();
   await client.send("Emulation.setTouchEmulationEnabled", { enabled: false });
   await client.detach();
-  return (await scrolled()) - before;
+  return after - before;
 }
 
 /** A number of frames of the same number of ms each, from now on; the first begins them. */

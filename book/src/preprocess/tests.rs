@@ -243,7 +243,7 @@ fn what_widgets_need_is_laid_beside_the_chapters_and_nothing_else() {
     Preprocess::Pages.run(&context(&root), book_of(&[("x.md", "{{#widget dial}}\n")])).unwrap();
     let laid = |file: &str| fs::read_to_string(copies.join(file)).unwrap();
     assert_eq!([laid("live.js"), laid("dial.js")], ["live", "dial"]);
-    assert_eq!(laid("dial.wasm.js"), "tumblingLive.carry(\"dial\", \"Zm9v\");\n");
+    assert_eq!(laid("dial.wasm.js"), "tumblingLive.carry(\"dial\", \"eNpLy88HAAKCAUU=\");\n");
     assert!(!copies.join("old.js").exists());
 }
 
@@ -282,7 +282,7 @@ fn a_widget_takes_along_the_parts_of_its_script_and_the_modules_that_it_asks() {
     );
     let text = |file: &str| fs::read_to_string(copies.join(file)).unwrap();
     assert_eq!([text("steps.path.js"), text("steps.errors.js")], ["its path", "its errors"]);
-    assert_eq!(text("tumble.wasm.js"), "tumblingLive.carry(\"tumble\", \"Zm9vYg==\");\n");
+    assert_eq!(text("tumble.wasm.js"), "tumblingLive.carry(\"tumble\", \"eNpLy89PAgAEKQGn\");\n");
 }
 
 #[test]

@@ -8,9 +8,10 @@ use super::edits::Edits;
 use super::{Folders, Piece, Source, nested};
 use crate::site::files;
 use base64::prelude::{BASE64_STANDARD, Engine as _};
+use flate2::{Compression, read::ZlibEncoder};
 use pulldown_cmark::{Event, Tag};
 use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
+use std::{fs, io::Read as _};
 
 /// How a directive begins.
 const OPENING: &str = "{{#widget";
@@ -20,27 +21,18 @@ const OPENING: &str = "{{#widget";
 const CARRIED: [(&str, &str, &str); 1] =
     [("judge", "example", "crates/judge/data/rapier3d-f64-0.36.1--major.csv")];
 
-/// The modules of a widget that has others than one of its own name.
-const MODULES: [(&str, &[&str]); 15] = [
-    ("axle", &["two-arrows", "your-body", "tumble"]),
-    ("coin", &["tumble"]),
-    ("engines", &["steps", "tumble"]),
-    ("masses", &["two-arrows"]),
-    ("pitfalls", &["pitfalls", "tumble"]),
-    ("racket", &["tumble"]),
-    ("steps", &["steps", "tumble"]),
-    ("toss", &["tumble"]),
-    ("tosses", &["tumble"]),
-    ("trading", &["tumble"]),
-    ("turning", &["tumble"]),
-    ("two-arrows", &["two-arrows", "tumble"]),
-    ("why", &["tumble"]),
-    ("your-body", &["your-body", "tumble"]),
-    ("your-box", &["your-body", "tumble"]),
-];
-
+/// The modules that a widget asks: the one of its own name, if nothing else is said here.
 fn modules<'a>(widget: &'a &str) -> &'a [&'a str] {
-    MODULES.iter().find(|(of, _)| of == widget).map_or(std::slice::from_ref(widget), |(_, modules)| modules)
+    match *widget {
+        "axle" => &["two-arrows", "your-body", "tumble"],
+        "engines" | "steps" => &["steps", "tumble"],
+        "masses" => &["two-arrows"],
+        "pitfalls" => &["pitfalls", "tumble"],
+        "two-arrows" => &["two-arrows", "tumble"],
+        "your-body" | "your-box" => &["your-body", "tumble"],
+        "coin" | "racket" | "toss" | "tosses" | "trading" | "turning" | "why" => &["tumble"],
+        _ => std::slice::from_ref(widget),
+    }
 }
 
 /// The widgets that the book has so far.
@@ -125,11 +117,11 @@ pub(super) fn lay_out(placed: &Placed, folders: &Folders) -> Result<(), String> 
         }
         for module in modules(&name.as_str()) {
             let built = files::bytes(&folders.widgets.join(format!("built/{module}.wasm")))?;
-            all.insert(format!("{module}.wasm.js"), carrier(module, &built));
+            all.insert(format!("{module}.wasm.js"), carrier(module, &built)?);
         }
         for (_, what, file) in CARRIED.iter().filter(|(of, ..)| of == name) {
             let carried = files::bytes(&folders.widgets.join("../..").join(file))?;
-            all.insert(format!("{name}.{what}.js"), carrier(&format!("{name}.{what}"), &carried));
+            all.insert(format!("{name}.{what}.js"), carrier(&format!("{name}.{what}"), &carried)?);
         }
     }
     files::lay_out(&folders.chapters.join("widgets"), &all)
@@ -145,9 +137,12 @@ fn scripts(name: &str, folders: &Folders) -> Result<Vec<String>, String> {
     Ok(std::iter::once(own.clone()).chain(parts.filter(|part| *part != own)).collect())
 }
 
-/// A script that hands these bytes to the page.
-fn carrier(name: &str, bytes: &[u8]) -> Vec<u8> {
-    format!("tumblingLive.carry(\"{name}\", \"{}\");\n", BASE64_STANDARD.encode(bytes)).into_bytes()
+/// A script that hands these bytes to the page: packed before they are text, which itself packs badly.
+fn carrier(name: &str, bytes: &[u8]) -> Result<Vec<u8>, String> {
+    let mut packed = Vec::new();
+    ZlibEncoder::new(bytes, Compression::best()).read_to_end(&mut packed).map_err(|e| e.to_string())?;
+    let text = BASE64_STANDARD.encode(packed);
+    Ok(format!("tumblingLive.carry(\"{name}\", \"{text}\");\n").into_bytes())
 }
 
 #[cfg(test)]
