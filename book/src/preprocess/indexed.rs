@@ -13,8 +13,11 @@ use std::fs;
 use std::path::Path;
 
 /// Where each kind that is left out begins, and what follows it.
-const KINDS: [(&str, &str); 2] =
-    [("<svg", "</div>\n<a class=\"fig-large\""), ("<div class=\"live\"", "\n<script src=\"")];
+const KINDS: [(&str, &str); 3] = [
+    ("<svg", "</div>\n<a class=\"fig-large\""),
+    ("<div class=\"live\"", "\n<script src=\""),
+    ("<nav aria-label=\"Chapters", "</footer>"),
+];
 
 /// Leaves out what no reader looks for, and puts the words of `search.toml` in.
 ///

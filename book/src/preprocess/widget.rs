@@ -106,15 +106,12 @@ fn place(source: &Source<'_>, name: &str, folders: &Folders, placed: &mut Placed
 /// Lays the scripts and modules of these widgets beside the chapters, whence mdBook copies them to the pages.
 pub(super) fn lay_out(placed: &Placed, folders: &Folders) -> Result<(), String> {
     let mut all = BTreeMap::new();
-    if !placed.is_empty() {
-        for script in scripts("live", folders)? {
+    for name in placed.iter().map(String::as_str).chain((!placed.is_empty()).then_some("live")) {
+        for script in scripts(name, folders)? {
             all.insert(script.clone(), files::bytes(&folders.widgets.join("page").join(script))?);
         }
     }
     for name in placed {
-        for script in scripts(name, folders)? {
-            all.insert(script.clone(), files::bytes(&folders.widgets.join("page").join(script))?);
-        }
         for module in modules(&name.as_str()) {
             let built = files::bytes(&folders.widgets.join(format!("built/{module}.wasm")))?;
             all.insert(format!("{module}.wasm.js"), carrier(module, &built)?);
