@@ -81,8 +81,9 @@ export async function codeFolds(page, base, fault) {
 /** What a reader would type is found, leads to its page, and shows no words that the page does not. */
 export async function search(page, base, fault) {
   const where = `search, ${base.slice(0, 4)}`;
-  for (const [typed, leads] of [["book", /highlight=book/], ["gyroscopic", /eulers|pitfalls|stepping|break|glossary/], ["R I R^T", /body-and-world/], ["tennis racket", /index|introduction|dzhanibekov|toss/], ["separatrix", /highlight=separatrix/], ["coin", /coin/],
-    ["inertia tensor", /matrix-mass/], ["polhode", /dzhanibekov/], ["quaternion", /notation/], ["momentum", /matrix-mass/], ["parallel axis", /principal-axes/], ["theta function", /closed-form/]]) {
+  for (const [typed, leads] of [["book", /highlight=book/], ["gyroscopic", /eulers|pitfalls|stepping|break|glossary/], ["R I R^T", /body-and-world/], ["tennis racket", /index|introduction|dzhanibekov|toss/], ["separatrix", /dzhanibekov/], ["coin", /coin/],
+    ["inertia tensor", /matrix-mass/], ["polhode", /dzhanibekov/], ["quaternion", /notation/], ["momentum", /matrix-mass/], ["parallel axis", /principal-axes/], ["theta function", /closed-form/], ["energy", /eulers/], ["gap", /two-arrows/], ["slip", /eulers/], ["flip", /dzhanibekov|toss/], ["torque", /eulers/],
+    ["precession", /a-top/], ["nutation", /a-top/], ["principal axes", /principal-axes/], ["moment of inertia", /matrix-mass/], ["Coriolis", /why/], ["hammer", /principal-axes/], ["Feynman", /coin/], ["middle axis", /why/]]) {
     await page.goto(base + "index.html");
     await page.keyboard.press("/");
     await page.locator("#mdbook-searchbar").pressSequentially(typed); // it listens to keys
