@@ -2,7 +2,7 @@
 // graphics card here, the drawing of every canvas too. From the browser's own trace, in processor time, so that neighbours
 // on the machine do not count.
 //
-//     node frames.mjs [PAGES]        prints the table of book/widgets/README.md
+//     node frames.mjs [PAGES]        prints the table of book/widgets/README.md; SLOWED=0 or 1 half of its columns, ONLY=coin those rows
 
 import { readFile, readdir } from "node:fs/promises";
 import path from "node:path";
@@ -83,7 +83,7 @@ const browser = await chromium.launch({
   args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking"],
 });
 const only = process.env.ONLY; // part of a row's name
-const screens = SCREENS.filter(({ slower }) => !process.env.SLOWED || slower > 1);
+const screens = SCREENS.filter(({ slower }) => process.env.SLOWED === undefined || (slower > 1) === (process.env.SLOWED === "1"));
 console.log(`| ms of work in a frame: median, 95th percentile (of scripts) | ${screens.map(({ says }) => says).join(" | ")} |`);
 console.log(`|---|${screens.map(() => "---:").join("|")}|`);
 for (const { says, on, widget, first, go } of (await moving()).filter((it) => !only || it.says.includes(only))) {
