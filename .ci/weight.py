@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Weighs the pages of the built book: what a reader's browser fetches to show each, as a host sends it (gzip).
+"""Weighs the pages of the built book: what a reader's browser fetches to show each, as a host sends it (gzip); and counts the story's words.
 
     python3 .ci/weight.py [PAGES]
 
@@ -15,10 +15,13 @@ where a film stands in for the book.
 import gzip
 import re
 import sys
+from html.parser import HTMLParser
 from pathlib import Path
 
 LIMIT = 150_000
-FIRST_LIMIT = 300_000
+# Words of the story: the first page and the part "Why it flips".
+STORY_LIMIT = 12_000
+FIRST_LIMIT = 245_000
 
 
 def fetched(page: Path) -> list[Path]:
@@ -54,6 +57,40 @@ def film(page: Path) -> list[Path]:
     return [max(found, key=lambda file: file.stat().st_size)]
 
 
+class Words(HTMLParser):
+    """The words that a page tells: captions, answers and exercises too; no code, formula, figure, fold or live part."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.open: list[bool] = []  # of each element around: whether it tells nothing
+        self.count = 0
+
+    def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
+        if tag not in ("br", "img", "input", "hr", "source", "wbr"):
+            silent = tag in ("script", "svg", "math", "details", "noscript", "template", "pre")
+            self.open.append(silent or dict(attributes).get("class") in ("live-still", "live-stage"))
+
+    def handle_endtag(self, tag: str) -> None:
+        if self.open:
+            self.open.pop()
+
+    def handle_data(self, data: str) -> None:
+        if not any(self.open):
+            self.count += sum(any(map(str.isalnum, word)) for word in data.split())
+
+
+def story(folder: Path) -> int:
+    """How many words the story has."""
+    summary = (Path(__file__).resolve().parent.parent / "book/chapters/SUMMARY.md").read_text(encoding="utf-8")
+    count = 0
+    for name in re.findall(r"\]\((.+)\.md\)", summary.split("\n# ")[0] + summary.split("\n# ")[1]):
+        page = (folder / f"{name}.html").read_text(encoding="utf-8")
+        words = Words()
+        words.feed(page[page.index("<main") : page.index("</main>")])
+        count += words.count
+    return count
+
+
 def main() -> int:
     default = Path(__file__).resolve().parent.parent / "book" / "html"
     folder = Path(sys.argv[1]).resolve() if len(sys.argv) > 1 else default
@@ -83,6 +120,11 @@ def main() -> int:
     still = [file for file in fetched(index) + first(index) if file.suffix != ".js"] + film(index)
     scriptless = sum(weight(file)[0] for file in still)
     print(f"{'the first page, no scripts':28} {scriptless / 1000:6.1f} kB sent, of {FIRST_LIMIT / 1000:.0f}")
+    told = story(folder)
+    print(f"{'the story':28} {told:6d} words, of {STORY_LIMIT}")
+    if told > STORY_LIMIT:
+        print(f"the story has more than {STORY_LIMIT} words", file=sys.stderr)
+        return 1
     heavy = [name for sent, _, name in pages if sent > LIMIT and name != "print.html"]
     for name in heavy:
         print(f"{name} weighs more than {LIMIT / 1000:.0f} kB", file=sys.stderr)

@@ -2,8 +2,9 @@
 // graphics card here, the drawing of every canvas too. From the browser's own trace, in processor time, so that neighbours
 // on the machine do not count.
 //
-//     node frames.mjs [PAGES]        prints the table of book/widgets/README.md
+//     node frames.mjs [PAGES]        prints the table of book/widgets/README.md; SLOWED=0 or 1 half of its columns, ONLY=coin those rows
 
+import { readFile, readdir } from "node:fs/promises";
 import path from "node:path";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
@@ -32,15 +33,32 @@ const moved = (selector) => (page) => page.evaluate((selector) => {
   requestAnimationFrame(frame);
 }, selector);
 const body = (value) => (page) => page.selectOption("#tumble-body", value);
-const MOVING = [
-  ...["the box", "the book", "the phone", "the racket", "the wing nut"].map((name, i) =>
-    ({ says: `tumble, ${name}`, on: "dzhanibekov.html", widget: "tumble", first: body(String(i)), go: played("tumble") })),
-  { says: "top, let go", on: "a-top.html", widget: "top", go: played("top") },
-  { says: "pitfalls", on: "three-pitfalls.html", widget: "pitfalls", first: (page) => page.click('[data-start="3"]'), go: played("pitfalls") },
-  { says: "two arrows, turned", on: "two-arrows.html", widget: "two-arrows", go: moved("#two-arrows-spin") },
-  { says: "your box, an edge changed", on: "worked-example.html", widget: "your-box", go: moved("#your-box-a") },
-  { says: "steps, the step changed", on: "stepping-through-time.html", widget: "steps", go: moved("#steps-step") },
-];
+/** What is played or moved otherwise than by the button Play. */
+const OTHERWISE = {
+  tumble: ["the box", "the book", "the phone", "the racket", "the wing nut"].map((name, i) => ({ says: name, first: body(String(i)) })),
+  pitfalls: [{ says: "played", first: (page) => page.click('[data-start="3"]') }],
+  toss: [{ says: "playing of itself", go: () => {} }],
+  tosses: [{ says: "played" }, { says: "the error changed", go: moved("#tosses-slip") }],
+  "two-arrows": [{ says: "let go" }, { says: "turned", go: moved("#two-arrows-spin") }],
+  "your-box": [{ says: "let go" }, { says: "an edge changed", go: moved("#your-box-a") }],
+  why: [{ says: "let go" }, { says: "the sphere grows", go: moved("#why-size") }],
+  coin: [{ says: "played" }, { says: "the tilt changed", go: moved("#coin-tilt") }],
+  steps: [{ says: "the step changed", go: moved("#steps-step") }],
+  top: [{ says: "let go" }, { says: "pushed round", go: moved("#top-push") }],
+  judge: [], // nothing of it moves
+};
+
+/** Every widget of every page, each once. */
+async function moving() {
+  const rows = new Map();
+  for (const on of (await readdir(folder)).filter((name) => name.endsWith(".html") && !["index.html", "print.html"].includes(name)).sort()) {
+    for (const [, widget] of (await readFile(path.join(folder, on), "utf8")).matchAll(/id="live-[a-z-]+" data-live="([a-z-]+)"/g)) {
+      const kinds = OTHERWISE[widget] ?? [{ says: "played" }];
+      rows.set(widget, kinds.map(({ says, first, go }) => ({ says: `${widget}, ${says}`, on, widget, first, go: go ?? played(widget) })));
+    }
+  }
+  return [...rows.values()].flat();
+}
 
 /** Milliseconds of the main thread from each animation frame to the next. */
 function works(events) {
@@ -51,22 +69,26 @@ function works(events) {
   const tasks = events.filter((e) => own(e) && e.name === "RunTask" && e.ph === "X");
   const found = starts.slice(1).map((to, i) => tasks.filter((e) => e.ts + e.dur > starts[i] && e.ts + e.dur <= to)
     .reduce((sum, e) => sum + e.tdur / 1000, 0)).sort((a, b) => a - b);
+  // Of these the page's own scripts: a frame's, and what answers a control.
+  const script = starts.slice(1).map((to, i) => events.filter((e) => own(e) && e.ph === "X" && ["FireAnimationFrame", "EventDispatch"].includes(e.name)
+    && e.ts >= starts[i] && e.ts < to).reduce((sum, e) => sum + e.tdur / 1000, 0)).sort((a, b) => a - b);
   const layouts = events.filter((e) => own(e) && e.name === "Layout" && e.ts > starts[2]).length / starts.length;
-  const at = (part) => found[Math.min(found.length - 1, Math.floor(part * found.length))];
+  const at = (part, all = found) => all[Math.min(all.length - 1, Math.floor(part * all.length))];
   const seconds = (starts.at(-1) - starts[0]) / 1e6;
-  return { count: found.length, middle: at(0.5), most: at(0.95), layouts, rate: (starts.length - 1) / seconds };
+  return { count: found.length, middle: at(0.5), most: at(0.95), script: at(0.95, script), layouts, rate: (starts.length - 1) / seconds };
 }
 
 const browser = await chromium.launch({
   executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
   args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking"],
 });
-const only = process.env.ONLY;
-console.log(`| ms of work in a frame: median, 95th percentile | ${SCREENS.map(({ says }) => says).join(" | ")} |`);
-console.log(`|---|${SCREENS.map(() => "---:").join("|")}|`);
-for (const { says, on, widget, first, go } of MOVING.filter((it) => !only || it.says.includes(only))) {
+const only = process.env.ONLY; // part of a row's name
+const screens = SCREENS.filter(({ slower }) => process.env.SLOWED === undefined || (slower > 1) === (process.env.SLOWED === "1"));
+console.log(`| ms of work in a frame: median, 95th percentile (of scripts) | ${screens.map(({ says }) => says).join(" | ")} |`);
+console.log(`|---|${screens.map(() => "---:").join("|")}|`);
+for (const { says, on, widget, first, go } of (await moving()).filter((it) => !only || it.says.includes(only))) {
   const row = [];
-  for (const { width, deviceScaleFactor, slower } of SCREENS) {
+  for (const { width, deviceScaleFactor, slower } of screens) {
     const page = await browser.newPage({ viewport: { width, height: 844 }, deviceScaleFactor, reducedMotion: "no-preference" });
     await page.goto(`${base}/${on}`);
     await page.locator(`#live-${widget}`).scrollIntoViewIfNeeded();
@@ -84,8 +106,8 @@ for (const { says, on, widget, first, go } of MOVING.filter((it) => !only || it.
     const done = new Promise((resolve) => session.once("Tracing.tracingComplete", resolve));
     await session.send("Tracing.end");
     await done;
-    const { count, middle, most, layouts, rate } = works(events);
-    row.push(count < 10 ? `only ${count} frames` : `${middle.toFixed(1)}, ${most.toFixed(1)}`);
+    const { count, middle, most, script, layouts, rate } = works(events);
+    row.push(count < 10 ? `only ${count} frames` : `${middle.toFixed(1)}, ${most.toFixed(1)} (${script.toFixed(1)})`);
     console.error(`${says}, ${width} px, ratio ${deviceScaleFactor}, slowed ${slower}: ${count} frames, ${rate.toFixed(0)} a second, ${layouts.toFixed(1)} layouts a frame`);
     await page.close();
   }

@@ -94,7 +94,7 @@ async function stills({ open, bases, fault }, name, widgets) {
   const page = await open(bases.file, { javaScriptEnabled: false });
   await page.goto(bases.file + name);
   for (const widget of widgets) {
-    const still = await page.locator(`#live-${widget} .live-still`).isVisible();
+    const still = await page.locator(`[data-live=${widget}] > .live-still`).isVisible();
     if (!still || await page.locator(`#live-${widget} .live-stage`).isVisible()) fault(`${name} without scripts`, `${widget} does not stand still`);
   }
   await page.context().close();

@@ -81,8 +81,9 @@ export async function codeFolds(page, base, fault) {
 /** What a reader would type is found, leads to its page, and shows no words that the page does not. */
 export async function search(page, base, fault) {
   const where = `search, ${base.slice(0, 4)}`;
-  for (const [typed, leads] of [["book", /highlight=book/], ["gyroscopic", /eulers|pitfalls|stepping|break|glossary/], ["R I R^T", /body-and-world/], ["tennis racket", /index|introduction|dzhanibekov|toss/], ["separatrix", /highlight=separatrix/], ["coin", /coin/],
-    ["inertia tensor", /matrix-mass/], ["polhode", /dzhanibekov/], ["quaternion", /notation/], ["momentum", /matrix-mass/], ["parallel axis", /principal-axes/], ["theta function", /closed-form/]]) {
+  for (const [typed, leads] of [["book", /highlight=book/], ["gyroscopic", /eulers|pitfalls|stepping|break|glossary/], ["R I R^T", /body-and-world/], ["tennis racket", /index|introduction|dzhanibekov|toss/], ["separatrix", /dzhanibekov/], ["coin", /coin/],
+    ["inertia tensor", /matrix-mass/], ["polhode", /dzhanibekov/], ["quaternion", /notation/], ["momentum", /matrix-mass/], ["parallel axis", /principal-axes/], ["theta function", /closed-form/], ["energy", /eulers/], ["gap", /two-arrows/], ["slip", /eulers/], ["flip", /dzhanibekov|toss/], ["torque", /eulers/],
+    ["precession", /a-top/], ["nutation", /a-top/], ["principal axes", /principal-axes/], ["moment of inertia", /matrix-mass/], ["Coriolis", /why/], ["hammer", /principal-axes/], ["Feynman", /coin/], ["middle axis", /why/]]) {
     await page.goto(base + "index.html");
     await page.keyboard.press("/");
     await page.locator("#mdbook-searchbar").pressSequentially(typed); // it listens to keys
@@ -105,7 +106,7 @@ export async function withoutScripts(open, base, page, fault) {
   const count = () => {
     // The answers of questions wait only where there are scripts.
     const seen = (selector) =>
-      [...document.querySelectorAll(selector)].filter((e) => e.getBoundingClientRect().width > 0 && !e.closest(".question")).length;
+      [...document.querySelectorAll(selector)].filter((e) => e.getBoundingClientRect().width > 0 && !e.closest(".question, .question + .fig")).length;
     const lettersOf = (element) => element.innerText.replace(/\s/g, "").length;
     const awake = [...document.querySelectorAll("main .live-stage")].filter((stage) => stage.clientHeight > 0);
     return {
@@ -142,6 +143,12 @@ export async function questions(open, base, pages, fault) {
       const answer = box.locator("em").last();
       wants("its answer waits", !(await answer.isVisible()));
       const right = (await answer.textContent()).trim();
+      await box.scrollIntoViewIfNeeded(); // so that what stands below it is awake
+      const below = await box.evaluate((box) => [...document.querySelectorAll("main :is(h2, p, li, dd, pre, figcaption, svg text)")].filter((e) => {
+        const down = e.getBoundingClientRect().top - box.getBoundingClientRect().bottom;
+        return !e.closest(".question") && e.checkVisibility() && down >= 0 && down < 720; // a screen
+      }).map((e) => e.textContent).join(" "));
+      wants(`within a screen below it stands its answer, "${right}"`, !below.toLowerCase().includes(right.toLowerCase()));
       const address = page.url();
       const options = box.locator("ul button");
       if (await options.count() > 0) {

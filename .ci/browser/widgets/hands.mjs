@@ -53,18 +53,25 @@ export async function finger(page, from, others, every) {
   const client = await page.context().newCDPSession(page);
   const begun = Date.now() / 1000 - 1;
   let count = 0;
+  // For a finger controls are larger, and what it takes hold of may stand elsewhere then.
+  const taken = await page.evaluateHandle(([x, y]) => document.elementFromPoint(x, y).closest("svg, canvas, input, main"), from);
+  const place = () => taken.evaluate((e) => [e.getBoundingClientRect().x, e.getBoundingClientRect().y]);
+  const [was, moved] = [await place(), [0, 0]];
   const touch = (type, points) => client.send("Input.dispatchTouchEvent", {
-    type, touchPoints: points.map(([x, y]) => ({ x, y })), ...(every && { timestamp: begun + (count++ * every) / 1000 }),
+    type, touchPoints: points.map(([x, y]) => ({ x: x + moved[0], y: y + moved[1] })), ...(every && { timestamp: begun + (count++ * every) / 1000 }),
   });
   const scrolled = () => page.evaluate(() => scrollY);
-  const before = await scrolled();
   await client.send("Emulation.setTouchEmulationEnabled", { enabled: true });
+  await frames(page);
+  (await place()).forEach((now, i) => { moved[i] = now - was[i]; });
+  const before = await scrolled();
   await touch("touchStart", [from]);
   for (const place of others) await touch("touchMove", [place]);
   await touch("touchEnd", []);
+  const after = await scrolled();
   await client.send("Emulation.setTouchEmulationEnabled", { enabled: false });
   await client.detach();
-  return (await scrolled()) - before;
+  return after - before;
 }
 
 /** A number of frames of the same number of ms each, from now on; the first begins them. */

@@ -81,6 +81,7 @@ export async function twoArrows(page, wants) {
   await page.mouse.move(drawing.x + drawing.width, drawing.y + drawing.height);
   wants("let go, it stays", String(await numbers()) === after);
   await set(page, spin, 30);
+  await page.locator("#live-two-arrows").evaluate((box) => box.scrollIntoView()); // above it a finger makes controls larger
 
   // By a finger, in many small moves: the arrow follows to the end, and the page stays.
   const ring = await page.locator("#live-two-arrows .live-handle").boundingBox();

@@ -22,7 +22,7 @@ fn a_number_a_unit_a_number_word_or_a_link_that_is_altered_is_noticed() {
         ("0,340 kg", "0,34 kg"),
         ("hat drei Achsen", "hat vier Achsen"),
         ("zwei Umdrehungen in der Sekunde um", "drei Umdrehungen in der Sekunde um"),
-        ("danebenliegen: Mit einem Zwanzigstel", "danebenliegen: Mit einem Zehntel"),
+        ("Versehen ein Zwanzigstel", "Versehen ein Zehntel"),
         ("die dritte ist es nicht", "die zweite ist es nicht"),
         ("um 0,02 rad zur Seite", "um 0,2 rad zur Seite"),
         ("](../../figures/three-tosses.svg)\"\n\"*", "](../../figures/coin.svg)\"\n\"*"),

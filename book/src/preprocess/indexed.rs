@@ -3,7 +3,7 @@
 //! mdBook indexes every word of a page: programs, the description and the numbers in a drawing, and the
 //! controls of a widget too. So the index is made of chapters without these and without the answers of
 //! questions, and with the words in `search.toml`, by which a reader would look for a page and which no
-//! result shows.
+//! result shows. A page without such words there is found as a whole, behind the chapters that explain.
 
 use super::programs;
 use crate::site::places::escaped;
@@ -13,8 +13,11 @@ use std::fs;
 use std::path::Path;
 
 /// Where each kind that is left out begins, and what follows it.
-const KINDS: [(&str, &str); 2] =
-    [("<svg", "</div>\n<a class=\"fig-large\""), ("<div class=\"live\"", "\n<script src=\"")];
+const KINDS: [(&str, &str); 3] = [
+    ("<svg", "</div>\n<a class=\"fig-large\""),
+    ("<div class=\"live\"", "\n<script src=\""),
+    ("<nav aria-label=\"Chapters", "</footer>"),
+];
 
 /// Leaves out what no reader looks for, and puts the words of `search.toml` in.
 ///
@@ -27,6 +30,7 @@ pub(super) fn reduce(book: &mut Book, root: &Path) -> Result<(), String> {
         let name = chapter.source_path.as_deref().and_then(Path::file_stem).and_then(|name| name.to_str());
         let text = unanswered(&programs::without(&without(&chapter.content)));
         chapter.content = match name.and_then(|name| sought.remove(name)) {
+            Some(words) if words.is_empty() => text.replace("\n## ", "\n### "), // found as a whole
             Some(words) => with_words(&text, &words),
             None => text,
         };

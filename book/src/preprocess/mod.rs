@@ -93,7 +93,7 @@ fn run(context: &PreprocessorContext, mut book: Book) -> Result<Book> {
         let written = Source { path: &path, text: &own };
         let text = exercises::replace(&written, &exercises)
             .and_then(|text| goals::replace(&text))
-            .and_then(|text| home::replace(&text));
+            .map(|text| home::replace(&text));
         let text = match text {
             Ok(text) => text,
             Err(fault) => return faults.push(fault),

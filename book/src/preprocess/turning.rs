@@ -1,5 +1,6 @@
-//! The foot of each page: the chapter before and the one after, each with a sentence.
+//! The foot of each page: the chapter before and the one after, each with a sentence, and whose the book is.
 
+use crate::site::home;
 use crate::site::places::{Sentences, escaped};
 use mdbook_preprocessor::book::{Book, BookItem};
 use std::path::{Path, PathBuf};
@@ -46,21 +47,18 @@ pub(super) fn add(book: &mut Book, root: &Path) -> Vec<String> {
 type Page = (PathBuf, String, String);
 
 fn foot(before: Option<&Page>, after: Option<&Page>) -> String {
-    let mut html = String::from("\n\n<nav class=\"turning\" aria-label=\"Chapters before and after\">\n");
+    let mut html =
+        String::from("\n\n<footer class=\"turning\">\n<nav aria-label=\"Chapters before and after\">\n");
     for (way, chapter) in [("Before", before), ("Next", after)] {
         if let Some((path, name, sentence)) = chapter {
             html.push_str(&format!(
                 "<p class=\"turning-{}\"><span>{way}</span> <a href=\"{}\">{}</a> {}</p>\n",
                 way.to_lowercase(),
-                page(path),
+                path.with_extension("html").display(),
                 escaped(name),
                 escaped(sentence),
             ));
         }
     }
-    html + "</nav>\n"
-}
-
-fn page(path: &Path) -> String {
-    path.with_extension("html").to_string_lossy().into_owned()
+    html + "</nav>\n\n" + &home::line() + "\n\n</footer>\n"
 }

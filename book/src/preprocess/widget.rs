@@ -8,10 +8,10 @@ use super::edits::Edits;
 use super::{Folders, Piece, Source, nested};
 use crate::site::files;
 use base64::prelude::{BASE64_STANDARD, Engine as _};
+use flate2::{Compression, read::ZlibEncoder};
 use pulldown_cmark::{Event, Tag};
-use std::collections::BTreeMap;
-use std::fs;
-use std::path::PathBuf;
+use std::collections::{BTreeMap, BTreeSet};
+use std::{fs, io::Read as _};
 
 /// How a directive begins.
 const OPENING: &str = "{{#widget";
@@ -21,31 +21,22 @@ const OPENING: &str = "{{#widget";
 const CARRIED: [(&str, &str, &str); 1] =
     [("judge", "example", "crates/judge/data/rapier3d-f64-0.36.1--major.csv")];
 
-/// The modules of a widget that has others than one of its own name.
-const MODULES: [(&str, &[&str]); 15] = [
-    ("axle", &["two-arrows", "your-body", "tumble"]),
-    ("coin", &["tumble"]),
-    ("engines", &["steps", "tumble"]),
-    ("masses", &["two-arrows"]),
-    ("pitfalls", &["pitfalls", "tumble"]),
-    ("racket", &["tumble"]),
-    ("steps", &["steps", "tumble"]),
-    ("toss", &["tumble"]),
-    ("tosses", &["tumble"]),
-    ("trading", &["tumble"]),
-    ("turning", &["tumble"]),
-    ("two-arrows", &["two-arrows", "tumble"]),
-    ("why", &["tumble"]),
-    ("your-body", &["your-body", "tumble"]),
-    ("your-box", &["your-body", "tumble"]),
-];
-
+/// The modules that a widget asks: the one of its own name, if nothing else is said here.
 fn modules<'a>(widget: &'a &str) -> &'a [&'a str] {
-    MODULES.iter().find(|(of, _)| of == widget).map_or(std::slice::from_ref(widget), |(_, modules)| modules)
+    match *widget {
+        "axle" => &["two-arrows", "your-body", "tumble"],
+        "engines" | "steps" => &["steps", "tumble"],
+        "masses" => &["two-arrows"],
+        "pitfalls" => &["pitfalls", "tumble"],
+        "two-arrows" => &["two-arrows", "tumble"],
+        "your-body" | "your-box" => &["your-body", "tumble"],
+        "coin" | "racket" | "toss" | "tosses" | "trading" | "turning" | "why" => &["tumble"],
+        _ => std::slice::from_ref(widget),
+    }
 }
 
-/// The widgets that the book has so far, and where.
-pub(super) type Placed = BTreeMap<String, PathBuf>;
+/// The widgets that the book has so far.
+pub(super) type Placed = BTreeSet<String>;
 
 /// Replaces the directives of a chapter; returns what was wrong.
 pub(super) fn replace(
@@ -91,17 +82,21 @@ fn directive(paragraph: &str) -> Option<&str> {
 
 /// What stands in the page for a widget, with no blank line in it: that would end the HTML.
 fn place(source: &Source<'_>, name: &str, folders: &Folders, placed: &mut Placed) -> Result<String, String> {
-    if let Some(earlier) = placed.get(name) {
-        return Err(format!("the widget `{name}` stands already in {}: one is enough", earlier.display()));
-    }
     let still = folders.widgets.join(format!("page/{name}.html"));
     let html = fs::read_to_string(&still)
         .map_err(|e| format!("there is no widget `{name}`: {} cannot be read ({e})", still.display()))?;
-    let lines: Vec<&str> = html.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
+    let mut lines: Vec<&str> = html.lines().map(str::trim).filter(|line| !line.is_empty()).collect();
+    let mut id = format!(" id=\"live-{name}\"");
+    // Where it stands again, it waits in a template: the page of the whole book has its ids once.
+    if !placed.insert(name.to_owned()) {
+        let stage = lines.iter().position(|line| line.starts_with("<div class=\"live-stage\"")).unwrap_or(0);
+        lines.insert(stage, "<template>");
+        lines.push("</template>");
+        id.clear();
+    }
     let up = "../".repeat(source.path.components().count().saturating_sub(1));
-    placed.insert(name.to_owned(), source.path.to_owned());
     Ok(format!(
-        "<div class=\"live\" id=\"live-{name}\" data-live=\"{name}\" data-modules=\"{}\" data-from=\"{up}widgets/\">\n{}\n</div>\n\
+        "<div class=\"live\"{id} data-live=\"{name}\" data-modules=\"{}\" data-from=\"{up}widgets/\">\n{}\n</div>\n\
          <script src=\"{up}widgets/live.js\" defer></script>\n\n",
         modules(&name).join(" "),
         lines.join("\n")
@@ -111,22 +106,19 @@ fn place(source: &Source<'_>, name: &str, folders: &Folders, placed: &mut Placed
 /// Lays the scripts and modules of these widgets beside the chapters, whence mdBook copies them to the pages.
 pub(super) fn lay_out(placed: &Placed, folders: &Folders) -> Result<(), String> {
     let mut all = BTreeMap::new();
-    if !placed.is_empty() {
-        for script in scripts("live", folders)? {
-            all.insert(script.clone(), files::bytes(&folders.widgets.join("page").join(script))?);
-        }
-    }
-    for name in placed.keys() {
+    for name in placed.iter().map(String::as_str).chain((!placed.is_empty()).then_some("live")) {
         for script in scripts(name, folders)? {
             all.insert(script.clone(), files::bytes(&folders.widgets.join("page").join(script))?);
         }
+    }
+    for name in placed {
         for module in modules(&name.as_str()) {
             let built = files::bytes(&folders.widgets.join(format!("built/{module}.wasm")))?;
-            all.insert(format!("{module}.wasm.js"), carrier(module, &built));
+            all.insert(format!("{module}.wasm.js"), carrier(module, &built)?);
         }
         for (_, what, file) in CARRIED.iter().filter(|(of, ..)| of == name) {
             let carried = files::bytes(&folders.widgets.join("../..").join(file))?;
-            all.insert(format!("{name}.{what}.js"), carrier(&format!("{name}.{what}"), &carried));
+            all.insert(format!("{name}.{what}.js"), carrier(&format!("{name}.{what}"), &carried)?);
         }
     }
     files::lay_out(&folders.chapters.join("widgets"), &all)
@@ -142,9 +134,12 @@ fn scripts(name: &str, folders: &Folders) -> Result<Vec<String>, String> {
     Ok(std::iter::once(own.clone()).chain(parts.filter(|part| *part != own)).collect())
 }
 
-/// A script that hands these bytes to the page.
-fn carrier(name: &str, bytes: &[u8]) -> Vec<u8> {
-    format!("tumblingLive.carry(\"{name}\", \"{}\");\n", BASE64_STANDARD.encode(bytes)).into_bytes()
+/// A script that hands these bytes to the page: packed before they are text, which itself packs badly.
+fn carrier(name: &str, bytes: &[u8]) -> Result<Vec<u8>, String> {
+    let mut packed = Vec::new();
+    ZlibEncoder::new(bytes, Compression::best()).read_to_end(&mut packed).map_err(|e| e.to_string())?;
+    let text = BASE64_STANDARD.encode(packed);
+    Ok(format!("tumblingLive.carry(\"{name}\", \"{text}\");\n").into_bytes())
 }
 
 #[cfg(test)]

@@ -61,7 +61,8 @@ fn index_of_words(pages: &Path) -> Result<(), String> {
         ([from], [to]) => {
             // No result shows the words by which it is found.
             let bare = |text: String, words: &String| text.replace(&format!("{} ", escaped(words)), "");
-            let text = indexed::words(paths::book())?.values().fold(files::text(from)?, bare);
+            let words = indexed::words(paths::book())?;
+            let text = words.values().filter(|words| !words.is_empty()).fold(files::text(from)?, bare);
             write_changed(to, text.as_bytes()).map(|_| ())
         }
         _ => Err(format!("{} and {} indices of the search, not one and one", from.len(), to.len())),

@@ -1,6 +1,6 @@
 //! Whose the book is, from `CITATION.cff`, the one place where that is set; what is not set there is absent.
 
-use crate::site::{files, paths};
+const CITATION: &str = include_str!("../../../CITATION.cff");
 
 /// Where a page says it, alone in its line.
 const DIRECTIVE: &str = "{{#home}}\n";
@@ -15,21 +15,19 @@ const FIELDS: [(&str, &str); 5] = [
 ];
 
 /// A page's text with it in the place of the directive.
-///
-/// # Errors
-/// A file that cannot be read.
-pub(crate) fn replace(text: &str) -> Result<String, String> {
-    if !text.contains(DIRECTIVE) {
-        return Ok(text.to_owned());
-    }
-    Ok(text.replacen(DIRECTIVE, &listed(&files::text(&paths::repository().join("CITATION.cff"))?), 1))
+pub(crate) fn replace(text: &str) -> String {
+    text.replacen(DIRECTIVE, &format!("- {}\n", listed(CITATION).join("\n- ")), 1)
 }
 
-fn listed(citation: &str) -> String {
+/// It in one line of Markdown, for the foot of each page.
+pub(crate) fn line() -> String {
+    listed(CITATION).join(" · ") + " · [Licences](about.md#whose-it-is)"
+}
+
+fn listed(citation: &str) -> Vec<String> {
     let value = |key: &str| citation.lines().find_map(|line| line.strip_prefix(key));
     let shown = |value: &str| if value.starts_with("http") { format!("<{value}>") } else { value.to_owned() };
-    let line =
-        |(key, name): (&str, &str)| Some(format!("- {name}: {}\n", shown(value(key)?.trim_matches('"'))));
+    let line = |(key, name): (&str, &str)| Some(format!("{name}: {}", shown(value(key)?.trim_matches('"'))));
     FIELDS.into_iter().filter_map(line).collect()
 }
 
@@ -40,6 +38,6 @@ mod tests {
     #[test]
     fn what_the_citation_has_is_listed_and_what_it_lacks_is_absent() {
         let citation = "authors:\n  - name: A. B.\nversion: 2.1\nurl: \"https://example.org\"\n";
-        assert_eq!(listed(citation), "- By: A. B.\n- Version: 2.1\n- Address: <https://example.org>\n");
+        assert_eq!(listed(citation), ["By: A. B.", "Version: 2.1", "Address: <https://example.org>"]);
     }
 }

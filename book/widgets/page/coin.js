@@ -86,7 +86,7 @@ tumblingLive.widget("coin", async (stage, from) => {
         const { across, along } = BODIES[body.value];
         state.t = t;
         state.now = Array.from(exact.answer(4, across, across, along, ...state.omega, t, 0));
-        const says = { turns: fixed(SPIN * t / (2 * Math.PI), 1), wobbles: fixed(state.rate * t / (2 * Math.PI), 1), ratio: fixed(state.rate / SPIN, 2) };
+        const says = { turns: fixed(SPIN * t / (2 * Math.PI), 1), wobbles: fixed(state.rate * t / (2 * Math.PI), 1), ratio: t > 0 ? fixed(state.rate / SPIN, 2) : "?" }; // a question stands above
         for (const [what, text] of Object.entries(says)) if (shown(what).textContent !== text) shown(what).textContent = text;
         picture.draw();
         return `${says.turns} turns, ${says.wobbles} wobbles.`;
@@ -100,7 +100,7 @@ tumblingLive.widget("coin", async (stage, from) => {
         [state.up, state.rate] = [unit(momentum), Math.hypot(...momentum) / across];
         shown("tilt").textContent = `${tilt.value}°`;
         tilt.setAttribute("aria-valuetext", shown("tilt").textContent);
-        return `Tilted by ${shown("tilt").textContent} it wobbles ${fixed(state.rate / SPIN, 2)} times in a turn. ${go(0)}`;
+        return `Tilted by ${shown("tilt").textContent}. ${go(0)}`;
     }
     const { pause } = clock(stage, play, { step: 0.1, go: (seconds) => Boolean(go(state.t + seconds)), pressed: () => say(go(state.t)) });
     back.addEventListener("click", () => {

@@ -52,7 +52,7 @@ tumblingLive.widget("judge", async (stage, from) => {
     }
     const code = URL.createObjectURL(new Blob([`"use strict";(${work})()`], { type: "text/javascript" }));
     // Here, and not first in the worker: a damaged module is no fault of any record.
-    const module = await WebAssembly.compile(bytes("judge"));
+    const module = await WebAssembly.compile(await bytes("judge"));
 
     let worker = hire();
     let busy = false;
@@ -252,7 +252,7 @@ tumblingLive.widget("judge", async (stage, from) => {
     file.addEventListener("change", () => file.files.length > 0 && files([...file.files]));
     example.addEventListener("click", async () => {
         await load(`${from}judge.example.js`);
-        text.value = new TextDecoder().decode(bytes("judge.example"));
+        text.value = new TextDecoder().decode(await bytes("judge.example"));
         lines("the example");
     });
     for (const field of [moments, threshold, fit]) field.addEventListener("change", () => records.length > 0 && judge(records, Math.max(0, shown)));

@@ -20,14 +20,16 @@ globalThis.tumblingLive ??= (() => {
         return loading.get(address);
     }
 
-    /** The bytes of a carried file. */
-    function bytes(name) {
-        return Uint8Array.from(atob(carried.get(name)), (letter) => letter.charCodeAt(0));
+    /** The bytes of a carried file, which came packed. */
+    async function bytes(name) {
+        const packed = Uint8Array.from(atob(carried.get(name)), (letter) => letter.charCodeAt(0));
+        const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
+        return new Uint8Array(await new Response(stream).arrayBuffer());
     }
 
     /** A module, ready to be asked: see exchange/src/lib.rs for the other side. */
     async function module(name) {
-        const { exports } = (await WebAssembly.instantiate(bytes(name), {})).instance;
+        const { exports } = (await WebAssembly.instantiate(await bytes(name), {})).instance;
         return {
             /** The numbers answered, or null: then `words` says why. */
             answer(what, ...asked) {
@@ -168,6 +170,11 @@ globalThis.tumblingLive ??= (() => {
     // The whole book for printing keeps still.
     const boxes = /\/print\.html$/.test(location.pathname) ? [] : document.querySelectorAll("[data-live]");
     for (const box of boxes) {
+        const waits = box.querySelector("template"); // it stands in an earlier chapter too
+        if (waits) {
+            box.id = `live-${box.dataset.live}`;
+            waits.replaceWith(waits.content);
+        }
         // An address that gives a widget its numbers leads to it.
         if (location.hash.startsWith(`#${box.dataset.live}?`)) box.scrollIntoView();
         box.classList.add("live-on");

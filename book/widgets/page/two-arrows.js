@@ -87,7 +87,7 @@ tumblingLive.widget("two-arrows", async (stage, origin) => {
         const beside = omega[1] + (now.from > 60 ? -2 : now.from < 20 ? -9 : 10);
         draw("text", svg, { class: "live-omega", x: omega[0] + 10, y: beside }, "ω");
         // Beside the upright axis, L stands below what names that axis.
-        const low = tip[0] < centre[0] + 40 ? Math.max(tip[1] - 8, 0.03 * height + 52) : tip[1] - 8;
+        const low = tip[0] < centre[0] + 40 ? Math.max(tip[1] - 8, 0.03 * height + 52) : tip[1] - (now.to < 10 ? 16 : 8);
         const aside = low > tip[1] - 8 || now.gap <= 12 ? 14 : 4;
         draw("text", svg, { class: "live-momentum", x: tip[0] - aside, y: low, "text-anchor": "end" }, "L");
         if (free.t > 0) return; // what follows belongs to a spin that is still held

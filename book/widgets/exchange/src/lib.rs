@@ -16,7 +16,7 @@
 //! }
 //! exchange::page!(answer);
 //!
-//! let row = Numbers::new();
+//! let row = Numbers::empty();
 //! row.fill(&[2.0, 3.0]);
 //! assert_eq!(answer(0, &row), 1);
 //! assert_eq!(row.get(0), 5.0);
@@ -37,7 +37,7 @@ pub struct Numbers([AtomicU64; ROOM]);
 impl Numbers {
     /// All zero.
     #[must_use]
-    pub const fn new() -> Self {
+    pub const fn empty() -> Self {
         Self([const { AtomicU64::new(0) }; ROOM])
     }
 
@@ -80,19 +80,13 @@ impl Numbers {
     }
 }
 
-impl Default for Numbers {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
 /// A text from the module to its page.
 pub struct Text(Mutex<String>);
 
 impl Text {
     /// Empty.
     #[must_use]
-    pub const fn new() -> Self {
+    pub const fn empty() -> Self {
         Self(Mutex::new(String::new()))
     }
 
@@ -115,12 +109,6 @@ impl Text {
     }
 }
 
-impl Default for Text {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
 /// A line from the module to its page, for a module that has no other need of memory than what it starts
 /// with.
 pub struct Line {
@@ -134,7 +122,7 @@ impl Line {
 
     /// Empty.
     #[must_use]
-    pub const fn new() -> Self {
+    pub const fn empty() -> Self {
         Self { bytes: [const { AtomicU8::new(0) }; Self::ROOM], length: AtomicUsize::new(0) }
     }
 
@@ -164,12 +152,6 @@ impl Line {
     }
 }
 
-impl Default for Line {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
 /// Bytes from the page to the module, a piece at a time.
 pub struct Piece([AtomicU8; Self::ROOM]);
 
@@ -179,7 +161,7 @@ impl Piece {
 
     /// Empty.
     #[must_use]
-    pub const fn new() -> Self {
+    pub const fn empty() -> Self {
         Self([const { AtomicU8::new(0) }; Self::ROOM])
     }
 
@@ -197,26 +179,31 @@ impl Piece {
     }
 }
 
-impl Default for Piece {
-    fn default() -> Self {
-        Self::new()
-    }
+/// The memory of a module that asks for little of it: a list of what is free, a tenth of the code of `std`.
+#[cfg(target_arch = "wasm32")]
+pub type Memory = lol_alloc::LockedAllocator<lol_alloc::FreeListAllocator>;
+
+/// None of it is taken yet.
+#[cfg(target_arch = "wasm32")]
+#[must_use]
+pub const fn memory() -> Memory {
+    Memory::new(lol_alloc::FreeListAllocator::new())
 }
 
 /// Names a module's `answer` to its page; a module that also has words names its [`Text`] or [`Line`]
-/// besides.
+/// besides, and one that asks for much memory says so.
 ///
 /// `answer` takes what is asked for and the row, and returns how many numbers the answer has. None: the
 /// question has no answer; the text, if the module has one, says why.
 #[macro_export]
 macro_rules! page {
-    ($answer:path) => {
+    ($answer:path, much) => {
         #[cfg(target_arch = "wasm32")]
         #[allow(unsafe_code, missing_docs, reason = "a page finds a function by its name alone")]
         mod page {
             use super::*;
 
-            static ROW: $crate::Numbers = $crate::Numbers::new();
+            static ROW: $crate::Numbers = $crate::Numbers::empty();
 
             #[unsafe(export_name = "numbers")]
             extern "C" fn the_numbers() -> usize {
@@ -229,8 +216,8 @@ macro_rules! page {
             }
         }
     };
-    ($answer:path, $text:path) => {
-        $crate::page!($answer);
+    ($answer:path, $text:path, much) => {
+        $crate::page!($answer, much);
 
         #[cfg(target_arch = "wasm32")]
         #[allow(unsafe_code, missing_docs, reason = "a page finds a function by its name alone")]
@@ -247,5 +234,12 @@ macro_rules! page {
                 $text.place().1
             }
         }
+    };
+    ($answer:path $(, $text:path)?) => {
+        $crate::page!($answer $(, $text)?, much);
+
+        #[cfg(target_arch = "wasm32")]
+        #[global_allocator]
+        static MEMORY: $crate::Memory = $crate::memory();
     };
 }

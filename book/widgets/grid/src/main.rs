@@ -10,7 +10,7 @@ use std::path::Path;
 
 fn main() -> io::Result<()> {
     let mut out = io::BufWriter::new(io::stdout().lock());
-    let row = Numbers::new();
+    let row = Numbers::empty();
     let mut ask = |module: &str,
                    answer: fn(u32, &Numbers) -> usize,
                    what: u32,
@@ -295,7 +295,7 @@ fn top(row: &Numbers, ask: &mut Ask<'_>) -> io::Result<()> {
 /// A record as a file, judged by what it says and by other moments.
 fn record(out: &mut impl io::Write, file: &Path) -> io::Result<()> {
     let bytes = std::fs::read(file)?;
-    let row = Numbers::new();
+    let row = Numbers::empty();
     let questions: [&[f64]; 4] = [
         &[0.0, 0.0, 0.0, 0.0, 0.01, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],
         &[1.0, 1.0, 2.0, 2.5, 0.01, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0],

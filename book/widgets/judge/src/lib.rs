@@ -6,7 +6,7 @@ use std::io::BufRead;
 use tumbling_judge::{Options, judge};
 
 /// The verdict, or why there is none.
-pub static VERDICT: Text = Text::new();
+pub static VERDICT: Text = Text::empty();
 
 /// Judges a record.
 ///
@@ -41,7 +41,7 @@ mod record {
     use exchange::{Numbers, Piece};
     use std::io::{BufReader, Read, Result};
 
-    static PIECE: Piece = Piece::new();
+    static PIECE: Piece = Piece::empty();
 
     #[expect(unsafe_code, reason = "what the page lends must be declared so; calling it is safe")]
     #[link(wasm_import_module = "page")]
@@ -67,4 +67,4 @@ mod record {
     }
 }
 
-exchange::page!(record::answer, VERDICT);
+exchange::page!(record::answer, VERDICT, much);

@@ -194,7 +194,7 @@ mod tests {
         [count, piece]: [usize; 2],
         body: usize,
     ) -> ([f64; HEAD], Vec<f64>, Vec<f64>) {
-        let row = Numbers::new();
+        let row = Numbers::empty();
         let begun = [&moments(body)[..], &omega, &[which as f64]].concat();
         row.fill(&begun);
         let places = answer(0, &row);

@@ -4,6 +4,7 @@
 use exchange::Numbers;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::sync::{Mutex, PoisonError};
+use tumbling::attitude::angle_between;
 use tumbling::step::{Method, State, System};
 use tumbling::{Error, ErrorKind};
 
@@ -113,7 +114,7 @@ fn run(method: Method, system: &System<f64>, row: &Numbers) -> usize {
         greatest = greatest.max(spin.abs());
         row.set(HEAD + taken, spin);
     }
-    let off = UnitQuaternion::new_normalize(motion.attitude).angle_to(&truth).to_degrees();
+    let off = angle_between(&UnitQuaternion::new_normalize(motion.attitude), &truth).to_degrees();
     row.fill(&[taken as f64, why, energy_off, length_off, off, greatest]);
     HEAD + 1 + taken
 }
@@ -147,7 +148,7 @@ mod tests {
             .at(10.0)
             .unwrap()
             .attitude;
-        let row = Numbers::new();
+        let row = Numbers::empty();
         let start = [MOMENTS.x, MOMENTS.y, MOMENTS.z, 1.0, 1.0, 1.0, 10.0, count, place as f64];
         row.fill(&[&start[..], &[truth.w, truth.i, truth.j, truth.k]].concat());
         let places = answer(1, &row);

@@ -2,12 +2,13 @@
 
 use exchange::{Line, Numbers};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use tumbling::attitude::turn;
 use tumbling::exact::{LagrangeTop, TopRegime};
 use tumbling::step::{State, System, Torque, rk4};
 use tumbling::{Error, PrincipalMoments};
 
 /// Why there is no answer.
-pub static WHY: Line = Line::new();
+pub static WHY: Line = Line::empty();
 
 /// The chapter's top: the moments about its point, across its axis and along it, kg m².
 const ACROSS: f64 = 2e-4;
@@ -43,7 +44,7 @@ pub fn answer(what: u32, row: &Numbers) -> usize {
     let found = match what {
         0 => facts(row.take(0), row),
         1 => exact(row.take(0), row.take(3), row),
-        2 => start(row.take(0)).map(|(attitude, omega)| {
+        2 => start(row.take(0)).map(|(attitude, omega, _)| {
             let [q, l] =
                 [attitude.coords, Vector3::new(ACROSS, ACROSS, ALONG).component_mul(&omega).push(0.0)];
             row.fill(&[q.w, q.x, q.y, q.z, l.x, l.y, l.z])
@@ -65,18 +66,19 @@ impl From<Error> for Why {
     }
 }
 
-/// The attitude, and the spin along the body's axes.
-fn start([spin, lean, round]: [f64; 3]) -> Result<(UnitQuaternion<f64>, Vector3<f64>), Why> {
-    let lean = lean.to_radians();
-    let round = if round.is_nan() { steady(spin, lean)? } else { round };
-    let omega = Vector3::new(0.0, round * lean.sin(), spin);
-    Ok((UnitQuaternion::from_axis_angle(&Vector3::x_axis(), lean), omega))
+/// The attitude, the spin along the body's axes, and the rate at which the axis goes round.
+fn start([spin, lean, round]: [f64; 3]) -> Result<(UnitQuaternion<f64>, Vector3<f64>, f64), Why> {
+    let attitude = turn(&Vector3::new(lean.to_radians(), 0.0, 0.0));
+    let (half_cos, half_sin) = (attitude.w, attitude.i);
+    let round = if round.is_nan() { steady(spin, half_cos * half_cos - half_sin * half_sin)? } else { round };
+    let omega = Vector3::new(0.0, round * 2.0 * half_sin * half_cos, spin);
+    Ok((UnitQuaternion::new_unchecked(attitude), omega, if omega.y == 0.0 { 0.0 } else { round }))
 }
 
-/// The slower rate at which the lean stays.
-fn steady(spin: f64, lean: f64) -> Result<f64, Why> {
+/// The slower rate at which a lean of this cosine stays.
+fn steady(spin: f64, cosine: f64) -> Result<f64, Why> {
     let momentum = ALONG * spin;
-    let square = momentum * momentum - 4.0 * ACROSS * lean.cos() * WEIGHT * ARM;
+    let square = momentum * momentum - 4.0 * ACROSS * cosine * WEIGHT * ARM;
     let sum = momentum + square.sqrt();
     if square >= 0.0 && sum > 0.0 {
         return Ok(2.0 * WEIGHT * ARM / sum);
@@ -88,10 +90,10 @@ fn moments() -> Result<PrincipalMoments, Error> {
     PrincipalMoments::new(ACROSS, ACROSS, ALONG)
 }
 
-fn top(given: [f64; 3]) -> Result<(LagrangeTop, Vector3<f64>), Why> {
-    let (attitude, omega) = start(given)?;
+fn top(given: [f64; 3]) -> Result<(LagrangeTop, f64), Why> {
+    let (attitude, omega, round) = start(given)?;
     let arm = Vector3::new(0.0, 0.0, ARM);
-    Ok((LagrangeTop::new(moments()?, attitude, &omega, &arm, WEIGHT)?, omega))
+    Ok((LagrangeTop::new(moments()?, attitude, &omega, &arm, WEIGHT)?, round))
 }
 
 /// 0 free, 1 asleep, 2 upright and unstable, 3 hanging, 4 steady, 5 wavy, 6 with cusps, 7 with loops, 8 a
@@ -122,9 +124,8 @@ fn drum() -> [f64; 2] {
 }
 
 fn facts(given: [f64; 3], row: &Numbers) -> Result<usize, Why> {
-    let (top, omega) = top(given)?;
+    let (top, round) = top(given)?;
     let [least, greatest] = top.lean().map(f64::to_degrees);
-    let round = omega.y / given[1].to_radians().sin();
     let critical = (4.0 * ACROSS * WEIGHT * ARM).sqrt() / ALONG;
     let [radius, half] = drum();
     Ok(row.fill(&[
@@ -133,7 +134,7 @@ fn facts(given: [f64; 3], row: &Numbers) -> Result<usize, Why> {
         greatest,
         top.period()?.unwrap_or(f64::NAN),
         top.precession_rate(),
-        if round.is_finite() { round } else { 0.0 },
+        round,
         critical,
         radius,
         ARM - half,
@@ -196,7 +197,7 @@ mod tests {
 
     /// What a start leads to.
     fn told(start: [f64; 3]) -> [f64; 10] {
-        let row = Numbers::new();
+        let row = Numbers::empty();
         row.fill(&start);
         assert_eq!(answer(0, &row), 10);
         row.take(0)
@@ -224,14 +225,14 @@ mod tests {
 
     #[test]
     fn without_spin_it_balances_upright() {
-        let row = Numbers::new();
+        let row = Numbers::empty();
         row.fill(&[0.0, 0.0, 0.0, 1.5, 1.5, 1.0]);
         assert_eq!((answer(1, &row), row.take(0)), (4, [1.0, 0.0, 0.0, 0.0]));
     }
 
     #[test]
     fn too_slow_for_a_steady_rate_is_said_so() {
-        let row = Numbers::new();
+        let row = Numbers::empty();
         row.fill(&[100.0, 30.0, STEADY]);
         assert_eq!(answer(0, &row), 0);
         assert!(WHY.said().contains("too slowly"), "{}", WHY.said());
@@ -248,7 +249,7 @@ mod tests {
 
     /// The stepped attitudes and spins, a sample every `each` steps.
     fn run(start: [f64; 3], drag: f64, step: f64, each: f64, count: f64) -> Vec<[f64; 5]> {
-        let row = Numbers::new();
+        let row = Numbers::empty();
         row.fill(&start);
         assert_eq!(answer(2, &row), 7);
         let state: [f64; 7] = row.take(0);
@@ -261,7 +262,7 @@ mod tests {
     fn stepped_finely_it_is_where_the_closed_form_has_it() {
         let start = [170.0, 50.0, -4.0];
         let samples = run(start, 0.0, 2e-4, 20.0, 250.0);
-        let row = Numbers::new();
+        let row = Numbers::empty();
         row.fill(&[start[0], start[1], start[2], 0.0, 1.0, 251.0]);
         assert_eq!(answer(1, &row), 4 * 251);
         for (i, sample) in samples.iter().enumerate() {

@@ -85,7 +85,7 @@ mod tests {
 
     #[test]
     fn a_spin_left_alone_goes_as_the_laws_of_energy_and_momentum_say() {
-        let row = Numbers::new();
+        let row = Numbers::empty();
         let fate = |moments: [f64; 3], omega: [f64; 3]| {
             row.fill(&[moments, omega].concat());
             assert_eq!(answer(2, &row), 1, "{moments:?} {omega:?}");
@@ -109,7 +109,7 @@ mod tests {
 
     #[test]
     fn the_motion_is_the_librarys() {
-        let row = Numbers::new();
+        let row = Numbers::empty();
         let (moments, omega) = (Vector3::new(10.0, 13.0, 5.0) / 12.0, Vector3::new(10.0, 0.1, 0.1));
         let asked =
             |last: [f64; 2]| [moments.x, moments.y, moments.z, omega.x, omega.y, omega.z, last[0], last[1]];

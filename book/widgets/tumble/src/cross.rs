@@ -56,7 +56,7 @@ mod tests {
     #[test]
     fn in_the_turning_frame_the_two_forces_twist_the_rods_as_newton_says() {
         let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
-        let row = Numbers::new();
+        let row = Numbers::empty();
         assert_eq!(answer(12, &row), 3);
         let moments = row.take::<3>(0);
         for (got, right) in moments.into_iter().zip([0.08, 0.12, 0.04]) {

@@ -17,7 +17,7 @@ use tumbling::{Axis, Error, ErrorKind, Subject};
 
 /// Why there is no answer, in the library's own words but for its numbers: to print them would weigh as much
 /// as half of the rest.
-pub static WHY: Line = Line::new();
+pub static WHY: Line = Line::empty();
 
 /// The motion last prepared, which later questions are about, and the axis that it was spun about.
 static MOTION: Mutex<Option<(FreeMotion, usize, Vector3<f64>)>> = Mutex::new(None);
@@ -238,7 +238,7 @@ mod tests {
     #[test]
     fn one_more_flip_is_counted_at_each_half_beat_before_and_after_the_start() {
         let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
-        let row = Numbers::new();
+        let row = Numbers::empty();
         for (which, spin, push) in [(3.0, 10.0, 0.3), (4.0, -7.3, 0.01)] {
             row.fill(&[which, spin, push, 0.0]);
             assert_eq!(answer(0, &row), 17);
@@ -287,7 +287,7 @@ mod tests {
     #[test]
     fn spun_about_the_smallest_or_the_largest_moment_no_body_ever_turns_over() {
         let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
-        let row = Numbers::new();
+        let row = Numbers::empty();
         for which in 0..7 {
             for (about, along) in [(1.0, 2), (2.0, 1)] {
                 for push in [1e-3, 0.4, 1.0] {
@@ -310,7 +310,7 @@ mod tests {
     #[test]
     fn the_polhode_passes_through_the_spin_of_every_instant() {
         let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
-        let row = Numbers::new();
+        let row = Numbers::empty();
         let push = 0.3;
         row.fill(&[3.0, 10.0, push, 0.0]);
         assert_eq!(answer(0, &row), 17);

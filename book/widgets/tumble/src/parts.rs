@@ -62,7 +62,7 @@ mod tests {
 
     /// A body put together from its parts; bars that lean, and strings, as thin rods if so asked.
     fn made(which: usize, thin: bool) -> MassProperties {
-        let row = Numbers::new();
+        let row = Numbers::empty();
         let count = answer(which as f64, [0.0; 3], &row);
         assert!(count > 0 && count.is_multiple_of(SIZE) && count <= exchange::ROOM);
         let mut body = Compound::new();
@@ -116,7 +116,7 @@ mod tests {
 
     #[test]
     fn what_is_no_body_has_no_parts() {
-        let row = Numbers::new();
+        let row = Numbers::empty();
         for odd in [10.0, 1e300, f64::INFINITY] {
             assert_eq!(answer(odd, [1.0; 3], &row), 0, "{odd}");
         }
@@ -126,7 +126,7 @@ mod tests {
 
     #[test]
     fn a_box_of_the_readers_own_is_drawn_with_the_moments_that_it_has() {
-        let row = Numbers::new();
+        let row = Numbers::empty();
         assert_eq!(answer(8.0, [3.0, 1.0, 2.0], &row), SIZE);
         assert_eq!(row.take(0), [0.0, 0.0, -1.5, 0.0, 1.5, 2.0, 1.0, 1.0]);
         assert_eq!(answer(9.0, [5.0 / 12.0, 13.0 / 12.0, 10.0 / 12.0], &row), SIZE);

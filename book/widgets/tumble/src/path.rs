@@ -52,7 +52,7 @@ mod tests {
     #[test]
     fn the_tensor_in_the_world_turns_the_spin_there_into_the_momentum() {
         let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
-        let row = Numbers::new();
+        let row = Numbers::empty();
         row.fill(&[0.0, 0.0, 0.0, 3.0, 0.0, 0.0, 0.0, 1.0, 1.0, 0.4]);
         assert_eq!(answer(0, &row), 17);
         let momentum = Vector3::from(row.take::<3>(7));

@@ -143,7 +143,7 @@ mod tests {
     #[test]
     fn masses_resist_as_the_sum_of_their_squared_distances_from_the_axle_says() {
         let points = [(1.0, [0.9, 0.4, -0.2]), (2.0, [-0.5, 0.1, 0.3]), (0.5, [0.2, -1.2, -0.8])];
-        let row = Numbers::new();
+        let row = Numbers::empty();
         let (twist, axis) = (3.0, Vector3::new(2.0, -1.0, 0.5));
         let at = row.fill(&[twist, axis.x, axis.y, axis.z, 3.0]);
         points.iter().fold(at, |at, (mass, place)| row.fill_from(row.fill_from(at, &[*mass]), place));

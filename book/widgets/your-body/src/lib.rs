@@ -12,7 +12,7 @@ use tumbling::solid::{
 use tumbling::{Error, ErrorKind, Inertia, PrincipalMoments, Subject};
 
 /// Why there is no answer, in the library's own words but for its numbers.
-pub static WHY: Line = Line::new();
+pub static WHY: Line = Line::empty();
 
 /// The pushes, as parts of the spin: 0.1 down to 1e-9.
 const PUSHES: [f64; 9] = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9];
@@ -264,7 +264,7 @@ mod tests {
     use super::*;
 
     fn asked(what: u32, question: &[f64]) -> Vec<f64> {
-        let row = Numbers::new();
+        let row = Numbers::empty();
         row.fill(question);
         let count = answer(what, &row);
         (0..count).map(|i| row.get(i)).collect()
