@@ -105,6 +105,21 @@ pub trait Lane:
     #[must_use]
     fn round_ties_even(self) -> Self;
 
+    /// The nearest integer and what is left, which is exact.
+    #[must_use]
+    #[inline(always)]
+    fn whole_and_left(self) -> [Self; 2] {
+        let whole = self.round_ties_even();
+        [whole, self - whole]
+    }
+
+    /// `self - other` where the two agree to four units in the last place: without error.
+    #[must_use]
+    #[inline(always)]
+    fn less_near(self, other: Self) -> Self {
+        self - other
+    }
+
     /// `self * other - product` rounded once, where `product` is `self * other` rounded: what that rounding
     /// left off.
     #[must_use]
@@ -168,7 +183,8 @@ pub trait Lane:
     #[must_use]
     #[inline(always)]
     fn sin_cos_of_part(self) -> (Self, Self) {
-        crate::number::functions::sin_cos_near_zero(self * TAU)
+        // Twice the circle's constant is larger by less than that.
+        crate::number::functions::sin_cos_near_zero((self * TAU).up_to(|| self * 2.45e-16))
     }
 
     /// `exp(-x)` and `exp(-x) - 1` of `x = self + rest >= 0`.

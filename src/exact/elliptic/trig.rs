@@ -10,8 +10,8 @@ use crate::number::{Lane, splat};
 #[inline(always)]
 pub(crate) fn sin_cos_of_turns<T: Lane>(turns: DoubleDouble<T>) -> (T, T) {
     let (_, part) = turns.split();
-    let quarters = (part * 4.0).round_ties_even();
-    let (sin, cos) = (part - quarters * 0.25).sin_cos_of_part();
+    let [quarters, left] = (part * 4.0).whole_and_left();
+    let (sin, cos) = (left * 0.25).sin_cos_of_part();
     // Quarters from -2 to 2: an odd one exchanges the two, and each then has its half of the circle below
     // zero.
     let size = quarters.abs();
