@@ -368,7 +368,11 @@ mod tests {
 
         /// The platform's functions are right to a unit, too. An enclosure of the exact result is all there is.
         #[test]
-        fn each_function_is_off_by_no_more_than_it_says(a in 0.01..0.7_f64, b in 0.1..2.0_f64, off in prop_oneof![Just(0.0), -1e-12..1e-12_f64]) {
+        fn each_function_is_off_by_no_more_than_it_says(
+            a in 0.01..0.7_f64,
+            b in 0.1..2.0_f64,
+            off in prop_oneof![Just(0.0), -1e-12..1e-12_f64],
+        ) {
             let ((x, p), (y, q)) = (number(a, off, 0.0), number(b, -off, 1e-9));
             let [p, q] = [p, q].map(Interval::from);
             let agree = |x: Rounded, computed: f64, exact: Interval| {
