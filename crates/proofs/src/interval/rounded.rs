@@ -64,13 +64,13 @@ impl Rounded {
     }
 
     /// Rounded to the nearest float, unless it is known to be one.
-    fn rounded(at: Interval, off: Interval, exactly: bool) -> Self {
+    fn to_nearest(at: Interval, off: Interval, exactly: bool) -> Self {
         if exactly || at.low == at.high { Self { at, off } } else { Self { at, off: off + units(at, 0.5) } }
     }
 
     /// A product or quotient or root, of which the smallest can underflow.
     fn scaled(at: Interval, off: Interval, exactly: bool) -> Self {
-        let found = Self::rounded(at, off, exactly);
+        let found = Self::to_nearest(at, off, exactly);
         if at.is_zero() || (!at.has_zero() && safe(at.low) && safe(at.high)) {
             return found;
         }
@@ -96,7 +96,7 @@ impl Rounded {
         let near = |a: Interval, b: Interval| {
             a.low > 0.0 && b.low > 0.0 && a.high <= 2.0 * b.low && b.high <= 2.0 * a.low
         };
-        Self::rounded(at, self.off + other.off, nothing || near(a, b) || near(-a, -b))
+        Self::to_nearest(at, self.off + other.off, nothing || near(a, b) || near(-a, -b))
     }
     fn minus(self) -> Self {
         Self { at: -self.at, off: -self.off }
@@ -355,9 +355,10 @@ mod tests {
                 prop_assert!(holds(|| x / y, a / b, &(p.clone() / q.clone())));
             }
             let (high, parts) = (a + b, a.sum_in_two(b));
-            prop_assert!(holds(|| x.sum_in_two(y)[1], parts[1], &(p.clone() + q.clone() - fraction(high))));
+            let left = p.clone() + q.clone() - fraction(high);
+            prop_assert!(holds(|| x.sum_in_two(y)[1], parts[1], &left));
             let parts = a.quick_sum_in_two(b);
-            prop_assert!(holds(|| x.quick_sum_in_two(y)[1], parts[1], &(p.clone() + q.clone() - fraction(high))));
+            prop_assert!(holds(|| x.quick_sum_in_two(y)[1], parts[1], &left));
             let [high, low] = a.product_in_two(b);
             prop_assert!(holds(|| x.product_in_two(y)[1], low, &(p.clone() * q.clone() - fraction(high))));
             let one = || { let [high, low] = x.product_in_two(y); Rounded::in_one(high, low)[0] };
@@ -366,7 +367,7 @@ mod tests {
             prop_assert!(holds(|| x.whole_and_left()[1], left, &(p - fraction(whole))));
         }
 
-        /// The platform's functions are right to a unit, too. An enclosure of the exact result is all there is.
+        /// The platform's functions are right to a unit, too. Of the exact result there is an enclosure.
         #[test]
         fn each_function_is_off_by_no_more_than_it_says(
             a in 0.01..0.7_f64,
