@@ -32,8 +32,8 @@ pub(crate) const NOME_RATIO: f64 = 0.775;
 #[inline(always)]
 pub(crate) fn sin_cos_of_turns<T: Lane>(turns: DoubleDouble<T>) -> (T, T) {
     let (_, part) = turns.split();
-    let quarters = (part * 4.0).round_ties_even();
-    let (sin, cos) = (part - quarters * 0.25).sin_cos_of_part();
+    let [quarters, left] = (part * 4.0).whole_and_left();
+    let (sin, cos) = (left * 0.25).sin_cos_of_part();
     // Quarters from -2 to 2: an odd one exchanges the two, and each then has its half of the circle below
     // zero.
     let size = quarters.abs();
@@ -42,8 +42,8 @@ pub(crate) fn sin_cos_of_turns<T: Lane>(turns: DoubleDouble<T>) -> (T, T) {
     let opposite = splat::<T>(1.5).lt(size);
     let sin_sign = T::select(quarters.lt(splat::<T>(-0.5)), splat::<T>(-1.0), splat::<T>(1.0));
     let cos_sign = T::select(splat::<T>(0.5).lt(quarters), splat::<T>(-1.0), splat::<T>(1.0));
-    let half = splat::<T>(-1.0);
-    (T::select(opposite, half, sin_sign) * s, T::select(opposite, half, cos_sign) * c)
+    let signed = |sign, x| T::select(opposite, splat(-1.0), sign) * x;
+    (signed(sin_sign, s), signed(cos_sign, c))
 }
 
 #[cfg(test)]

@@ -86,7 +86,7 @@ impl<T: Lane> DoubleDouble<T> {
     /// `self - other` in one number, where the two agree to some units in the last place: then the high parts
     /// differ without error.
     fn less_near(self, other: Self) -> T {
-        (self.hi - other.hi) + (self.lo - other.lo)
+        self.hi.less_near(other.hi) + (self.lo - other.lo)
     }
 
     /// The sum to all the digits of the larger part and a little less than twice that of the rest: half the
@@ -119,12 +119,11 @@ impl<T: Lane> DoubleDouble<T> {
     /// Of a number too large to have a fraction, or that is not finite, nothing is left.
     #[inline(always)]
     pub(crate) fn split(self) -> (T, T) {
-        let whole = self.hi.round_ties_even();
-        let left = (self.hi - whole) + self.lo;
+        let [whole, near] = self.hi.whole_and_left();
         // The low part can carry it just past the half.
-        let more = left.round_ties_even();
+        let [more, left] = (near + self.lo).whole_and_left();
         let finite = left.finite();
-        (T::select(finite, whole + more, splat::<T>(0.0)), T::select(finite, left - more, splat::<T>(0.0)))
+        (T::select(finite, whole + more, splat::<T>(0.0)), T::select(finite, left, splat::<T>(0.0)))
     }
 }
 

@@ -7,13 +7,6 @@ use core::ops::{Add, Mul, Sub};
 use nalgebra::{Quaternion, SVector};
 use num_traits::Float;
 
-/// 2^52: from here on numbers have no fraction.
-#[cfg(not(all(
-    feature = "std",
-    any(target_arch = "wasm32", target_arch = "aarch64", target_feature = "sse4.1")
-)))]
-const LARGE: f64 = 4_503_599_627_370_496.0;
-
 /// A field whose numbers can be sums of infinite series, of which the terms that matter are summed.
 pub trait Series: Field {
     /// This sum, of which the terms left out amount to `rest` at most. `f64` and exact numbers keep the sum:
@@ -95,6 +88,19 @@ pub trait Lane:
     /// The nearest integer, the even one of two equally near.
     fn round_ties_even(self) -> Self;
 
+    /// The nearest integer and what is left, which is exact.
+    #[inline(always)]
+    fn whole_and_left(self) -> [Self; 2] {
+        let whole = self.round_ties_even();
+        [whole, self - whole]
+    }
+
+    /// `self - other` where the two agree to four units in the last place: without error.
+    #[inline(always)]
+    fn less_near(self, other: Self) -> Self {
+        self - other
+    }
+
     /// `self * other - product` rounded once, where `product` is `self * other` rounded: what that rounding
     /// left off.
     fn two_product_error(self, other: Self, product: Self) -> Self;
@@ -149,7 +155,8 @@ pub trait Lane:
     /// Sine and cosine of this part of a turn, at most an eighth.
     #[inline(always)]
     fn sin_cos_of_part(self) -> (Self, Self) {
-        crate::number::functions::sin_cos_near_zero(self * TAU)
+        // Twice the circle's constant is larger by less than that.
+        crate::number::functions::sin_cos_near_zero((self * TAU).up_to(|| self * 2.45e-16))
     }
 
     /// `exp(-x)` and `exp(-x) - 1` of `x = self + rest >= 0`.
@@ -223,7 +230,11 @@ impl Lane for f64 {
             feature = "std",
             any(target_arch = "wasm32", target_arch = "aarch64", target_feature = "sse4.1")
         )))]
-        if self.abs() < LARGE { ((self.abs() + LARGE) - LARGE).copysign(self) } else { self }
+        {
+            // 2^52: from here on numbers have no fraction.
+            const LARGE: f64 = 4_503_599_627_370_496.0;
+            if self.abs() < LARGE { ((self.abs() + LARGE) - LARGE).copysign(self) } else { self }
+        }
     }
 
     #[inline(always)]

@@ -1,14 +1,20 @@
 //! Lists the proofs with the time each takes, and what their altered laws leave over.
 //!
-//! `cargo run --example proofs [-- [mutants] [NAME ...]]`; with `widths` alone, the table of enclosures.
+//! `cargo run --example proofs [-- [mutants] [NAME ...]]`; with `widths` or `errors` alone, the table of
+//! enclosures or that of the bounds of rounding errors.
 
 use std::time::Instant;
-use tumbling_proofs::{interval::motion, proofs};
+use tumbling_proofs::interval::{forward, motion};
+use tumbling_proofs::proofs;
 
 fn main() {
     let mut names: Vec<String> = std::env::args().skip(1).collect();
     if names == ["widths"] {
         motion::table().iter().flatten().for_each(|row| println!("{row}"));
+        return;
+    }
+    if names == ["errors"] {
+        forward::table().iter().flatten().for_each(|row| println!("{row}"));
         return;
     }
     let with_mutants = names.iter().any(|name| name == "mutants");

@@ -19,11 +19,14 @@
 
 mod arithmetic;
 pub mod elliptic;
+pub mod forward;
 pub mod frozen;
 mod functions;
 pub mod geometry;
 pub mod motion;
+mod paths;
 mod real;
+mod rounded;
 #[cfg(test)]
 mod tests;
 

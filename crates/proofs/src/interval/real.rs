@@ -6,8 +6,7 @@
 
 use super::Interval;
 use super::arithmetic::{product, safe};
-use num_traits::{One, Zero};
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use num_traits::Zero;
 use tumbling::laws::Real;
 use tumbling::number::{Lane, Series};
 
@@ -20,55 +19,75 @@ fn exact(x: f64) -> Enclosed {
     Enclosed(Interval { low: x, high: x })
 }
 
-macro_rules! operations {
-    ($($Op:ident $op:ident $Assign:ident $assign:ident $by:tt),*) => {$(
-        impl $Op for Enclosed {
+/// The traits of a field, and arithmetic with floats, from a sum, a product, a quotient and what a float is.
+macro_rules! field {
+    ($T:ident, $exact:ident) => {
+        field!($T, $exact, Add add AddAssign add_assign |a, b| a.plus(b));
+        field!($T, $exact, Sub sub SubAssign sub_assign |a, b| a.plus(b.minus()));
+        field!($T, $exact, Mul mul MulAssign mul_assign |a, b| a.times(b));
+        field!($T, $exact, Div div DivAssign div_assign |a, b| a.over(b));
+        impl std::ops::Neg for $T {
+            type Output = Self;
+            fn neg(self) -> Self {
+                self.minus()
+            }
+        }
+        impl num_traits::Zero for $T {
+            fn zero() -> Self {
+                $exact(0.0)
+            }
+            fn is_zero(&self) -> bool {
+                self.zero_for_certain()
+            }
+        }
+        impl num_traits::One for $T {
+            fn one() -> Self {
+                $exact(1.0)
+            }
+        }
+    };
+    ($T:ident, $exact:ident, $Op:ident $op:ident $Assign:ident $assign:ident |$a:ident, $b:ident| $by:expr) => {
+        impl std::ops::$Op for $T {
             type Output = Self;
             fn $op(self, other: Self) -> Self {
-                Self(self.0 $by other.0)
+                let ($a, $b) = (self, other);
+                $by
             }
         }
-        impl $Op<f64> for Enclosed {
+        impl std::ops::$Op<f64> for $T {
             type Output = Self;
             fn $op(self, other: f64) -> Self {
-                self $by exact(other)
+                std::ops::$Op::$op(self, $exact(other))
             }
         }
-        impl $Assign for Enclosed {
+        impl std::ops::$Assign for $T {
             fn $assign(&mut self, other: Self) {
-                *self = *self $by other;
+                *self = std::ops::$Op::$op(*self, other);
             }
         }
-    )*};
+    };
 }
-operations!(
-    Add add AddAssign add_assign +, Sub sub SubAssign sub_assign -,
-    Mul mul MulAssign mul_assign *, Div div DivAssign div_assign /
-);
+pub(super) use field;
 
-impl Neg for Enclosed {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self(-self.0)
-    }
-}
-
-impl Zero for Enclosed {
-    fn zero() -> Self {
-        exact(0.0)
-    }
-    fn is_zero(&self) -> bool {
-        self.0.is_zero()
-    }
-}
-
-impl One for Enclosed {
-    fn one() -> Self {
-        exact(1.0)
-    }
-}
+field!(Enclosed, exact);
 
 impl Enclosed {
+    fn plus(self, other: Self) -> Self {
+        Self(self.0 + other.0)
+    }
+    fn times(self, other: Self) -> Self {
+        Self(self.0 * other.0)
+    }
+    fn over(self, other: Self) -> Self {
+        Self(self.0 / other.0)
+    }
+    fn minus(self) -> Self {
+        Self(-self.0)
+    }
+    fn zero_for_certain(&self) -> bool {
+        self.0.is_zero()
+    }
+
     /// A float near its middle.
     fn middle(self) -> f64 {
         let half = 0.5 * self.0.width();
