@@ -110,9 +110,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
             _ => {
                 let tracked = if flips { Tracked::Flips(self.sign) } else { Tracked::Nothing };
                 let end_of_run = f64::INFINITY.copysign(end - self.time);
-                let mut system = self.system.clone();
-                system.set_time(T::from_f64(self.time).unwrap_or_else(T::zero));
-                (Box::new(AdaptiveRun::new(system, &self.state, end_of_run, tolerance, tracked)?), self.time)
+                let run = AdaptiveRun::new(self.system.clone(), &self.state, end_of_run, tolerance, tracked)?;
+                (Box::new(run), self.time)
             }
         };
         let allowed = *budget;

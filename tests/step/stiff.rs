@@ -12,7 +12,7 @@ fn system(torques: Vec<Torque<f64>>) -> System<f64> {
 }
 
 fn spinning(system: &System<f64>, omega: [f64; 3]) -> State<f64> {
-    start(&system, &omega.into())
+    start(system, &omega.into())
 }
 
 /// The state after 8 s is from two programs with 40 digits, one by Taylor series and one by extrapolation.
