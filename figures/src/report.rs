@@ -106,12 +106,8 @@ fn tensor(subject: &Subject<'_>) -> String {
     out += "</table>\n";
     let centre = subject.model.centre;
     if centre != Vector3::zeros() {
-        let places: Vec<String> = centre.iter().map(|&x| units::length(x)).collect();
-        let _ = writeln!(
-            out,
-            "<p>Its centre of mass is at ({}) from the origin of these axes.</p>",
-            places.join(", ")
-        );
+        let at = units::place(&centre);
+        let _ = writeln!(out, "<p>Its centre of mass is at {at} from the origin of these axes.</p>");
     }
     out + "</section>\n"
 }
@@ -130,11 +126,14 @@ fn stability(subject: &Subject<'_>) -> Result<String, Box<dyn Error>> {
                     units::number(each, 3)
                 )
             }
-            Stability::Libration { rate } => format!(
-                "stable. After a slip the spin circles the axis once in {} turns ({}), and stays as near.",
-                units::number(subject.spin / rate, 3),
-                units::time(TAU / rate)
-            ),
+            Stability::Libration { rate } => {
+                let turns = format!("in {} turns", units::number(subject.spin / rate, 3));
+                let turns = if turns == "in 1 turns" { "a turn".into() } else { turns };
+                let time = units::time(TAU / rate);
+                format!(
+                    "stable. After a slip the spin circles the axis once {turns} ({time}), and stays as near."
+                )
+            }
             _ => "one of the equal moments. A slip neither grows nor circles.".into(),
         };
         let _ =
@@ -237,5 +236,7 @@ mod tests {
             assert!(page(text).contains("It never flips"));
         }
         assert!(page("moments = [1, 2, 2.5]").contains("mass and size not given"));
+        // Of a plate (c - a) (c - b) is ab.
+        assert!(page("moments = [1, 2, 3]").contains("circles the axis once a turn (1 s)"));
     }
 }

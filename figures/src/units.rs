@@ -47,6 +47,12 @@ pub(crate) fn length(m: f64) -> String {
     LENGTH.say(m)
 }
 
+/// A place in m, in one unit: `(0, 20, −300) mm`.
+pub(crate) fn place(m: &nalgebra::Vector3<f64>) -> String {
+    let (size, name) = LENGTH.of(m.amax());
+    format!("({}) {name}", m.iter().map(|x| number(x / size, 3)).collect::<Vec<_>>().join(", "))
+}
+
 /// A mass in kg: `200 g`.
 pub(crate) fn mass(kg: f64) -> String {
     MASS.say(kg)
@@ -135,6 +141,7 @@ mod tests {
     fn a_unit_suits_its_number_from_a_dice_to_a_planetoid() {
         assert_eq!(length(0.0078), "7.8 mm");
         assert_eq!(length(1240.0), "1.24 km");
+        assert_eq!(place(&nalgebra::Vector3::new(0.0, 0.02, -0.3)), "(0, 20, −300) mm");
         assert_eq!([mass(0.001), mass(0.9995), mass(4.0)], ["1 g", "1000 g", "4 kg"]);
         assert_eq!([mass(1e-9), mass(2e-6), length(2e-9)], ["1 µg", "2 mg", "2 nm"]);
         assert_eq!([mass(2.5e4), mass(1e12)], ["25 t", "10¹² kg"]);

@@ -177,11 +177,4 @@ mod tests {
             assert_eq!((picture.height, picture.pixels[0]), (180, Theme::Navy.inks()[0]), "{name}");
         }
     }
-
-    #[test]
-    fn the_pages_own_drawings_are_not_overwritten() {
-        let refused = own_folder_refused(&paths::figures().join("../figures")).unwrap_err();
-        assert!(refused.contains("choose another folder"), "{refused}");
-        assert_eq!(own_folder_refused(Path::new("slides")), Ok(()));
-    }
 }

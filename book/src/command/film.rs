@@ -5,9 +5,9 @@ use crate::command::export::{own_folder_refused, theme};
 use crate::language::Language;
 use crate::say;
 use crate::site::files::write_changed;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::error::Error;
 use std::f64::consts::TAU;
-use std::io::{IsTerminal as _, Write as _, stderr};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use tumbling::Axis;
@@ -24,8 +24,8 @@ pub(crate) struct Arguments {
     #[arg(value_name = "BODY")]
     body: String,
     /// The principal axis that it spins about
-    #[arg(long, value_enum, default_value_t = About::Middle)]
-    axis: About,
+    #[arg(long, value_parser = one_of(AXES), default_value = "middle")]
+    axis: Axis,
     /// The spin: 6 or 6rad/s, 1turn or 2turns (a second) [default: what the body's file says, or 1turn]
     #[arg(long, value_name = "SPIN", value_parser = spin, allow_negative_numbers = true)]
     spin: Option<f64>,
@@ -35,9 +35,10 @@ pub(crate) struct Arguments {
     /// How long the film takes; a turn of the spin takes a second [default: until the motion starts again]
     #[arg(long, value_name = "S")]
     seconds: Option<f64>,
-    /// From where it is seen [default: from the room, or turning with the momentum where only that closes]
-    #[arg(long, value_enum)]
-    camera: Option<Seen>,
+    /// At rest in the room, riding on the body, or turning about the momentum so that the film closes
+    /// [default: room, or momentum where only that closes]
+    #[arg(long, value_parser = one_of(CAMERAS))]
+    camera: Option<Camera>,
     /// gif plays in slides, messengers and pages; mp4 needs an installed ffmpeg; frames are pictures alone
     #[arg(long, value_enum, default_value_t = Format::Gif)]
     format: Format,
@@ -55,21 +56,16 @@ pub(crate) struct Arguments {
     out: PathBuf,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum About {
-    Smallest,
-    Middle,
-    Largest,
-}
+const AXES: &[(&str, Axis)] =
+    &[("smallest", Axis::Smallest), ("middle", Axis::Middle), ("largest", Axis::Largest)];
+const CAMERAS: &[(&str, Camera)] =
+    &[("room", Camera::Room), ("body", Camera::Body), ("momentum", Camera::Momentum)];
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
-enum Seen {
-    /// At rest
-    Room,
-    /// Riding along
-    Body,
-    /// Turning about the momentum so that the film closes
-    Momentum,
+/// One of these by its name.
+fn one_of<T: Copy + Send + Sync>(all: &'static [(&str, T)]) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(all.iter().map(|(name, _)| *name)).try_map(|name| {
+        all.iter().find(|(known, _)| *known == name).map(|(_, one)| *one).ok_or("no such name")
+    })
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -104,19 +100,11 @@ fn spin(text: &str) -> Result<f64, String> {
 impl Arguments {
     fn request(&self, model: &BodyModel) -> Request {
         Request {
-            axis: match self.axis {
-                About::Smallest => Axis::Smallest,
-                About::Middle => Axis::Middle,
-                About::Largest => Axis::Largest,
-            },
+            axis: self.axis,
             spin: self.spin.or(model.spin).unwrap_or(TAU),
             push: self.push,
             seconds: self.seconds,
-            camera: self.camera.map(|seen| match seen {
-                Seen::Room => Camera::Room,
-                Seen::Body => Camera::Body,
-                Seen::Momentum => Camera::Momentum,
-            }),
+            camera: self.camera,
         }
     }
 
@@ -125,9 +113,8 @@ impl Arguments {
         let file =
             Path::new(&self.body).file_stem().map_or_else(String::new, |s| s.to_string_lossy().into_owned());
         let mut name: String = file.chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
-        if self.axis != About::Middle {
-            name.push_str(if self.axis == About::Smallest { "-smallest" } else { "-largest" });
-        }
+        let axis = AXES.iter().find(|(_, axis)| *axis == self.axis && *axis != Axis::Middle);
+        axis.iter().for_each(|(axis, _)| name.push_str(&format!("-{axis}")));
         self.language.iter().for_each(|own| name.push_str(&format!("-{}", own.code)));
         name
     }
@@ -163,27 +150,13 @@ fn picture(film: &Film, share: f64, arguments: &Arguments) -> Result<Picture, St
 
 type Shown<'a> = &'a (dyn Fn(u32) -> Result<Picture, String> + Sync);
 
-/// Draws the pictures on every core and takes them in order; a terminal shows how many are done.
+/// Draws the pictures on every core and takes them in order.
 fn each(
     count: u32,
     shown: Shown<'_>,
     mut take: impl FnMut(usize, &Picture) -> Result<(), Box<dyn Error>>,
 ) -> Result<(), Box<dyn Error>> {
-    let show = |words: &str| {
-        if stderr().is_terminal() {
-            let _ = write!(stderr(), "\r\x1b[K{words}");
-        }
-    };
-    each_made(
-        count as usize,
-        |i| shown(i as u32),
-        |i, picture, _| {
-            show(&format!("{} of {count} pictures", i + 1));
-            take(i, &picture?)
-        },
-    )?;
-    show("");
-    Ok(())
+    each_made(count as usize, |i| shown(i as u32), |i, picture, _| take(i, &picture?))
 }
 
 /// A GIF; returns what was written.

@@ -1,6 +1,7 @@
 //! The command `report`: one page on a body, as HTML and as PDF.
 
 use crate::command::draw::{self, folder_name};
+use crate::paper::sheet::fonts;
 use crate::paper::{NO_BROWSER, browser};
 use crate::say;
 use crate::site::files::write_changed;
@@ -27,7 +28,10 @@ pub(crate) struct Arguments {
 /// A body that cannot be computed with, or a file that cannot be written.
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let html = arguments.out.join(format!("{}.html", folder_name(&arguments.body.name)));
-    write_changed(&html, tumbling_figures::report(&arguments.body)?.as_bytes())?;
+    // The book's letters travel with the page.
+    let page =
+        tumbling_figures::report(&arguments.body)?.replacen("<style>", &format!("<style>{}", fonts()?), 1);
+    write_changed(&html, page.as_bytes())?;
     say!("{}", html.display());
     let Some(browser) = browser::found() else {
         say!("{NO_BROWSER} It fits one sheet.");

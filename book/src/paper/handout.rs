@@ -1,4 +1,4 @@
-//! A chapter as a handout: its story, figures, formulas, numbers, questions and sources, without programs.
+//! A chapter as a handout: story, figures, formulas, numbers and the sources that it cites, without programs.
 
 use super::pages::Paper;
 use super::sheet::{self, Size};
@@ -39,7 +39,7 @@ pub(super) fn sheet(paper: &Paper, name: &str, size: Size, fit: usize) -> Result
         xml(&sheet::within(&story, name)),
         say("The book has the programs that check these numbers, the exercises and the answers."),
         say("Text and figures"),
-        escaped(&paper.about.authors.join(", ")),
+        escaped(&say(&paper.about.authors.join(", "))),
     );
     let title = format!("{}: {}", page.title, say("handout"));
     let class = format!("handout fit-{fit}");
@@ -56,7 +56,7 @@ fn heading(body: &[Node]) -> String {
     body.iter().find(|node| node.is("h1")).map_or(String::new(), |title| xml(std::slice::from_ref(title)))
 }
 
-/// The chapter up to its exercises, without programs, stills and links.
+/// The chapter up to its exercises, without programs, stills, links and questions, which the story answers.
 fn story(body: &[Node]) -> Vec<Node> {
     let id = |node: &Node| node.element().and_then(|element| element.get("id")) == Some("exercises");
     let end = body.iter().position(|node| node.is("h2") && id(node)).unwrap_or(body.len());
@@ -88,7 +88,7 @@ fn sources(paper: &Paper, body: &[Node]) -> Vec<Node> {
 }
 
 fn on_sheet(element: Element) -> Vec<Node> {
-    let dropped = ["program", "to-end", "still"].iter().any(|class| element.has_class(class));
+    let dropped = ["program", "to-end", "still", "question"].iter().any(|class| element.has_class(class));
     match element.name.as_str() {
         "h1" => Vec::new(),
         _ if dropped => Vec::new(),

@@ -5,7 +5,6 @@ use super::pages::Paper;
 use super::sheet::{self, Size, after};
 use super::tree::{Element, Node, rewritten, xml};
 use crate::site::places::escaped;
-use std::fmt::Write as _;
 
 /// The page with the problems; its sections have the names of the chapters.
 const PAGE: &str = "problems";
@@ -28,21 +27,30 @@ pub(super) fn sheet(
     answers: bool,
 ) -> Result<String, String> {
     let page = sheet::chapter(paper, name)?;
-    let (class, before, after) = if answers {
-        ("answers", "", "The numbers are computed and checked by the book&#8217;s tests.")
-    } else {
-        ("problems", "<p class=\"for\">Paper and pencil. Give numbers with their units.</p>\n", "")
+    let problems = written(paper, name)?;
+    let class = if answers { "answers" } else { "problems" };
+    let list = |from: usize, to: usize| {
+        let items = problems[from..to].iter().map(|problem| {
+            let nodes = if answers { &problem.answer } else { &problem.asked };
+            format!("<li class=\"problem\">{}</li>\n", xml(&sheet::within(nodes, class)))
+        });
+        format!("<ol start=\"{}\">{}</ol>\n", from + 1, items.collect::<String>())
     };
-    let mut items = String::new();
-    for problem in written(paper, name)? {
-        let nodes = if answers { problem.answer } else { problem.asked };
-        let _ = writeln!(items, "<li class=\"problem\">{}</li>", xml(&sheet::within(&nodes, class)));
-    }
-    let body = format!(
-        "<section class=\"{class}\"><h1>{}: {class}</h1>\n{before}<ol>{items}</ol>\n<p class=\"for\">From {}, CC BY 4.0. {after}</p></section>",
-        escaped(&page.title),
-        escaped(&paper.about.title)
-    );
+    let (title, of) = (escaped(&page.title), format!("From {}, CC BY 4.0.", escaped(&paper.about.title)));
+    let (head, count) = (format!("<h1>{title}: {class}</h1>\n"), problems.len());
+    let body = if answers {
+        let all = list(0, count);
+        format!(
+            "{head}{all}<p class=\"for\">{of} The numbers are computed and checked by the book&#8217;s tests.</p>"
+        )
+    } else {
+        // More than three go on both sides of the sheet, with the rest of the paper to work on.
+        let front = if count > 3 { count.div_ceil(2) } else { count };
+        let head = format!("{head}<p class=\"for\">Paper and pencil. Give numbers with their units.</p>\n");
+        let turned = format!("</section>\n<section class=\"side\">{}", list(front, count));
+        let back = if front < count { turned } else { String::new() };
+        format!("<section class=\"side\">{head}{}{back}<p class=\"for\">{of}</p></section>", list(0, front))
+    };
     sheet::document(paper, &format!("{}: {class}", page.title), &format!("sheet fit-{fit}"), size, "", &body)
 }
 

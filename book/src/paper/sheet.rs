@@ -120,6 +120,30 @@ fn printable(element: &mut Element) {
     }
 }
 
+/// The fonts of the book as rules of a style sheet, with all their letters inside.
+///
+/// # Errors
+/// A font that cannot be read.
+pub(crate) fn fonts() -> Result<String, String> {
+    let of = |(family, style, weights, file): (&str, &str, &str, &str)| {
+        let font = files::bytes(&paths::book().join(format!("theme/fonts/{file}.woff2")))?;
+        Ok(format!(
+            "@font-face {{ font-family: \"{family}\"; font-style: {style}; font-weight: {weights}; \
+             src: url(\"data:font/woff2;base64,{}\") format(\"woff2\"); }}\n",
+            BASE64_STANDARD.encode(font)
+        ))
+    };
+    let all = [
+        ("Literata", "normal", "200 900", "literata"),
+        ("Literata", "italic", "200 900", "literata-italic"),
+        ("Tumbling Math", "normal", "200 900", "tumbling-math"),
+        ("Tumbling Sans", "normal", "200 500", "tumbling-sans"),
+        ("Tumbling Sans", "normal", "501 900", "tumbling-sans-semibold"),
+        ("Tumbling Mono", "normal", "200 900", "tumbling-mono"),
+    ];
+    all.into_iter().map(of).collect()
+}
+
 /// A document of this class of sheets, see `book/paper/print.css`.
 ///
 /// # Errors
@@ -132,22 +156,7 @@ pub(super) fn document(
     rules: &str,
     body: &str,
 ) -> Result<String, String> {
-    let mut fonts = String::new();
-    for (family, style, file) in [
-        ("Literata", "normal", "literata.woff2"),
-        ("Literata", "italic", "literata-italic.woff2"),
-        ("Tumbling Math", "normal", "tumbling-math.woff2"),
-        ("Tumbling Sans", "normal", "tumbling-sans.woff2"),
-        ("Tumbling Mono", "normal", "tumbling-mono.woff2"),
-    ] {
-        let font = files::bytes(&paths::book().join("theme/fonts").join(file))?;
-        let _ = writeln!(
-            fonts,
-            "@font-face {{ font-family: \"{family}\"; font-style: {style}; font-weight: 200 900; \
-             src: url(\"data:font/woff2;base64,{}\") format(\"woff2\"); }}",
-            BASE64_STANDARD.encode(font)
-        );
-    }
+    let fonts = fonts()?;
     let paper_size = if size == Size::A4 { "A4" } else { "letter" };
     Ok(format!(
         "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n<title>{}</title>\n<meta name=\"author\" \

@@ -95,7 +95,8 @@ tumblingLive.yourBodySaves = ({ stage, shown, wrong, kind, kinds, given, parts, 
         }
         recorder.stop();
         await stopped;
-        return save(`your-body.${type.slice(6, 10).replace(";", "")}`, new Blob(parts, { type }), type);
+        const saved = save(`your-body.${type.slice(6, 10).replace(";", "")}`, new Blob(parts, { type }), type);
+        return type.includes("avc1") ? saved : `${saved} This browser records no H.264, so some slide programs will not play it; the command film makes a GIF.`;
     }
     function sheet() {
         const head = document.createElement("p");

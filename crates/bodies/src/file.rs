@@ -7,7 +7,7 @@ use crate::model::{BodyModel, nameable};
 use crate::shape::{KINDS, Weight, shaped};
 use crate::surface::{FARTHEST, Surface};
 use crate::table::{GIVEN_BY, Spin, Table, fields_of};
-use crate::{mesh, urdf};
+use crate::{mesh, question, urdf};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use std::fmt::Display;
 use std::ops::Range;
@@ -65,7 +65,7 @@ struct Reader<'a> {
     by: &'static str,
 }
 
-fn number(field: &Option<Spanned<f64>>) -> f64 {
+pub(crate) fn number(field: &Option<Spanned<f64>>) -> f64 {
     field.as_ref().map_or(0.0, |x| *x.get_ref())
 }
 
@@ -192,33 +192,9 @@ impl<'a> Reader<'a> {
         let sides = self.sides(if name == "plate" { 2 } else { 3 })?;
         let (properties, surface) =
             shaped(name, self.table, &sides, self.weight()?).map_err(|error| self.refused(&error))?;
-        let question = self.question(name, &sides, needed);
+        let question = question::of(self.text, &self.present, name, needed);
         let sides = if name == "box" { sides.try_into().ok() } else { None };
         Ok(BodyModel { sides, question, ..BodyModel::of(properties, vec![surface]) })
-    }
-
-    /// Of bare numbers that make a body lighter than air or heavier than any metal: whether in another unit.
-    fn question(&self, name: &str, sides: &[f64], sizes: &[&str]) -> Option<String> {
-        let given = self.present.iter().filter(|(field, _)| sizes.contains(field) || *field == "mass");
-        let given: Vec<&str> = given.map(|(_, span)| &self.text[span.clone()]).collect();
-        let volume = shaped(name, self.table, sides, Weight::Density(1.0)).ok()?.0.mass();
-        let density = self.table.mass.as_ref()?.get_ref() / volume;
-        let clear = |text: &str| text.split(',').all(|number| number.contains(['"', '\'']));
-        let (mass, sizes) = given.split_last()?;
-        let sizes = sizes.join(", ");
-        let [in_kg, in_m] = [!clear(mass), !clear(&sizes)];
-        if !(in_kg || in_m) || (1.0..25_000.0).contains(&density) || ["plate", "disk", "rod"].contains(&name)
-        {
-            return None;
-        }
-        let units = [("cm", 1e6), ("mm", 1e9), ("g", 1e-3)];
-        let fits = |unit: &str, more: f64| {
-            (if unit == "g" { in_kg } else { in_m }) && (10.0..25_000.0).contains(&(density * more))
-        };
-        let (unit, _) = units.iter().find(|(unit, more)| fits(unit, *more))?;
-        let sizes = sizes.replace(['[', ']'], "").replace(',', " ×");
-        let [kg, m] = [(in_kg, " kg"), (in_m, " m")].map(|(bare, unit)| if bare { unit } else { "" });
-        Some(format!("{mass}{kg} in {sizes}{m}: is this in {unit}?"))
     }
 
     /// The sides, which must be of this number; none where there are none.
@@ -399,29 +375,17 @@ mod tests {
         for (text, words) in [
             ("sides = [1, 2, 3]", "line 1, `sides`: `mass` (kg) or `density` (kg/m³) is missing"),
             ("mass = 1", "line 1: what the body is is missing"),
-            (
-                "sides = [1, -2, 3]\nmass = 1",
-                "line 1, `sides`: the edge along y is -2.0: it must be above zero",
-            ),
+            ("sides = [1, -2, 3]\nmass = 1", "line 1, `sides`: the edge along y is -2.0: it must be"),
             ("sides = [1, 2]\nmass = 1", "line 1, `sides`: 3 numbers are expected here, not 2"),
-            (
-                "mass = 1\nshape = 'bal'\nradius = 1",
-                "line 2, `shape`: no shape is called `bal`; there are box, ball",
-            ),
+            ("mass = 1\nshape = 'bal'\nradius = 1", "line 2, `shape`: no shape is called `bal`; there"),
             ("mass = 1\nshape = 'ball'\nheight = 1", "line 3, `height`: it does not go with `shape`"),
             ("mass = 1\nshape = 'cone'\nheight = 1", "line 2, `shape`: `radius` is missing"),
             ("mass = 1\nshape = 'ball'\nradius = 1\ninner = 2", "line 4, `inner`: the inner radius"),
             ("moments = [1, 2, 3.1]", "line 1, `moments`: no body has principal moments"),
             ("moments = [1, 2, 2]\nmass = 0", "line 2, `mass`: the mass is 0.0: it must be above zero"),
             ("moments = [1, 2, nan]", "line 1, `moments`"),
-            (
-                "mass = 'a'",
-                "line 1, `mass`: a number is expected here, or one with its unit such as \"200 g\", not `a`",
-            ),
-            (
-                "sides = ['1 m', '2 g', 3]\nmass = 1",
-                "line 1, `sides`: a number is expected here, or one with",
-            ),
+            ("mass = 'a'", "`mass`: a number is expected here, or one with its unit such as \"200 g\""),
+            ("sides = ['1 m', '2 g', 3]\nmass = 1", "line 1, `sides`: a number is expected here, or one"),
             ("shape = 'ball'\nradius = 0,07\nmass = 1", "; write 0.07"),
             ("shape = 'ball'\nradius = '7,5 cm'\nmass = 1", "not `7,5 cm`; write '7.5 cm'"),
             ("sides = [7,7, 0.78, 16]\nmass = 1", "3 numbers are expected here, not 4; write 7.7"),
@@ -429,38 +393,23 @@ mod tests {
             ("moments = [1, 2, 2.5, 0]", "line 1, `moments`: 3 numbers are expected here, not 4"),
             ("moments = [1, 2, 2.5]\nproducts = [0, 0, 0, 1]", "line 2, `products`: 3 numbers are expected"),
             ("points = [[1, 0, 0, 0, 9]]", "line 1, `points`: 4 numbers are expected here, not 5"),
-            (
-                "shape = 'tetrahedron'\nmass = 1\nvertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]",
-                "line 3, `vertices`: 4 lists of 3 numbers each are expected here, not 3",
-            ),
+            ("shape = 'tetrahedron'\nvertices = [[0, 0, 0]]", "line 2, `vertices`: 4 lists of 3 numbers"),
             ("shape = 3", "line 1, `shape`: a string is expected here, not integer `3`"),
             ("[[part]]\nmass = [1]", "line 2, `mass`: a number is expected here, or a text with its unit"),
-            (
-                "[[part]]\nsides = [1, 2, 3]\nmass = 1\n[[part]]\nmomets = [1]",
-                "line 5, `momets`: no such field. Did you mean `moments`?",
-            ),
+            ("[[part]]\nmomets = [1]", "line 2, `momets`: no such field. Did you mean `moments`?"),
             ("[[part]]\nmoments = [1, 2, 3]", "line 1: `mass` (kg) is missing"),
             ("[[part]]\nsides = [1, 2, 3]\nmass = 1\nturn = [0, 0, 0, 1]", "line 4, `turn`: x, y and z"),
             ("mesh = 'none.stl'\nmass = 1", "line 1, `mesh`: none.stl: it cannot be read"),
-            (
-                "mass = 1\nshape = 'rod'\nlength = 1",
-                "line 2, `shape`: the smallest principal moment, 0.0, is zero",
-            ),
-            (
-                "moments = [0, 0, 0]\nproducts = [0.1, 0, 0]",
-                "line 1, `moments`: the largest moment of inertia is",
-            ),
-            (
-                "moments = [1, 2, 2.5]\nproducts = [5, 0, 0]",
-                "line 2, `products`: the smallest principal moment",
-            ),
+            ("mass = 1\nshape = 'rod'\nlength = 1", "line 2, `shape`: the smallest principal moment, 0.0"),
+            ("moments = [0, 0, 0]\nproducts = [0.1, 0, 0]", "line 1, `moments`: the largest moment of"),
+            ("moments = [1, 2, 2.5]\nproducts = [5, 0, 0]", "line 2, `products`: the smallest principal"),
             (
                 "[part]\nsides = [1, 2, 3]",
                 "line 1, `part`: a list is expected here, not map: each table of a list begins with `[[part]]`",
             ),
             (
                 "[[body]]\nmoments = [1, 2, 3]",
-                "line 1, `body`: a string is expected here, not sequence: each table of",
+                "line 1, `body`: a string is expected here, not sequence: each",
             ),
             ("spin = 0\nmoments = [1, 2, 2]", "line 1, `spin`: 0 rad/s is not above zero"),
             ("[[part]]\nsides = [1, 2, 3]\nmass = 1\nspin = 1", "line 4, `spin`: it is the whole body's"),
@@ -470,10 +419,7 @@ mod tests {
                 &format!("name = '{}'\nsides = [1, 2, 3]\nmass = 1", "n".repeat(2_000_000)),
                 "line 1, `name`: a name of 2000000 characters: at most 100",
             ),
-            (
-                "sides = [1, 2, 3]\nmass = 1\nattitude = [1, 0, 0, 0]",
-                "line 3, `attitude`: it is of a body in a scene",
-            ),
+            ("sides = [1, 2, 3]\nmass = 1\nattitude = [1, 0, 0, 0]", "line 3, `attitude`: it is of a body"),
             ("moments = [1, 2, 1e-400]", "line 1, `moments`: 1e-400 is closer to zero"),
             ("sides = [1, 2, 3]\nmass = 1\nat = [1e300, 0, 0]", "line 3, `at`: so far away that rounding"),
         ] {
@@ -491,16 +437,26 @@ mod tests {
                 < 1e-15 * metres.inertia.matrix().amax()
         );
         assert_eq!((mixed.mass, mixed.question, metres.question), (Some(0.2), None, None));
-        for (text, asked) in [
-            ("sides = [7.7, 0.78, 16]\nmass = 0.2", "0.2 kg in 7.7 × 0.78 × 16 m: is this in cm?"),
-            ("shape = 'ball'\nradius = 33\nmass = 0.058", "0.058 kg in 33 m: is this in mm?"),
-            ("sides = [0.077, 0.0078, 0.16]\nmass = 200", "200 kg in 0.077 × 0.0078 × 0.16 m: is this in g?"),
-            ("[[part]]\nsides = [7.7, 0.78, 16]\nmass = 0.2", "0.2 kg in 7.7 × 0.78 × 16 m: is this in cm?"),
-            ("shape = 'ball'\nradius = '33 mm'\nmass = 58", "58 kg in '33 mm': is this in g?"),
-            ("shape = 'ball'\nradius = 33\nmass = '58 g'", "'58 g' in 33 m: is this in mm?"),
+        let both = "cm and kg, or in mm and g";
+        for (sides, mass, units) in [
+            ("7.7, 0.78, 16", "0.2", both),
+            ("7.7, 0.78, 16", "200", "cm and g"),
+            ("77, 7.8, 160", "200", "mm and g, or in cm and kg"),
+            ("0.077, 0.0078, 0.16", "200", "m and g"),
         ] {
-            assert_eq!(body(text).unwrap().question.unwrap(), asked);
+            let question = |head| body(&format!("{head}sides = [{sides}]\nmass = {mass}")).unwrap().question;
+            let asked = format!("{mass} kg in {} m: is this in {units}?", sides.replace(',', " ×"));
+            assert_eq!([question(""), question("[[part]]\n")], [Some(asked.clone()), Some(asked)]);
         }
+        for (text, asked) in [
+            ("radius = 33\nmass = 0.058", "0.058 kg in 33 m: is this in mm and kg?"),
+            ("radius = '33 mm'\nmass = 58", "58 kg in 33 mm: is this in g?"),
+            ("radius = 33\nmass = '58 g'", "58 g in 33 m: is this in mm?"),
+        ] {
+            assert_eq!(body(&format!("shape = 'ball'\n{text}")).unwrap().question.unwrap(), asked);
+        }
+        let one = body("sides = ['77 mm', 7.8, '160 mm']\nmass = '200 g'").unwrap().question.unwrap();
+        assert_eq!(one, "200 g in 77 mm × 7.8 m × 160 mm: is this in mm, or in cm?");
         // A satellite is light, a unit that is written is meant, and of a thin plate nothing is known.
         for text in [
             "sides = [2, 2, 4]\nmass = 160",

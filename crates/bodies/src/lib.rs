@@ -42,6 +42,7 @@ mod files;
 mod mesh;
 mod model;
 mod named;
+mod question;
 mod scene;
 mod shape;
 mod surface;

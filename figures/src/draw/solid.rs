@@ -61,9 +61,11 @@ fn faces_viewer(view: &View, normal: &Vector3<f64>) -> bool {
 /// What of a face lies along this direction from the centre of mass.
 fn cut(surface: &Surface, face: usize, along: &Vector3<f64>) -> Vec<Vector3<f64>> {
     let corners: Vec<_> = surface.faces[face].iter().map(|&i| surface.vertices[i]).collect();
+    // A corner on the cut belongs to both halves, on whichever side rounding puts it.
+    let near = 1e-9 * corners.iter().map(|p| p.amax()).fold(0.0, f64::max);
     let sides = corners.iter().zip(corners.iter().cycle().skip(1)).flat_map(|(a, b)| {
         let (p, q) = (a.dot(along), b.dot(along));
-        [(p >= 0.0).then_some(*a), (p * q < 0.0).then(|| a + (b - a) * (p / (p - q)))]
+        [(p >= -near).then_some(*a), (p * q < 0.0).then(|| a + (b - a) * (p / (p - q)))]
     });
     sides.flatten().collect()
 }

@@ -2,7 +2,8 @@
 
 use super::{Camera, Film, share_in_words};
 use crate::draw::{Canvas, Fill, Ink, Label, P, Pen, View, solid};
-use crate::picture::{ink_of, with_powers};
+use crate::picture::ink_of;
+use crate::units;
 use nalgebra::Vector3;
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -12,20 +13,22 @@ use tumbling::Axis;
 pub const SHEET: [u32; 2] = [640, 360];
 
 /// Where the body's centre is drawn, and where the ellipsoid's.
-const BODY: P = (176.0, 210.0);
-const ELLIPSOID: P = (482.0, 184.0);
+const BODY: P = (206.0, 204.0);
+const ELLIPSOID: P = (524.0, 190.0);
 
 /// From where all is seen, degrees.
 const AZIMUTH: f64 = -52.0;
 const ELEVATION: f64 = 22.0;
 
-/// How long things are drawn: the body's reach, the momentum, the longest spin, the ellipsoid's longest half
-/// axis, the pin beyond the body.
-const REACH: f64 = 104.0;
-const MOMENTUM: f64 = 172.0;
-const SPIN: f64 = 146.0;
-const HALF_AXIS: f64 = 122.0;
+/// How long things are drawn: the momentum, the longest spin, the ellipsoid's longest half axis, the pin
+/// beyond the body.
+const MOMENTUM: f64 = 176.0;
+const SPIN: f64 = 150.0;
+const HALF_AXIS: f64 = 112.0;
 const PIN: f64 = 32.0;
+
+/// How far the body goes in the whole film to either side of its centre, and up and down.
+const ROOM: P = (192.0, 118.0);
 
 /// How much of the trace is drawn strongly, as a share of a turn of the first spin.
 const TAIL: f64 = 0.8;
@@ -85,7 +88,7 @@ impl Film {
         let arrows = view(BODY, 1.0, AZIMUTH);
         let axis = self.frame.column(self.request.axis as usize).into_owned();
         let (pole, ink) = (rotation * axis, ink_of(self.request.axis));
-        let of_body = view(BODY, REACH / self.reach, AZIMUTH);
+        let of_body = view(BODY, self.scale, AZIMUTH);
         // A pin along the axis of the spin: it shows which way round the body is.
         let surface = self.support(&axis);
         let pin = |from: f64| {
@@ -119,7 +122,21 @@ impl Film {
     /// How far the body goes along this direction from its centre of mass, as drawn.
     fn support(&self, axis: &Vector3<f64>) -> f64 {
         let along = self.surfaces.iter().flat_map(|s| &s.vertices).map(|p| p.dot(axis)).fold(0.0, f64::max);
-        along * REACH / self.reach
+        along * self.scale
+    }
+
+    /// How large a metre of the body is drawn, so that its whole motion fills its room.
+    pub(super) fn fitting(&self) -> Result<f64, Box<dyn Error>> {
+        let view = view((0.0, 0.0), 1.0, AZIMUTH);
+        let mut most = 0.0_f64;
+        for i in 0..120 {
+            let rotation = self.rotation(f64::from(i) / 120.0)?;
+            for p in self.surfaces.iter().flat_map(|s| &s.vertices) {
+                let (x, y) = view.at(&(rotation * p));
+                most = most.max(x.abs() / ROOM.0).max(y.abs() / ROOM.1);
+            }
+        }
+        Ok(1.0 / most)
     }
 
     /// The path of the spin's tip between two shares of the film.
@@ -174,10 +191,11 @@ impl Film {
             Camera::Body => "seen from the body",
             Camera::Momentum => "seen turning with it",
         };
-        canvas.label((BODY.0 + 20.0, 22.0), &small(from.into()));
-        canvas.label((ELLIPSOID.0, 22.0), &small("the spin's path in the body".into()).middle());
+        canvas.label((BODY.0 + 28.0, 22.0), &small(from.into()));
+        canvas.label((626.0, 22.0), &small("the spin's path in the body".into()).end());
         canvas.label((14.0, 22.0), &small("spin $!ω$".into()).ink(Ink::Omega));
         canvas.label((14.0, 42.0), &small("momentum $!L$".into()).ink(Ink::Momentum));
+        canvas.label((14.0, 62.0), &small(word(self.request.axis).into()).ink(ink_of(self.request.axis)));
         let name: String = self.name.chars().take(36).collect();
         let spin = spin_in_words(self.request.spin, self.request.axis);
         let words = format!("{name}, {spin}, push {}", share_in_words(self.push));
@@ -187,23 +205,18 @@ impl Film {
     }
 }
 
+fn word(axis: Axis) -> &'static str {
+    match axis {
+        Axis::Smallest => "easiest axis",
+        Axis::Middle => "middle axis",
+        Axis::Largest => "hardest axis",
+    }
+}
+
 /// As in "1 turn/s about its middle axis".
 pub(super) fn spin_in_words(spin: f64, axis: Axis) -> String {
-    let about = match axis {
-        Axis::Smallest => "its easiest axis",
-        Axis::Middle => "its middle axis",
-        Axis::Largest => "its hardest axis",
-    };
-    let turns = spin / TAU;
-    let speed = match (turns * 1e6).round() / 1e6 {
-        1.0 => "1 turn/s".into(),
-        whole if whole != 0.0 && (turns - whole).abs() < 1e-12 && whole.fract() == 0.0 => {
-            format!("{whole} turns/s")
-        }
-        _ if (1e-3..1e5).contains(&spin.abs()) => format!("{} rad/s", (spin * 1e6).round() / 1e6),
-        _ => with_powers(&format!("{spin:.3e}")) + " rad/s",
-    };
-    format!("{speed} about {about}")
+    let turns = units::number(spin / TAU, 4);
+    format!("{turns} turn{}/s about its {}", if turns == "1" { "" } else { "s" }, word(axis))
 }
 
 /// A time with as many decimals as frames differ by, of a motion this long, s.

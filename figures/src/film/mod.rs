@@ -6,6 +6,7 @@ mod length;
 pub use frame::{Projection, SHEET};
 
 use crate::figures::polhode::Ellipsoid;
+use crate::units;
 use length::Length;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use std::error::Error;
@@ -57,7 +58,8 @@ pub struct Film {
     motion: FreeMotion,
     momentum: Vector3<f64>,
     surfaces: Vec<Surface>,
-    reach: f64,
+    /// Of the body as drawn, points to the metre.
+    scale: f64,
     length: Length,
     /// Principal axes as columns, in the body's.
     frame: Matrix3<f64>,
@@ -95,20 +97,22 @@ impl Film {
         })?;
         let energy = omega.dot(&model.inertia.momentum(&omega));
         let surfaces = model.drawn();
-        Ok(Self {
+        let mut film = Self {
             name: model.name.clone(),
             request: *request,
             push,
             motion,
             momentum,
-            reach: model.reach(),
+            scale: 1.0,
             surfaces,
             length,
             frame: model.principal().frame(),
             ellipsoid: Ellipsoid::new((moments / moments[0]).into())?,
             fastest,
             first_reach: (energy / moments[0]).sqrt(),
-        })
+        };
+        film.scale = film.fitting()?;
+        Ok(film)
     }
 
     /// How long it takes to watch, s: a turn of the first spin takes a second.
@@ -135,29 +139,18 @@ impl Film {
         &self.motion
     }
 
-    /// In one line: what is shown, for how long, and how far its end is from its start.
+    /// In one line: what is shown, for how long, and whether its end is its start.
     ///
     /// # Errors
     /// None for a film that was made.
     pub fn explained(&self) -> Result<String, Box<dyn Error>> {
         let apart = self.rotation(0.0)?.angle_to(&self.rotation(1.0)?);
-        let spins = [0.0, 1.0].map(|share| self.motion.omega(share * self.length.motion));
-        let [first, last] = spins;
-        let of_spin = (last? - first?).norm() / self.fastest;
-        let closes = if apart < 2e-3 && of_spin < 2e-3 {
-            "it starts again without a seam"
-        } else {
-            "it does not close"
-        };
-        Ok(format!(
-            "{}: {}, push {}; {}; {closes} (its ends are {} of the attitude and {} of the spin apart)",
-            self.name,
-            frame::spin_in_words(self.request.spin, self.request.axis),
-            share_in_words(self.push),
-            self.length.why,
-            angle_in_words(apart),
-            share_in_words(of_spin),
-        ))
+        let [first, last] = [0.0, 1.0].map(|share| self.motion.omega(share * self.length.motion));
+        let seamless = apart < 2e-3 && (last? - first?).norm() < 2e-3 * self.fastest;
+        let end = if seamless { "it starts again without a seam" } else { "it does not close" };
+        let spin = frame::spin_in_words(self.request.spin, self.request.axis);
+        let (push, why) = (share_in_words(self.push), &self.length.why);
+        Ok(format!("{}: {spin}, push {push}; {why}; {end}", self.name))
     }
 
     /// The body's attitude as the camera sees it, at this share of the film.
@@ -201,19 +194,5 @@ fn thrown(model: &BodyModel, request: &Request, push: f64) -> Result<Body, Box<d
 
 /// A share in percent.
 fn share_in_words(share: f64) -> String {
-    let percent = 100.0 * share;
-    match percent.abs() {
-        0.0 => "0 %".into(),
-        x if x < 1e-9 => "less than 10⁻⁹ %".into(),
-        x if x < 0.01 => crate::picture::with_powers(&format!("{percent:.0e}")) + " %",
-        x if x < 10.0 => format!("{percent:.2} %"),
-        _ => format!("{percent:.0} %"),
-    }
-}
-
-fn angle_in_words(angle: f64) -> String {
-    match angle.to_degrees() {
-        x if x < 1e-6 => "less than 10⁻⁶ degrees".into(),
-        x => format!("{x:.2} degrees"),
-    }
+    units::number(100.0 * share, 3) + " %"
 }

@@ -102,7 +102,7 @@ fn run(rule: &Rule, subject: &Subject<'_>, frames: u32) -> Result<Option<Errors>
 fn needed(rule: &Rule, subject: &Subject<'_>) -> Result<Option<u32>, Box<dyn Error>> {
     let mut frames = 4;
     while frames <= MOST {
-        for each in [frames, frames + frames / 2] {
+        for each in [frames, frames + frames / 2].into_iter().filter(|&each| each <= MOST) {
             let errors = run(rule, subject, each)?;
             if errors.is_some_and(|e| e.energy.max(e.momentum) <= ALLOWED && e.attitude <= ANGLE) {
                 return Ok(Some(each));

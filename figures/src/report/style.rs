@@ -1,8 +1,9 @@
 //! The look of the page.
 
 pub(super) const PAGE: &str = "
-@page{size:A4;margin:9mm 11mm}
-body{margin:0;background:var(--fig-paper);font:16px/1.4 system-ui,sans-serif}
+@page{size:A4;margin:9mm}
+:root{--fig-font:'Tumbling Sans',system-ui,sans-serif;--fig-symbols:'Literata','Tumbling Math',Georgia,serif}
+body{margin:0;background:var(--fig-paper);font:16px/1.4 var(--fig-font)}
 main{max-width:60rem;margin:0 auto;padding:1rem}
 h1{font-size:1.6em;margin:0 0 .3em}
 h2{font-size:1.1em;margin:.2em 0 .3em}
@@ -15,6 +16,6 @@ th{text-align:left;font-weight:500}th[scope=col]{font-weight:600;vertical-align:
 td,th{padding:.1em .6em .1em 0;border-bottom:1px solid var(--fig-faint)}
 @media(max-width:44rem){.pair{grid-template-columns:1fr}table{display:block;overflow-x:auto}}
 @media print{:root{color-scheme:light}body{font-size:8.4pt;line-height:1.2}main{max-width:none;padding:0}
-h1{font-size:15pt}h2{font-size:10pt;margin:0}p,ul{margin:.6mm 0}.pair{grid-template-columns:1fr 1fr;margin:0;gap:0 8mm}
-td,th{padding:0 .6em 0 0;white-space:nowrap}figure svg{width:90mm;max-width:100%}section,figure{break-inside:avoid}}
+h1{font-size:15pt}h2{font-size:10pt;margin:0}p,ul{margin:.6mm 0}.pair{grid-template-columns:1fr 1fr;margin:0;gap:0 3mm}
+td,th{padding:0 .6em 0 0;white-space:nowrap}figure svg{width:94.5mm;max-width:100%}section,figure{break-inside:avoid}}
 ";
