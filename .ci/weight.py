@@ -58,7 +58,7 @@ def film(page: Path) -> list[Path]:
 
 
 class Words(HTMLParser):
-    """The words that a page tells: captions, answers and exercises too; no code, formula, figure, fold or live part."""
+    """The words that a page tells: captions, answers and exercises too; no code, formula, figure, fold, live part or foot."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -67,7 +67,7 @@ class Words(HTMLParser):
 
     def handle_starttag(self, tag: str, attributes: list[tuple[str, str | None]]) -> None:
         if tag not in ("br", "img", "input", "hr", "source", "wbr"):
-            silent = tag in ("script", "svg", "math", "details", "noscript", "template", "pre")
+            silent = tag in ("script", "svg", "math", "details", "noscript", "template", "pre", "footer")
             self.open.append(silent or dict(attributes).get("class") in ("live-still", "live-stage"))
 
     def handle_endtag(self, tag: str) -> None:

@@ -69,8 +69,8 @@ function works(events) {
   const tasks = events.filter((e) => own(e) && e.name === "RunTask" && e.ph === "X");
   const found = starts.slice(1).map((to, i) => tasks.filter((e) => e.ts + e.dur > starts[i] && e.ts + e.dur <= to)
     .reduce((sum, e) => sum + e.tdur / 1000, 0)).sort((a, b) => a - b);
-  // Of these the page's own scripts: a frame's, and what answers a control.
-  const script = starts.slice(1).map((to, i) => events.filter((e) => own(e) && e.ph === "X" && ["FireAnimationFrame", "EventDispatch"].includes(e.name)
+  // Of these the page's own scripts: a slider is moved inside a frame here.
+  const script = starts.slice(1).map((to, i) => events.filter((e) => own(e) && e.ph === "X" && e.name === "FireAnimationFrame"
     && e.ts >= starts[i] && e.ts < to).reduce((sum, e) => sum + e.tdur / 1000, 0)).sort((a, b) => a - b);
   const layouts = events.filter((e) => own(e) && e.name === "Layout" && e.ts > starts[2]).length / starts.length;
   const at = (part, all = found) => all[Math.min(all.length - 1, Math.floor(part * all.length))];

@@ -13,13 +13,19 @@ tumblingLive.meeting = (canvas, colours, half, names, { get, moved, ended }) => 
     const eyes = () => orbit([[0, 0, -1], [1, 0, 0], [0, -1, 0]], view.turn, view.tilt);
     const LIGHT = unit([-0.45, 0.75, 0.6]);
     const sheet = document.createElement("canvas");
-    let kept = "";
+    const kept = { key: "", at: -Infinity, coarse: false, later: 0 };
 
-    /** Both surfaces, point by point: the nearer one is seen. Painted anew only if they or the view have changed. */
-    function surfaces(length, eye, dots) {
-        const key = [length, view.turn, view.tilt, dots, colours.bg, colours.momentum].join();
-        if (key === kept) return;
-        kept = key;
+    /**
+     * Both surfaces, point by point: the nearer one is seen. Painted anew only if they or the view have changed; coarsely while they go on
+     * changing, and finely once they rest.
+     */
+    function surfaces(length, eye, fine) {
+        const key = [length, view.turn, view.tilt, fine, colours.bg, colours.momentum].join();
+        const soon = performance.now() - kept.at < 200;
+        if (key === kept.key && (soon || !kept.coarse)) return;
+        const dots = soon ? Math.round(fine / 2) : fine;
+        clearTimeout(kept.later);
+        Object.assign(kept, { key, at: performance.now(), coarse: soon, later: soon ? setTimeout(() => picture.draw(), 250) : 0 });
         [sheet.width, sheet.height] = [dots, dots];
         const pen = sheet.getContext("2d");
         const image = pen.createImageData(dots, dots);
