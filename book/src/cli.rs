@@ -1,6 +1,6 @@
 //! The command line: its grammar, and what each command does.
 
-use crate::command::{certificates, docs, draw, exercises, export, film, measure, report};
+use crate::command::{docs, draw, exercises, export, film, measure, report};
 use crate::site::share::Site;
 use crate::site::{build, paths};
 use crate::{complain, guard, paper, preprocess, say};
@@ -75,8 +75,6 @@ other programs, and leaves the pages' drawings as they are: `cargo run -- figure
         #[arg(long)]
         list: bool,
     },
-    /// Write what the proofs claim as theorems for Coq
-    Certificates(certificates::Arguments),
     /// List which exercises are done, begun and open, by chapter; runs those that you have changed
     #[command(after_help = "`cargo exercise NAME` runs one exercise.")]
     Exercises {
@@ -141,7 +139,6 @@ pub(crate) fn run(cli: Cli) -> Result<ExitCode, Box<dyn Error>> {
             return Ok(checked(&folder, list));
         }
         Command::Exercises { command } => return Ok(exercises::run(command.as_ref())?),
-        Command::Certificates(arguments) => certificates::run(&arguments)?,
         Command::Report(arguments) => report::run(&arguments)?,
         Command::Measure(arguments) => measure::run(&arguments)?,
         Command::Atlas => measure::atlas()?,
@@ -255,7 +252,6 @@ mod tests {
             &["print", "problems", "--out", "folder"],
             &["check"],
             &["check", "folder", "--list"],
-            &["certificates", "--out", "folder"],
             &["exercises"],
             &["exercises", "next"],
             &["exercises", "untouched"],

@@ -1,6 +1,5 @@
 //! What the commands do, one in a file; the command line itself stands in `cli`.
 
-pub(crate) mod certificates;
 pub(crate) mod docs;
 pub(crate) mod draw;
 pub(crate) mod exercises;

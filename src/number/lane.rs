@@ -7,13 +7,6 @@ use core::ops::{Add, Mul, Sub};
 use nalgebra::{Quaternion, Vector3};
 use num_traits::Float;
 
-/// 2^52: from here on numbers have no fraction.
-#[cfg(not(all(
-    feature = "std",
-    any(target_arch = "wasm32", target_arch = "aarch64", target_feature = "sse4.1")
-)))]
-const LARGE: f64 = 4_503_599_627_370_496.0;
-
 /// A field whose numbers can be sums of infinite series, of which the terms that matter are summed.
 pub trait Series: Field {
     /// This sum, of which the terms left out amount to `rest` at most. `f64` and exact numbers keep the sum:
@@ -106,7 +99,6 @@ pub trait Lane:
     fn round_ties_even(self) -> Self;
 
     /// The nearest integer and what is left, which is exact.
-    #[must_use]
     #[inline(always)]
     fn whole_and_left(self) -> [Self; 2] {
         let whole = self.round_ties_even();
@@ -114,7 +106,6 @@ pub trait Lane:
     }
 
     /// `self - other` where the two agree to four units in the last place: without error.
-    #[must_use]
     #[inline(always)]
     fn less_near(self, other: Self) -> Self {
         self - other
@@ -151,28 +142,24 @@ pub trait Lane:
     }
 
     /// A number in two parts as the nearest single one and the rest.
-    #[must_use]
     #[inline(always)]
     fn in_one(high: Self, low: Self) -> [Self; 2] {
         [high, low]
     }
 
     /// The number that a quotient or a root is improved from.
-    #[must_use]
     #[inline(always)]
     fn near(self) -> Self {
         self
     }
 
     /// Whether it is neither infinite nor NaN.
-    #[must_use]
     #[inline(always)]
     fn finite(self) -> Self::Mask {
         self.abs().lt(splat(f64::INFINITY))
     }
 
     /// A number that only rounding can bring below zero.
-    #[must_use]
     #[inline(always)]
     fn not_below_zero(self) -> Self {
         let zero = splat::<Self>(0.0);
@@ -180,7 +167,6 @@ pub trait Lane:
     }
 
     /// Sine and cosine of this part of a turn, at most an eighth.
-    #[must_use]
     #[inline(always)]
     fn sin_cos_of_part(self) -> (Self, Self) {
         // Twice the circle's constant is larger by less than that.
@@ -188,7 +174,6 @@ pub trait Lane:
     }
 
     /// `exp(-x)` and `exp(-x) - 1` of `x = self + rest >= 0`.
-    #[must_use]
     #[inline(always)]
     fn decay(self, rest: Self) -> [Self; 2] {
         crate::number::functions::decay(self, rest)
@@ -259,7 +244,11 @@ impl Lane for f64 {
             feature = "std",
             any(target_arch = "wasm32", target_arch = "aarch64", target_feature = "sse4.1")
         )))]
-        if self.abs() < LARGE { ((self.abs() + LARGE) - LARGE).copysign(self) } else { self }
+        {
+            // 2^52: from here on numbers have no fraction.
+            const LARGE: f64 = 4_503_599_627_370_496.0;
+            if self.abs() < LARGE { ((self.abs() + LARGE) - LARGE).copysign(self) } else { self }
+        }
     }
 
     #[inline(always)]

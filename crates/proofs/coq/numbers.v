@@ -1,6 +1,8 @@
 (* Numbers of the book that no fraction gives, from a formula or an integral: each rounds to the digits that the
    book prints, and not to the next ones. *)
-Require Import Tumbling.tactics Tumbling.decide.
+From Coq Require Import Reals Lra.
+From Interval Require Import Tactic.
+Open Scope R_scope.
 From Coquelicot Require Import Coquelicot.
 
 (** Degrees between spin and momentum of a box with edges 2, 1 and 3 m, spun along (1, 1, 0). It rounds to 7.4. *)

@@ -1,6 +1,5 @@
 (* The position stage of the library's engine (src/step/position_stage/turn.rs): a turn by the half-angle tangents
    c, and the spin after it, with three roots and any pace. *)
-Require Import Tumbling.decide.
 From Coq Require Import Reals Lra.
 Open Scope R_scope.
 
@@ -38,7 +37,7 @@ Let g3 := k3 * h * (S1 * S2).
 
 Lemma gains_nothing :
   g1 * (I1 * (2 * (w1 * d) + g1)) + g2 * (I2 * (2 * (w2 * d) + g2)) + g3 * (I3 * (2 * (w3 * d) + g3)) = 0.
-Proof. rational. Qed.
+Proof. unfold g1, g2, g3, d, S1, S2, S3, w1, w2, w3, k1, k2, k3 in *. field [R1 R2 R3]. repeat split; assumption. Qed.
 
 Let m1 := 1 + I1 * b.
 Let m2 := 1 + I2 * b.
@@ -46,13 +45,13 @@ Let m3 := 1 + I3 * b.
 
 Lemma turned_1 :
   d * (I1 * g1) + h * X * (m2 * S2 * (I3 * (2 * (w3 * d) + g3)) - m3 * S3 * (I2 * (2 * (w2 * d) + g2))) = 0.
-Proof. rational. Qed.
+Proof. unfold g1, g2, g3, d, S1, S2, S3, w1, w2, w3, k1, k2, k3, m1, m2, m3 in *. field [R1 R2 R3]. repeat split; assumption. Qed.
 Lemma turned_2 :
   d * (I2 * g2) + h * X * (m3 * S3 * (I1 * (2 * (w1 * d) + g1)) - m1 * S1 * (I3 * (2 * (w3 * d) + g3))) = 0.
-Proof. rational. Qed.
+Proof. unfold g1, g2, g3, d, S1, S2, S3, w1, w2, w3, k1, k2, k3, m1, m2, m3 in *. field [R1 R2 R3]. repeat split; assumption. Qed.
 Lemma turned_3 :
   d * (I3 * g3) + h * X * (m1 * S1 * (I2 * (2 * (w2 * d) + g2)) - m2 * S2 * (I1 * (2 * (w1 * d) + g1))) = 0.
-Proof. rational. Qed.
+Proof. unfold g1, g2, g3, d, S1, S2, S3, w1, w2, w3, k1, k2, k3, m1, m2, m3 in *. field [R1 R2 R3]. repeat split; assumption. Qed.
 End Stage.
 
 
@@ -86,7 +85,7 @@ Proof.
   assert (T2 : Q2 ^ 2 = X + (I1 - I2) * (I2 - I3) * I3 * I1 * (h * s2) ^ 2) by (rewrite R2; field; auto).
   assert (T3 : Q3 ^ 2 = X + (I2 - I3) * (I3 - I1) * I1 * I2 * (h * s3) ^ 2) by (rewrite R3; field; auto).
   clear R1 R2 R3.
-  assert (E := gains_nothing I1 I2 I3 X h b Q1 Q2 Q3 s1 s2 s3 N1 N2 N3 T1 T2 T3).
+  assert (E := gains_nothing I1 I2 I3 X h Q1 Q2 Q3 s1 s2 s3 N1 N2 N3 T1 T2 T3).
   assert (M1 := turned_1 I1 I2 I3 X h b Q1 Q2 Q3 s1 s2 s3 N1 N2 N3 T1 T2 T3).
   assert (M2 := turned_2 I1 I2 I3 X h b Q1 Q2 Q3 s1 s2 s3 N1 N2 N3 T1 T2 T3).
   assert (M3 := turned_3 I1 I2 I3 X h b Q1 Q2 Q3 s1 s2 s3 N1 N2 N3 T1 T2 T3).

@@ -26,11 +26,9 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 
 mod certain;
-mod certificates;
 mod lattice;
 mod number;
 mod proofs;
-mod record;
 mod region;
 mod residue;
 
@@ -42,7 +40,6 @@ pub mod symbols;
 pub mod tex;
 
 pub use certain::{Exact, enclosed, exactly};
-pub use certificates::{Certificate, certificates};
 pub use interval::Interval;
 pub use num_bigint::BigInt;
 pub use num_rational::BigRational;

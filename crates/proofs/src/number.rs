@@ -1,7 +1,6 @@
 //! Numbers that are more than numbers: exact fractions, polynomials, power series.
 
 mod calculus;
-pub(crate) mod expression;
 mod fraction;
 mod functions;
 mod monomial;

@@ -37,11 +37,6 @@ mod turning;
 
 use crate::proof::Proof;
 
-/// Whether a proof is that two steps agree through a power of the step, with series too long for Coq.
-pub(crate) fn is_of_an_order(proof: &Proof) -> bool {
-    methods::PROOFS.iter().chain(order::PROOFS).chain(shares::PROOFS).any(|other| other.name == proof.name)
-}
-
 /// Every proof.
 #[must_use]
 pub fn proofs() -> Vec<&'static Proof> {

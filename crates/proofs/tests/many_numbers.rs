@@ -2,62 +2,12 @@
 
 use nalgebra::{Matrix3, Quaternion, Vector3};
 use num_dual::Dual64;
-use num_traits::{One, Zero};
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use num_traits::Zero;
 use tumbling::laws::Rate;
 use tumbling::number::Field;
 use tumbling::step::{State, rk4};
 use tumbling::{attitude, dynamics::euler, dynamics::observe, dynamics::stability, inertia};
 use tumbling_proofs::{Fraction, Rational, Series};
-use wide::f64x4;
-
-/// Four bodies at once: four floats in one register.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Lanes(f64x4);
-
-macro_rules! lanes {
-    ($($Op:ident $op:ident $OpAssign:ident $op_assign:ident),*) => {$(
-        impl $Op for Lanes {
-            type Output = Self;
-            fn $op(self, other: Self) -> Self {
-                Self($Op::$op(self.0, other.0))
-            }
-        }
-        impl $OpAssign for Lanes {
-            fn $op_assign(&mut self, other: Self) {
-                *self = $Op::$op(*self, other);
-            }
-        }
-    )*};
-}
-lanes!(
-    Add add AddAssign add_assign,
-    Sub sub SubAssign sub_assign,
-    Mul mul MulAssign mul_assign,
-    Div div DivAssign div_assign
-);
-
-impl Neg for Lanes {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self(-self.0)
-    }
-}
-
-impl Zero for Lanes {
-    fn zero() -> Self {
-        Self(f64x4::splat(0.0))
-    }
-    fn is_zero(&self) -> bool {
-        *self == Self::zero()
-    }
-}
-
-impl One for Lanes {
-    fn one() -> Self {
-        Self(f64x4::splat(1.0))
-    }
-}
 
 /// A slow book of moments 2, 3, 4 at a given spin, one step of free motion from a tilted attitude, and what
 /// the library says about it: every law that is a polynomial or a fraction, in one list.
@@ -125,16 +75,6 @@ fn single_precision_follows_the_exact_laws_to_its_rounding() {
         let single = laws(Vector3::from(spin).map(|x| x as f32), STEP as f32);
         let widened: Vec<f64> = single.into_iter().map(f64::from).collect();
         close(&widened, &exactly(spin), f32::EPSILON.into(), 4.0);
-    }
-}
-
-#[test]
-fn four_bodies_in_one_register_move_exactly_as_each_alone() {
-    let lanes = |i: usize| Lanes(f64x4::new(SPINS.map(|spin| spin[i])));
-    let together = laws(Vector3::new(lanes(0), lanes(1), lanes(2)), Lanes(f64x4::splat(STEP)));
-    for (lane, spin) in SPINS.into_iter().enumerate() {
-        let own: Vec<f64> = together.iter().map(|x| x.0.to_array()[lane]).collect();
-        assert_eq!(own, in_f64(spin));
     }
 }
 

@@ -20,8 +20,8 @@ pub(crate) fn sin_cos_of_turns<T: Lane>(turns: DoubleDouble<T>) -> (T, T) {
     let opposite = splat::<T>(1.5).lt(size);
     let sin_sign = T::select(quarters.lt(splat::<T>(-0.5)), splat::<T>(-1.0), splat::<T>(1.0));
     let cos_sign = T::select(splat::<T>(0.5).lt(quarters), splat::<T>(-1.0), splat::<T>(1.0));
-    let half = splat::<T>(-1.0);
-    (T::select(opposite, half, sin_sign) * s, T::select(opposite, half, cos_sign) * c)
+    let signed = |sign, x| T::select(opposite, splat(-1.0), sign) * x;
+    (signed(sin_sign, s), signed(cos_sign, c))
 }
 
 #[cfg(test)]

@@ -64,13 +64,13 @@ impl Rounded {
     }
 
     /// Rounded to the nearest float, unless it is known to be one.
-    fn rounded(at: Interval, off: Interval, exactly: bool) -> Self {
+    fn to_nearest(at: Interval, off: Interval, exactly: bool) -> Self {
         if exactly || at.low == at.high { Self { at, off } } else { Self { at, off: off + units(at, 0.5) } }
     }
 
     /// A product or quotient or root, of which the smallest can underflow.
     fn scaled(at: Interval, off: Interval, exactly: bool) -> Self {
-        let found = Self::rounded(at, off, exactly);
+        let found = Self::to_nearest(at, off, exactly);
         if at.is_zero() || (!at.has_zero() && safe(at.low) && safe(at.high)) {
             return found;
         }
@@ -96,7 +96,7 @@ impl Rounded {
         let near = |a: Interval, b: Interval| {
             a.low > 0.0 && b.low > 0.0 && a.high <= 2.0 * b.low && b.high <= 2.0 * a.low
         };
-        Self::rounded(at, self.off + other.off, nothing || near(a, b) || near(-a, -b))
+        Self::to_nearest(at, self.off + other.off, nothing || near(a, b) || near(-a, -b))
     }
     fn minus(self) -> Self {
         Self { at: -self.at, off: -self.off }
@@ -355,9 +355,10 @@ mod tests {
                 prop_assert!(holds(|| x / y, a / b, &(p.clone() / q.clone())));
             }
             let (high, parts) = (a + b, a.sum_in_two(b));
-            prop_assert!(holds(|| x.sum_in_two(y)[1], parts[1], &(p.clone() + q.clone() - fraction(high))));
+            let left = p.clone() + q.clone() - fraction(high);
+            prop_assert!(holds(|| x.sum_in_two(y)[1], parts[1], &left));
             let parts = a.quick_sum_in_two(b);
-            prop_assert!(holds(|| x.quick_sum_in_two(y)[1], parts[1], &(p.clone() + q.clone() - fraction(high))));
+            prop_assert!(holds(|| x.quick_sum_in_two(y)[1], parts[1], &left));
             let [high, low] = a.product_in_two(b);
             prop_assert!(holds(|| x.product_in_two(y)[1], low, &(p.clone() * q.clone() - fraction(high))));
             let one = || { let [high, low] = x.product_in_two(y); Rounded::in_one(high, low)[0] };
@@ -366,7 +367,7 @@ mod tests {
             prop_assert!(holds(|| x.whole_and_left()[1], left, &(p - fraction(whole))));
         }
 
-        /// The platform's functions are right to a unit, too. An enclosure of the exact result is all there is.
+        /// The platform's functions are right to a unit, too. Of the exact result there is an enclosure.
         #[test]
         fn each_function_is_off_by_no_more_than_it_says(
             a in 0.01..0.7_f64,
@@ -375,8 +376,8 @@ mod tests {
         ) {
             let ((x, p), (y, q)) = (number(a, off, 0.0), number(b, -off, 1e-9));
             let [p, q] = [p, q].map(Interval::from);
-            let agree = |x: Rounded, computed: f64, exact: Interval| {
-                let off = exact_point(computed) - exact;
+            let agree = |x: Rounded, computed: f64, truth: Interval| {
+                let off = exact(computed).at - truth;
                 off.high() >= x.off.low() && off.low() <= x.off.high() && x.off.width() < 1e-11
             };
             prop_assert!(agree(x.sqrt(), a.sqrt(), p.sqrt()));
@@ -386,19 +387,15 @@ mod tests {
             prop_assert!(agree(x.hypot(y), a.hypot(b), (p.square() + q.square()).sqrt()));
             prop_assert!(agree(Real::exp(-x), (-a).exp(), (-p).exp_and_exp_m1().0));
             prop_assert!(agree(Real::exp_and_exp_m1(-x).1, (-a).exp_m1(), (-p).exp_and_exp_m1().1));
-            let turn = Interval::PI * exact_point(2.0);
+            let turn = Interval::PI * exact(2.0).at;
             let (sine, cosine) = (exact(0.15) * x).sin_cos_of_part();
             let (s, c) = (0.15 * a).sin_cos_of_part();
-            let angle = turn * exact_point(0.15) * p;
+            let angle = turn * exact(0.15).at * p;
             prop_assert!(agree(sine, s, angle.sin_cos().0) && agree(cosine, c, angle.sin_cos().1));
             let [power, less] = (x * 9.0).decay(exact(1e-20));
             let [f, g] = (a * 9.0).decay(1e-20);
-            let (p, l) = (-(p * exact_point(9.0) + exact_point(1e-20))).exp_and_exp_m1();
+            let (p, l) = (-(p * exact(9.0).at + exact(1e-20).at)).exp_and_exp_m1();
             prop_assert!(agree(power, f, p) && agree(less, g, l));
         }
-    }
-
-    fn exact_point(x: f64) -> Interval {
-        Interval { low: x, high: x }
     }
 }

@@ -1,6 +1,5 @@
 //! Quotients of polynomials: the field in which every law of the library can run.
 
-use super::expression::{Expression, is_recording};
 use super::monomial::Monomial;
 use super::ops::operator;
 use super::polynomial::Polynomial;
@@ -35,8 +34,6 @@ pub struct Fraction {
     /// Whole coefficients without common factor, the first positive; 1 where the numerator is zero; zero
     /// itself where the fraction is undefined.
     denominator: Polynomial,
-    /// How it was computed, if that is recorded.
-    expression: Option<Expression>,
 }
 
 impl Fraction {
@@ -56,7 +53,7 @@ impl Fraction {
     #[must_use]
     pub fn new(numerator: Polynomial, denominator: Polynomial) -> Self {
         if denominator.is_zero() {
-            return Self { numerator: Polynomial::one(), denominator, expression: None };
+            return Self { numerator: Polynomial::one(), denominator };
         }
         if denominator.is_one() {
             return numerator.into();
@@ -77,30 +74,7 @@ impl Fraction {
             n = content.recip().into();
             d = rest.scaled(&content.recip());
         }
-        Self { numerator: n, denominator: d, expression: None }
-    }
-
-    /// How it was computed; expanded, if that was not recorded.
-    pub(crate) fn expression(&self) -> Expression {
-        let expanded = || {
-            let below = Expression::polynomial(&self.denominator);
-            Expression::polynomial(&self.numerator).over(&below)
-        };
-        self.expression.clone().unwrap_or_else(expanded)
-    }
-
-    /// This in the form it has after cancelling, however it was computed: defined where what was cancelled is
-    /// zero.
-    pub(crate) fn cancelled(self) -> Self {
-        Self { expression: None, ..self }
-    }
-
-    /// This with how it was computed, if that is recorded.
-    pub(super) fn computed(mut self, expression: impl FnOnce() -> Expression) -> Self {
-        if is_recording() {
-            self.expression = Some(expression());
-        }
-        self
+        Self { numerator: n, denominator: d }
     }
 
     /// Above the line.
@@ -149,7 +123,7 @@ impl Fraction {
             return self.clone();
         }
         let (numerator, denominator) = (self.numerator.pow(n), self.denominator.pow(n));
-        Self { numerator, denominator, expression: None }.computed(|| self.expression().power(n))
+        Self { numerator, denominator }
     }
 
     /// The partial derivative by `symbol`.
@@ -164,12 +138,11 @@ impl Fraction {
     pub fn derivative(&self, symbol: &Symbol) -> Self {
         let (n, d) = (&self.numerator, &self.denominator);
         let (n_rate, d_rate) = (n.derivative(symbol), d.derivative(symbol));
-        let derivative = if d_rate.is_zero() && !d.is_zero() {
+        if d_rate.is_zero() && !d.is_zero() {
             Self::new(n_rate, d.clone())
         } else {
             Self::new(n_rate * d - n * &d_rate, d * d)
-        };
-        derivative.computed(|| self.expression().derivative(symbol))
+        }
     }
 
     /// This with `value` put for `symbol`; undefined where that divides by zero.
@@ -182,8 +155,7 @@ impl Fraction {
         if self.is_undefined() {
             return self.clone();
         }
-        let quotient = put(&self.numerator) / put(&self.denominator);
-        quotient.computed(|| self.expression().substitute(symbol, &value.expression()))
+        put(&self.numerator) / put(&self.denominator)
     }
 
     /// Its value in any number system, given those of its variables; `None` if one is not given.
@@ -226,21 +198,14 @@ impl Fraction {
     }
 
     fn sum(&self, other: &Self) -> Self {
-        let result = self.combined(other, |a, b| a + b);
-        result.computed(|| self.expression().plus(&other.expression()))
+        self.combined(other, |a, b| a + b)
     }
 
     fn difference(&self, other: &Self) -> Self {
-        let result = self.combined(other, |a, b| a - b);
-        result.computed(|| self.expression().minus(&other.expression()))
+        self.combined(other, |a, b| a - b)
     }
 
     fn product(&self, other: &Self) -> Self {
-        let product = self.multiplied(other);
-        product.computed(|| self.expression().times(&other.expression()))
-    }
-
-    fn multiplied(&self, other: &Self) -> Self {
         if self.denominator.is_one() && other.denominator.is_one() {
             return (&self.numerator * &other.numerator).into();
         }
@@ -255,7 +220,7 @@ impl Fraction {
             return other.clone();
         }
         let inverse = Self::new(other.denominator.clone(), other.numerator.clone());
-        self.multiplied(&inverse).computed(|| self.expression().over(&other.expression()))
+        self.product(&inverse)
     }
 }
 
@@ -295,8 +260,7 @@ operator!(Fraction: Div div DivAssign div_assign = Fraction::quotient);
 impl Neg for Fraction {
     type Output = Self;
     fn neg(self) -> Self {
-        let expression = self.expression.map(|x| x.negative());
-        Self { numerator: -self.numerator, denominator: self.denominator, expression }
+        Self { numerator: -self.numerator, denominator: self.denominator }
     }
 }
 
@@ -314,7 +278,7 @@ impl PartialEq for Fraction {
 
 impl From<Polynomial> for Fraction {
     fn from(numerator: Polynomial) -> Self {
-        Self { numerator, denominator: Polynomial::one(), expression: None }
+        Self { numerator, denominator: Polynomial::one() }
     }
 }
 

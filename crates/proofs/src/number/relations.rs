@@ -89,11 +89,6 @@ impl Relations {
         Self { squares: vec![cn, ("dn".into(), Polynomial::one() - m * square)] }
     }
 
-    /// The rules: each symbol, and what its square equals.
-    pub(crate) fn squares(&self) -> &[(Symbol, Polynomial)] {
-        &self.squares
-    }
-
     /// What is left of `p` under the rules; zero exactly if the rules make it zero.
     #[must_use]
     pub fn reduce(&self, p: &Polynomial) -> Polynomial {
@@ -117,8 +112,7 @@ impl Relations {
     /// What is left of a fraction: numerator and denominator reduced, undefined if the latter vanishes.
     #[must_use]
     pub fn reduce_fraction(&self, x: &Fraction) -> Fraction {
-        let reduced = Fraction::new(self.reduce(x.numerator()), self.reduce(x.denominator()));
-        reduced.computed(|| x.expression())
+        Fraction::new(self.reduce(x.numerator()), self.reduce(x.denominator()))
     }
 }
 

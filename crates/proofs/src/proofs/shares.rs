@@ -5,7 +5,6 @@
 //! the matrix of derivatives, `x - A F(x)` takes a ball around the decimals into itself and draws it
 //! together: where it rests, `F` is zero.
 
-use crate::number::expression::recording;
 use crate::number::{Fraction, Rational};
 use crate::proof::{Outcome, Residue, same};
 use crate::proofs::methods::{cases, step};
@@ -38,7 +37,7 @@ proofs! {
 
 fn shares(power: u32) -> Outcome {
     let shares = SHARES.map(Rational::of_literal);
-    recording(false, || made_of(&shares).and_then(|()| nearby(&shares, power)))
+    made_of(&shares).and_then(|()| nearby(&shares, power))
 }
 
 fn made_of(shares: &[Rational; 5]) -> Outcome {

@@ -140,7 +140,7 @@ pub(super) fn capsule(law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector) -
 fn limit(solid: &Sums, sizes: &[&str]) -> Matrix {
     let m = Fraction::variable("m");
     let to_zero = |x: Fraction, size: &&str| x.substitute(&(*size).into(), &Fraction::zero());
-    solid.inertia.map(|x| sizes.iter().fold((x * m.clone() / solid.volume.clone()).cancelled(), to_zero))
+    solid.inertia.map(|x| sizes.iter().fold(x * m.clone() / solid.volume.clone(), to_zero))
 }
 
 pub(super) fn thin(
