@@ -50,8 +50,8 @@ pub fn bound(moments: &Vector3<Interval>, omega: &Vector3<Interval>, t: Interval
 /// By which share of itself each number of [`bound_of_all`] may differ.
 pub const SHARE: f64 = 1e-12;
 
-/// The same for all bodies and spins that differ from these by that [`SHARE`] at most in each number, at all times
-/// until they have flipped so often.
+/// The same for all bodies and spins that differ from these by that [`SHARE`] at most in each number, at all
+/// times until they have flipped so often.
 ///
 /// # Errors
 /// As [`bound`].
