@@ -47,13 +47,16 @@ pub fn bound(moments: &Vector3<Interval>, omega: &Vector3<Interval>, t: Interval
     Ok(most)
 }
 
-/// The same for all bodies and spins that differ from these by a part in 10¹² in each number, at all times
-/// until they have flipped so often.
+/// By which share of itself each number of [`bound_of_all`] may differ.
+pub const SHARE: f64 = 1e-12;
+
+/// The same for all bodies and spins that differ from these by that [`SHARE`] at most in each number, at all
+/// times until they have flipped so often.
 ///
 /// # Errors
 /// As [`bound`].
 pub fn bound_of_all(moments: [f64; 3], omega: [f64; 3], flips: f64) -> Result<[f64; 2], Open> {
-    let near_one = Interval { low: 1.0 - 1e-12, high: 1.0 + 1e-12 };
+    let near_one = Interval { low: 1.0 - SHARE, high: 1.0 + SHARE };
     let around = |x: [f64; 3]| Vector3::from(x.map(|x| Interval { low: x, high: x } * near_one));
     let (_, late) = motion::of_floats(moments, omega, flips)?;
     bound(&around(moments), &around(omega), Interval { low: 0.0, high: late })

@@ -376,8 +376,8 @@ mod tests {
         ) {
             let ((x, p), (y, q)) = (number(a, off, 0.0), number(b, -off, 1e-9));
             let [p, q] = [p, q].map(Interval::from);
-            let agree = |x: Rounded, computed: f64, exact: Interval| {
-                let off = exact_point(computed) - exact;
+            let agree = |x: Rounded, computed: f64, truth: Interval| {
+                let off = exact(computed).at - truth;
                 off.high() >= x.off.low() && off.low() <= x.off.high() && x.off.width() < 1e-11
             };
             prop_assert!(agree(x.sqrt(), a.sqrt(), p.sqrt()));
@@ -387,19 +387,15 @@ mod tests {
             prop_assert!(agree(x.hypot(y), a.hypot(b), (p.square() + q.square()).sqrt()));
             prop_assert!(agree(Real::exp(-x), (-a).exp(), (-p).exp_and_exp_m1().0));
             prop_assert!(agree(Real::exp_and_exp_m1(-x).1, (-a).exp_m1(), (-p).exp_and_exp_m1().1));
-            let turn = Interval::PI * exact_point(2.0);
+            let turn = Interval::PI * exact(2.0).at;
             let (sine, cosine) = (exact(0.15) * x).sin_cos_of_part();
             let (s, c) = (0.15 * a).sin_cos_of_part();
-            let angle = turn * exact_point(0.15) * p;
+            let angle = turn * exact(0.15).at * p;
             prop_assert!(agree(sine, s, angle.sin_cos().0) && agree(cosine, c, angle.sin_cos().1));
             let [power, less] = (x * 9.0).decay(exact(1e-20));
             let [f, g] = (a * 9.0).decay(1e-20);
-            let (p, l) = (-(p * exact_point(9.0) + exact_point(1e-20))).exp_and_exp_m1();
+            let (p, l) = (-(p * exact(9.0).at + exact(1e-20).at)).exp_and_exp_m1();
             prop_assert!(agree(power, f, p) && agree(less, g, l));
         }
-    }
-
-    fn exact_point(x: f64) -> Interval {
-        Interval { low: x, high: x }
     }
 }
