@@ -6,8 +6,9 @@ use crate::read::{Floor, Known, Pair, Row, Sample, angle_between};
 use crate::rule::confidence::confidence_in;
 use crate::rule::tried::{alike_to_best, explained, tried};
 use crate::rule::unnamed::unnamed;
-use crate::rule::{Advice, Confidence, Rule, Run, Subject, engine_names, engines, first_named};
-use crate::thresholds::{FASTER, FITS_EXACT, JUMP_IN_LIMITS, RESETS, SAME, TRIED_TURNS};
+use crate::rule::{Advice, Base, Confidence, Rule, Run, Subject, engine_names, engines, first_named};
+use crate::thresholds::{BIASED, FASTER, FITS_EXACT, JUMP_IN_LIMITS, RESETS, SAME, TRIED_TURNS};
+use nalgebra::Vector2;
 use serde::Serialize;
 
 /// A rule, and how far its steps are from the record's.
@@ -84,6 +85,8 @@ pub struct Diagnosis {
     pub single: bool,
     /// Whether they are of fewer digits.
     pub(crate) few: bool,
+    /// Whether the record fails, whatever its rule.
+    pub(crate) fails: bool,
 }
 
 /// What the whole record shows, against which a rule of its single steps is held.
@@ -96,8 +99,9 @@ pub(crate) struct Whole {
     pub miscounted: bool,
     /// Whether it fails, whatever its rule.
     pub fails: bool,
-    /// Whether all is kept to rounding.
+    /// Whether all is kept to rounding; energy and momentum at least.
     pub kept: bool,
+    pub lengths: bool,
     /// The share of the pairs of rows that are one step apart.
     pub share: f64,
 }
@@ -110,6 +114,14 @@ impl Diagnosis {
         self.confidence == Confidence::ToRounding && self.best.rule == Rule::EXACT
     }
 
+    /// Whether nothing is known of the rule of a record that fails: that the exact motion is the nearest of
+    /// those known says nothing for it.
+    pub(crate) fn is_open(&self) -> bool {
+        let nearest = self.best.rule.base == Base::Exact && !matches!(self.confidence, Confidence::Altered);
+        let unnamed = !self.confidence.names_a_rule() && self.confidence != Confidence::FewDigits;
+        self.fails && nearest && unnamed
+    }
+
     /// What would decide between the rules that explain the record alike.
     #[must_use]
     pub fn would_decide(&self) -> Option<&'static str> {
@@ -117,7 +129,9 @@ impl Diagnosis {
         match self.confidence {
             Confidence::FewSteps => Some("a row at every step"),
             Confidence::SmallErrors => Some("a faster spin, or longer steps"),
-            Confidence::NoneFits | Confidence::Accurate | Confidence::Interpolated => None,
+            Confidence::NoneFits | Confidence::Accurate | Confidence::Altered | Confidence::Interpolated => {
+                None
+            }
             _ if !open => None,
             _ if self.single || self.few => Some(
                 "all digits that the engine has (17 of double precision), a faster spin, or longer steps",
@@ -195,6 +209,18 @@ impl Whole {
     }
 }
 
+/// Whether a rule whose steps are a record's to the rounding of few digits changes energy or momentum otherwise
+/// in the mean of them, in which rounding is much less.
+fn is_biased(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> bool {
+    let drift = |pair: &Pair| {
+        let end = subject.next(rule, &pair.from, pair.h).filter(|_| pair.to.ahead.is_none())?;
+        Some(Vector2::from(Run::drift(subject, &end, &pair.to)))
+    };
+    let all: Vec<_> = pairs.iter().filter_map(drift).collect();
+    let mean = all.iter().sum::<Vector2<f64>>() / all.len().max(1) as f64;
+    (floor.single || floor.few) && mean.amax() > BIASED * floor.size
+}
+
 /// Tries every candidate on the sample.
 pub(crate) fn diagnose(
     subject: &Subject,
@@ -205,12 +231,15 @@ pub(crate) fn diagnose(
     let floor = known.floor;
     // Of attitudes alone each rule's spin has to be found first, step by step: fewer steps do.
     let sought = sample.pairs().iter().any(|pair| pair.to.ahead.is_some());
-    let every = if sought { sample.pairs().len().div_ceil(TRIED_TURNS).max(1) } else { 1 };
-    let pairs: Vec<Pair> = sample.pairs().iter().step_by(every).copied().collect();
+    let all = sample.pairs();
+    let share = if sought { TRIED_TURNS as f64 / all.len() as f64 } else { 1.0 }.min(1.0);
+    // Evenly, and in no fixed number of rows: a rule may have two kinds of steps in turn.
+    let place = |i: usize| (i as f64 * share) as usize;
+    let pairs: Vec<Pair> = (0..all.len()).filter(|&i| place(i) != place(i + 1)).map(|i| all[i]).collect();
     let pairs = pairs.as_slice();
     let found = tried(subject, pairs, known, sought);
     let mut ranked = Ranked::of(&found, floor)?;
-    let mut confidence = confidence_in(&ranked, &found, known, whole.share);
+    let mut confidence = confidence_in(subject, pairs, &ranked, known, whole.share);
     let mut error = None;
     if confidence == Confidence::NoneFits && !sought {
         (ranked, confidence, error) = unnamed(subject, pairs, &found, ranked, whole.fails, floor);
@@ -222,7 +251,9 @@ pub(crate) fn diagnose(
     let mut drifts = None;
     if !jumps.is_empty() {
         confidence = Confidence::MostSteps;
-    } else if confidence == Confidence::ToRounding && whole.is_astray(&ranked.best.rule, floor) {
+    } else if confidence == Confidence::ToRounding
+        && (whole.is_astray(&ranked.best.rule, floor) || is_biased(subject, pairs, &ranked.best.rule, floor))
+    {
         (ranked, confidence, drifts) = ranked.by_drift(subject, sample, whole.run.as_ref());
     }
     // A rule that keeps a law does not make every step of a record that breaks it.
@@ -230,6 +261,12 @@ pub(crate) fn diagnose(
     if confidence == Confidence::ToRounding && whole.broken.iter().any(kept) {
         let few = floor.single || floor.few;
         confidence = if few { Confidence::FewDigits } else { Confidence::MostSteps };
+    }
+    // What such a rule does to energy and momentum is below the rounding of few digits: others do less.
+    let first = ranked.best.rule.method().is_some_and(|rule| rule.0.info().order == 1);
+    let hidden = first && whole.lengths && !whole.fails && (floor.single || floor.few);
+    if confidence == Confidence::ToRounding && hidden {
+        confidence = Confidence::SmallErrors;
     }
     let Ranked { best, alike, second } = ranked;
     let header = known.said.engine.as_deref().unwrap_or_default();
@@ -253,6 +290,7 @@ pub(crate) fn diagnose(
         jumps,
         single: floor.single,
         few: floor.few,
+        fails: whole.fails,
     })
 }
 

@@ -16,7 +16,7 @@ pub(crate) struct Run {
 
 impl Run {
     /// The logarithms of the ratios of energy and momentum, last to first.
-    fn drift(subject: &Subject, from: &Row, to: &Row) -> [f64; 2] {
+    pub(super) fn drift(subject: &Subject, from: &Row, to: &Row) -> [f64; 2] {
         let angular = |state: &Row| subject.moments.component_mul(&state.omega);
         let energy = |state: &Row| state.omega.dot(&angular(state));
         [(energy(to) / energy(from)).ln(), (angular(to).norm() / angular(from).norm()).ln()]

@@ -1,5 +1,6 @@
 //! Candidates with numbers in them, each fitted to the record before it is held against it.
 
+use crate::law::LawName;
 use crate::read::{Pair, least, median, ordered};
 use crate::rule::{Alteration, Base, Rule, Subject, Turn, When};
 use crate::thresholds::{
@@ -50,11 +51,13 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
             };
             all.extend(fitted.into_iter().flat_map(rule));
         }
+        // A rule that keeps the laws goes along the exact motion's curve, and at any rate that a number gives.
+        let at_any_rate = base != Base::Exact && Rule::plain(base).keeps(LawName::Separatrix);
         let is_still = matches!(base, Base::Method(Method::ConstantSpin, _));
-        if !is_still && term.is_finite() {
+        if !is_still && !at_any_rate && term.is_finite() {
             let rule = |times: &SVector<f64, 1>| base.but(Alteration::Term(times.x));
             let fitted = least([term].into(), |times| misses(subject, &few, &rule(times)), |times| times);
-            let other = fitted.filter(|times| (times.x - 1.0).abs() > NEAR_A_TERM[1]);
+            let other = fitted.filter(|times| (times.x - 1.0).abs().min(times.x.abs()) > NEAR_A_TERM[1]);
             all.extend(other.map(|times| rule(&times)));
         }
         if with_attitude && of_spin {

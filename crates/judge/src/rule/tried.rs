@@ -56,8 +56,10 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
     }
     let with_attitude = pairs.first().is_some_and(|pair| pair.from.attitude.is_some());
     if free && with_attitude && !sought && !fits(&found) {
+        // Of the rules of engines alone: where the spin hardly changes, those of one order make the same spins.
+        let of_engine = |base: &Base| *base == Base::Exact || !Rule::plain(*base).engines().is_empty();
         let otherwise = |base: Base| explained(base.but(Alteration::Turned(Turn::Otherwise)));
-        found.extend(Base::all().into_iter().filter_map(otherwise));
+        found.extend(Base::all().into_iter().filter(of_engine).filter_map(otherwise));
     }
     found
 }

@@ -39,8 +39,7 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, fit: Option<Fit>, options
     if let Some(named) = diagnosis.as_ref().filter(|found| found.confidence.names_a_rule()) {
         // What the rule does not keep is no rounding where it is more than that of the numbers.
         let graded = trial.laws.kept(|_| Some(0.0));
-        let of_rule =
-            |name| matches!(name, LawName::Energy | LawName::Momentum) && !named.best.rule.keeps(name);
+        let of_rule = |name| is_length(name) && !named.best.rule.keeps(name);
         for law in laws.iter_mut().filter(|law| of_rule(law.name) && law.most > LAW_ROUNDINGS[0] * floor) {
             law.growth = graded.iter().find(|x| x.name == law.name).map_or(law.growth, |x| x.growth);
         }
@@ -123,6 +122,7 @@ impl End<'_> {
             broken,
             fails,
             miscounted: self.flips.is_some_and(|flips| flips.found.abs_diff(flips.exact) > FLIPS_APART),
+            lengths: self.laws.iter().filter(|law| is_length(law.name)).all(|law| law.growth.rank() == 0),
             kept: !laws.untraceable() && self.laws.iter().all(|law| law.growth.rank() == 0),
             share: sample.seen() as f64 / (*pairs).max(1) as f64,
         }
@@ -173,6 +173,11 @@ impl End<'_> {
             Outcome::Passed
         }
     }
+}
+
+/// Whether it is a law of lengths, which needs no attitude.
+const fn is_length(name: LawName) -> bool {
+    matches!(name, LawName::Energy | LawName::Momentum)
 }
 
 /// What a record without attitudes, or of attitudes alone, has nothing of.

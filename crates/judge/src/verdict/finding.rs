@@ -14,10 +14,24 @@ pub(crate) fn sentence(words: &str) -> String {
 }
 
 impl Diagnosis {
-    /// How the best rule is named, up to a colon and its name.
+    /// How the best rule is named, up to a colon and its name; all of it where a record fails and nothing is
+    /// known of its rule.
     #[must_use]
-    pub const fn words(&self) -> &'static str {
+    pub fn words(&self) -> &'static str {
         match self.confidence {
+            Confidence::NoneFits if self.is_open() && self.few => {
+                "Too few digits to name a rule, and none of those known fits"
+            }
+            Confidence::NoneFits if self.is_open() => "None of the known rules fits",
+            Confidence::SmallErrors if self.is_open() => {
+                "The errors of the steps are too near to rounding to name the rule"
+            }
+            Confidence::FewSteps if self.is_open() => {
+                "Too few rows follow one another by one step to name the rule"
+            }
+            Confidence::Interpolated if self.is_open() => {
+                "The rows are interpolated between the engine's steps, and name no rule"
+            }
             Confidence::ToRounding if self.single => {
                 "To the rounding of single precision every step is that of"
             }
@@ -36,6 +50,7 @@ impl Diagnosis {
             Confidence::Interpolated => {
                 "The rows are interpolated between the engine's steps, and name no rule. Nearest is"
             }
+            Confidence::Altered => "None of the known rules fits. What is seen is",
             Confidence::NoneFits => "None of the known rules fits. Nearest is",
         }
     }
@@ -47,6 +62,7 @@ impl Diagnosis {
             (Confidence::FewDigits, _) => {
                 format!("Too few digits to name the rule: they fit {} rules alike", 1 + self.alike.len())
             }
+            _ if self.is_open() => self.words().into(),
             (_, 0) => format!("{}: {}", self.words(), names.join("; or, with the same steps here: ")),
             (_, 1) => format!("Every step but one, a jump, is made by: {}", names[0]),
             (_, count) => format!("Every step but {count}, which are jumps, is made by: {}", names[0]),
@@ -66,7 +82,8 @@ impl Diagnosis {
     pub(crate) fn details(&self) -> Vec<String> {
         let (half, most) = (plain_number(self.best.median), plain_number(self.best.percentile_95));
         let mut lines: Vec<String> = self.jumps.iter().map(Jump::words).collect();
-        lines.push(format!("of {} steps half are within {half}, 95 in 100 within {most}", self.steps));
+        let (steps, of) = (self.steps, if self.is_open() { " of the exact motion's" } else { "" });
+        lines.push(format!("of {steps} steps half are within {half}{of}, 95 in 100 within {most}"));
         if self.share < 1.0 {
             lines.push(format!("{:.0} % of the rows follow the one before by one step", 100.0 * self.share));
         }
