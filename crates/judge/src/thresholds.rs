@@ -265,17 +265,9 @@ pub(crate) const JUMP_IN_LIMITS: f64 = 100.0;
 pub(crate) const FASTER: f64 = 3.0;
 /// Relative to the spin, or in rad.
 pub(crate) const SAME: f64 = 1e-9;
-/// Steps of a whole run taken once more for each rule: longer runs are compared by a part.
-pub(crate) const RUN_STEPS: f64 = 20_000.0;
-/// Share of a drift that a rule's own drift may miss.
-pub(crate) const DRIFT_APART: f64 = 0.25;
-/// Roundings added to a drift.
-pub(crate) const DRIFT_ROUNDINGS: f64 = 32.0;
 /// Roundings in the mean of all steps by which a rule changes energy or momentum otherwise than the record.
 /// SAPIEN's steps have six such, by the way in which it rounds.
 pub(crate) const BIASED: f64 = 8.0;
-/// One flip in this number may be missed over a whole run: they are a matter of the start's rounding.
-pub(crate) const FLIPS_MISSED: u64 = 10;
 
 // Rules with a number in them.
 

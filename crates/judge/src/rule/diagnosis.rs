@@ -6,7 +6,7 @@ use crate::read::{Floor, Known, Pair, Row, Sample, angle_between};
 use crate::rule::confidence::confidence_in;
 use crate::rule::tried::{alike_to_best, explained, tried};
 use crate::rule::unnamed::unnamed;
-use crate::rule::{Advice, Base, Confidence, Rule, Run, Subject, engine_names, engines, first_named};
+use crate::rule::{Advice, Base, Confidence, Rule, Subject, engine_names, engines, first_named};
 use crate::thresholds::{BIASED, FASTER, FITS_EXACT, JUMP_IN_LIMITS, RESETS, SAME, TRIED_TURNS};
 use nalgebra::Vector2;
 use serde::Serialize;
@@ -91,8 +91,6 @@ pub struct Diagnosis {
 
 /// What the whole record shows, against which a rule of its single steps is held.
 pub(crate) struct Whole {
-    /// The run, where its steps are of one length.
-    pub run: Option<Run>,
     /// The laws that it breaks.
     pub broken: Vec<LawName>,
     /// Whether flips are missing, or too many.
@@ -180,21 +178,16 @@ impl Ranked {
         Some(Self { best, alike, second })
     }
 
-    /// With those rules first that drift over the whole record as the record does, how sure that is, and how
-    /// many these are.
-    fn by_drift(
-        self,
-        subject: &Subject,
-        sample: &Sample,
-        run: Option<&Run>,
-    ) -> (Self, Confidence, Option<usize>) {
+    /// With those rules first that change energy and momentum in the mean as the record does, how sure that is,
+    /// and how many these are.
+    fn by_drift(self, subject: &Subject, pairs: &[Pair], floor: Floor) -> (Self, Confidence, Option<usize>) {
         let all = std::iter::once(self.best.rule).chain(self.alike);
-        let is_like = |rule: &Rule| run.is_some_and(|run| run.is_like(subject, rule));
-        let (mut ordered, unlike): (Vec<Rule>, Vec<Rule>) = all.partition(is_like);
+        let (unlike, mut ordered): (Vec<Rule>, Vec<Rule>) =
+            all.partition(|rule| is_biased(subject, pairs, rule, floor));
         let count = ordered.len();
         let sure = unlike.is_empty() && ordered.first() == Some(&self.best.rule);
         ordered.extend(unlike);
-        let best = explained(subject, sample.pairs(), ordered.remove(0)).unwrap_or(self.best);
+        let best = explained(subject, pairs, ordered.remove(0)).unwrap_or(self.best);
         let confidence = if sure { Confidence::ToRounding } else { Confidence::FewDigits };
         (Self { best, alike: ordered, ..self }, confidence, Some(count))
     }
@@ -213,12 +206,16 @@ impl Whole {
 /// in the mean of them, in which rounding is much less.
 fn is_biased(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> bool {
     let drift = |pair: &Pair| {
-        let end = subject.next(rule, &pair.from, pair.h).filter(|_| pair.to.ahead.is_none())?;
-        Some(Vector2::from(Run::drift(subject, &end, &pair.to)))
+        let end = subject.next(rule, &pair.from, pair.h).filter(|_| pair.to.ahead.is_none())?.omega;
+        let [a, b] = [end, pair.to.omega].map(|omega| (omega, subject.moments.component_mul(&omega)));
+        Some(Vector2::new((a.0.dot(&a.1) / b.0.dot(&b.1)).ln(), (a.1.norm() / b.1.norm()).ln()))
     };
     let all: Vec<_> = pairs.iter().filter_map(drift).collect();
-    let mean = all.iter().sum::<Vector2<f64>>() / all.len().max(1) as f64;
-    (floor.single || floor.few) && mean.amax() > BIASED * floor.size
+    let count = all.len().max(1) as f64;
+    // What is rounded where it is written does not add up; the engine's own rounding may.
+    let adds_up = if floor.few { count.sqrt() } else { 1.0 };
+    let mean = all.iter().sum::<Vector2<f64>>() / count;
+    (floor.single || floor.few) && mean.amax() > BIASED * floor.size / adds_up
 }
 
 /// Tries every candidate on the sample.
@@ -254,7 +251,7 @@ pub(crate) fn diagnose(
     } else if confidence == Confidence::ToRounding
         && (whole.is_astray(&ranked.best.rule, floor) || is_biased(subject, pairs, &ranked.best.rule, floor))
     {
-        (ranked, confidence, drifts) = ranked.by_drift(subject, sample, whole.run.as_ref());
+        (ranked, confidence, drifts) = ranked.by_drift(subject, pairs, floor);
     }
     // A rule that keeps a law does not make every step of a record that breaks it.
     let kept = |law: &LawName| ranked.best.rule == Rule::EXACT || ranked.best.rule.keeps(*law);

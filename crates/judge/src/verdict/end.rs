@@ -4,7 +4,7 @@ use crate::law::LawName;
 use crate::laws::{Complaint, FlipCount, Law, Trial};
 use crate::options::Options;
 use crate::read::{Fit, Kind};
-use crate::rule::{Run, Subject, Whole, diagnose};
+use crate::rule::{Subject, Whole, diagnose};
 use crate::thresholds::{ENOUGH_CHANGE, ENOUGH_ROWS, FLIPS_APART, LAW_ROUNDINGS, STILL};
 use crate::verdict::{Outcome, Recording, Verdict, spin_faults, wrong_pace, wrong_rule};
 use std::f64::consts::TAU;
@@ -106,19 +106,11 @@ impl End<'_> {
 
     /// What the whole record shows, besides its single steps.
     fn whole(&self, complaints: &[Complaint]) -> Whole {
-        let Trial { known, laws, first, sample, pairs, resets, ended, .. } = self.trial;
-        let run = known.clock.step.map(|h| Run {
-            first: *first,
-            last: laws.seen.last,
-            h,
-            flips: self.flips.map(|flips| flips.found),
-            floor: known.floor.size,
-        });
+        let Trial { known, laws, sample, pairs, resets, ended, .. } = self.trial;
         let sound = known.reading.mistakes().is_empty() && resets.is_empty() && ended.is_none();
         let broken: Vec<LawName> = self.broken().map(|law| law.name).collect();
         let fails = !sound || !broken.is_empty() || !complaints.is_empty();
         Whole {
-            run,
             broken,
             fails,
             miscounted: self.flips.is_some_and(|flips| flips.found.abs_diff(flips.exact) > FLIPS_APART),

@@ -126,10 +126,15 @@ impl Diagnosis {
     fn drifting(&self) -> Vec<String> {
         let all: Vec<String> = std::iter::once(&self.best.rule).chain(&self.alike).map(Rule::name).collect();
         let (like, unlike) = all.split_at(self.drifts.unwrap_or(0).min(all.len()));
-        let like_it = || format!("over the whole record these drift as it does: {}", listed(like));
+        let like_it = || {
+            format!("in the mean of the steps these change energy and momentum as it does: {}", listed(like))
+        };
         match (like, unlike) {
             ([], _) => {
-                vec![format!("but over the whole record none of these drifts as it does: {}", listed(unlike))]
+                vec![format!(
+                    "but in the mean of the steps none of these changes energy and momentum as it does: {}",
+                    listed(unlike)
+                )]
             }
             (_, []) => vec![like_it()],
             _ => vec![like_it(), format!("and these do not: {}", listed(unlike))],
