@@ -21,6 +21,6 @@ pub(crate) use engine_step::parted;
 pub use engine_step::{Limits, PhysicsEngine};
 pub use engines::PHYSICS_ENGINES;
 pub(crate) use fitted::{compound, inside, momentum_for_spin, other_bodies, tensor};
-pub(crate) use names::{engine_names, engines, first_named, readable};
+pub(crate) use names::{engine_names, engines, first_named, readable, settings};
 pub use rules::{Alteration, Base, Rule, Spin, Steps, Turn, When};
 pub(crate) use rules::{frozen_at, in_parts, of_parts, plain};

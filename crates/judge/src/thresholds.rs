@@ -283,6 +283,9 @@ pub(crate) const DAMPED_ROUNDINGS: f64 = 16.0;
 pub(crate) const ROUND_RATE: f64 = 1e-5;
 /// How near a multiple of the gyroscopic term must be to one that has a name, and how far from 1.
 pub(crate) const NEAR_A_TERM: [f64; 2] = [1e-4, 1e-3];
+/// How far from 1 a multiple of the exact motion's term must be: methods that keep the laws go at other
+/// rates.
+pub(crate) const RATE_APART: f64 = 0.1;
 /// Change of a number of order 1 by which derivatives are taken: the cube root of rounding, about.
 pub(crate) const JOLT: f64 = 1e-6;
 

@@ -4,9 +4,10 @@
 use crate::law::LawName;
 use crate::read::{Floor, Known, Pair, Row, Sample, angle_between};
 use crate::rule::confidence::confidence_in;
+use crate::rule::fitted::some;
 use crate::rule::tried::{alike_to_best, explained, tried};
 use crate::rule::unnamed::unnamed;
-use crate::rule::{Advice, Base, Confidence, Rule, Subject, engine_names, engines, first_named};
+use crate::rule::{Advice, Base, Confidence, Rule, Subject, engine_names, engines, first_named, settings};
 use crate::thresholds::{BIASED, FASTER, FITS_EXACT, JUMP_IN_LIMITS, RESETS, SAME, TRIED_TURNS};
 use nalgebra::Vector2;
 use serde::Serialize;
@@ -63,12 +64,11 @@ pub struct Diagnosis {
     pub steps: usize,
     /// The share of the pairs of rows that are one step apart.
     pub share: f64,
-    /// Of a record of few digits that breaks a law: how many of the best and those alike, the first of them,
-    /// drift as the whole record does.
-    pub drifts: Option<usize>,
     /// The rules named first: the best, and with a rule named those that make the same steps here and that an
     /// engine goes by.
     pub leading: Vec<Rule>,
+    /// The engines' own settings, where the record fails and they have one for it.
+    pub settings: Vec<String>,
     /// Engines known to go by one of them; where the record names one that goes by a rule that fits, this one
     /// first.
     pub engines: Vec<String>,
@@ -178,18 +178,19 @@ impl Ranked {
         Some(Self { best, alike, second })
     }
 
-    /// With those rules first that change energy and momentum in the mean as the record does, how sure that is,
-    /// and how many these are.
-    fn by_drift(self, subject: &Subject, pairs: &[Pair], floor: Floor) -> (Self, Confidence, Option<usize>) {
-        let all = std::iter::once(self.best.rule).chain(self.alike);
-        let (unlike, mut ordered): (Vec<Rule>, Vec<Rule>) =
-            all.partition(|rule| is_biased(subject, pairs, rule, floor));
-        let count = ordered.len();
-        let sure = unlike.is_empty() && ordered.first() == Some(&self.best.rule);
-        ordered.extend(unlike);
-        let best = explained(subject, pairs, ordered.remove(0)).unwrap_or(self.best);
-        let confidence = if sure { Confidence::ToRounding } else { Confidence::FewDigits };
-        (Self { best, alike: ordered, ..self }, confidence, Some(count))
+    /// Without the rules that change energy and momentum in the mean otherwise than the record, unless all
+    /// do; and how sure that is.
+    fn unbiased(mut self, subject: &Subject, pairs: &[Pair], floor: Floor) -> (Self, Confidence) {
+        let all = std::iter::once(self.best.rule).chain(self.alike.iter().copied());
+        let like: Vec<Rule> = all.filter(|rule| !is_biased(subject, pairs, rule, floor)).collect();
+        if like.len() > self.alike.len() && self.best.rule != Rule::EXACT {
+            return (self, Confidence::ToRounding);
+        }
+        if let [first, others @ ..] = &like[..] {
+            self.best = explained(subject, pairs, *first).unwrap_or(self.best);
+            self.alike = others.to_vec();
+        }
+        (self, Confidence::FewDigits)
     }
 }
 
@@ -202,8 +203,34 @@ impl Whole {
     }
 }
 
-/// Whether a rule whose steps are a record's to the rounding of few digits changes energy or momentum otherwise
-/// in the mean of them, in which rounding is much less.
+/// A rule that fits every step, held against what the whole record shows.
+fn settled(
+    subject: &Subject,
+    pairs: &[Pair],
+    ranked: Ranked,
+    whole: &Whole,
+    floor: Floor,
+) -> (Ranked, Confidence) {
+    let (few, best) = (floor.single || floor.few, ranked.best.rule);
+    let sought = pairs.iter().any(|pair| pair.to.ahead.is_some());
+    if whole.is_astray(&best, floor) || is_biased(subject, pairs, &best, floor) {
+        return ranked.unbiased(subject, pairs, floor);
+    }
+    // What such a rule does to energy and momentum is below the rounding of few digits: others do less.
+    let first = best.method().is_some_and(|rule| rule.0.info().order == 1);
+    // A rule that keeps a law does not make every step of a record that breaks it.
+    let kept = |law: &LawName| best == Rule::EXACT || best.keeps(*law);
+    let confidence = match whole.broken.iter().any(kept) {
+        true if few => Confidence::FewDigits,
+        true => Confidence::MostSteps,
+        false if few && first && !whole.fails && (whole.lengths || sought) => Confidence::SmallErrors,
+        false => Confidence::ToRounding,
+    };
+    (ranked, confidence)
+}
+
+/// Whether a rule that fits each step to the rounding of few digits changes energy or momentum otherwise in
+/// the mean of them, in which rounding is much less.
 fn is_biased(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> bool {
     let drift = |pair: &Pair| {
         let end = subject.next(rule, &pair.from, pair.h).filter(|_| pair.to.ahead.is_none())?.omega;
@@ -228,11 +255,7 @@ pub(crate) fn diagnose(
     let floor = known.floor;
     // Of attitudes alone each rule's spin has to be found first, step by step: fewer steps do.
     let sought = sample.pairs().iter().any(|pair| pair.to.ahead.is_some());
-    let all = sample.pairs();
-    let share = if sought { TRIED_TURNS as f64 / all.len() as f64 } else { 1.0 }.min(1.0);
-    // Evenly, and in no fixed number of rows: a rule may have two kinds of steps in turn.
-    let place = |i: usize| (i as f64 * share) as usize;
-    let pairs: Vec<Pair> = (0..all.len()).filter(|&i| place(i) != place(i + 1)).map(|i| all[i]).collect();
+    let pairs = if sought { some(sample.pairs(), TRIED_TURNS) } else { sample.pairs().to_vec() };
     let pairs = pairs.as_slice();
     let found = tried(subject, pairs, known, sought);
     let mut ranked = Ranked::of(&found, floor)?;
@@ -245,25 +268,10 @@ pub(crate) fn diagnose(
         Confidence::ToRounding | Confidence::MostSteps => jumps(subject, pairs, &ranked.best.rule, floor),
         _ => Vec::new(),
     };
-    let mut drifts = None;
     if !jumps.is_empty() {
         confidence = Confidence::MostSteps;
-    } else if confidence == Confidence::ToRounding
-        && (whole.is_astray(&ranked.best.rule, floor) || is_biased(subject, pairs, &ranked.best.rule, floor))
-    {
-        (ranked, confidence, drifts) = ranked.by_drift(subject, pairs, floor);
-    }
-    // A rule that keeps a law does not make every step of a record that breaks it.
-    let kept = |law: &LawName| ranked.best.rule == Rule::EXACT || ranked.best.rule.keeps(*law);
-    if confidence == Confidence::ToRounding && whole.broken.iter().any(kept) {
-        let few = floor.single || floor.few;
-        confidence = if few { Confidence::FewDigits } else { Confidence::MostSteps };
-    }
-    // What such a rule does to energy and momentum is below the rounding of few digits: others do less.
-    let first = ranked.best.rule.method().is_some_and(|rule| rule.0.info().order == 1);
-    let hidden = first && whole.lengths && !whole.fails && (floor.single || floor.few);
-    if confidence == Confidence::ToRounding && hidden {
-        confidence = Confidence::SmallErrors;
+    } else if confidence == Confidence::ToRounding {
+        (ranked, confidence) = settled(subject, pairs, ranked, whole, floor);
     }
     let Ranked { best, alike, second } = ranked;
     let header = known.said.engine.as_deref().unwrap_or_default();
@@ -278,8 +286,8 @@ pub(crate) fn diagnose(
         confidence,
         steps: pairs.len(),
         share: whole.share,
-        drifts,
         engines: engine_names(&own, &leading),
+        settings: if whole.fails { settings(&own, &leading) } else { Vec::new() },
         leading: leading.iter().map(|rule| rule.times(subject.unit)).collect(),
         error,
         advice: Advice::of(confidence, &best.rule, floor.single, whole, !jumps.is_empty()),

@@ -140,7 +140,12 @@ impl End<'_> {
         }
         all.extend(self.otherwise().map(|off| Complaint::Otherwise { off }));
         if self.free() && *rows >= ENOUGH_ROWS {
-            all.extend(wrong_pace(self.laws, laws.ways_round(), self.options));
+            all.extend(wrong_pace(
+                self.laws,
+                laws.separatrix().map(|x| x[0]),
+                laws.ways_round(),
+                self.options,
+            ));
         }
         all
     }

@@ -18,20 +18,7 @@ impl Diagnosis {
     /// known of its rule.
     #[must_use]
     pub fn words(&self) -> &'static str {
-        match self.confidence {
-            Confidence::NoneFits if self.is_open() && self.few => {
-                "Too few digits to name a rule, and none of those known fits"
-            }
-            Confidence::NoneFits if self.is_open() => "None of the known rules fits",
-            Confidence::SmallErrors if self.is_open() => {
-                "The errors of the steps are too near to rounding to name the rule"
-            }
-            Confidence::FewSteps if self.is_open() => {
-                "Too few rows follow one another by one step to name the rule"
-            }
-            Confidence::Interpolated if self.is_open() => {
-                "The rows are interpolated between the engine's steps, and name no rule"
-            }
+        let words = match self.confidence {
             Confidence::ToRounding if self.single => {
                 "To the rounding of single precision every step is that of"
             }
@@ -51,8 +38,13 @@ impl Diagnosis {
                 "The rows are interpolated between the engine's steps, and name no rule. Nearest is"
             }
             Confidence::Altered => "None of the known rules fits. What is seen is",
+            Confidence::NoneFits if self.few => {
+                "Too few digits to name a rule, and none of those known fits. Nearest is"
+            }
             Confidence::NoneFits => "None of the known rules fits. Nearest is",
-        }
+        };
+        // Up to what comes nearest.
+        if self.is_open() { words.split(". ").next().unwrap_or(words) } else { words }
     }
 
     /// The rule, the engines that go by it, and what to do.
@@ -75,6 +67,7 @@ impl Diagnosis {
             let more = chapter.map(|place| format!(" More about it: chapter {place}"));
             format!("{words}{}", more.unwrap_or_default())
         }));
+        lines.extend(self.settings.iter().map(|setting| format!("setting of {setting}")));
         lines.iter().map(|line| sentence(line)).collect()
     }
 
@@ -88,7 +81,10 @@ impl Diagnosis {
             lines.push(format!("{:.0} % of the rows follow the one before by one step", 100.0 * self.share));
         }
         lines.extend(match self.confidence {
-            Confidence::FewDigits => self.drifting(),
+            Confidence::FewDigits => {
+                let all = std::iter::once(&self.best.rule).chain(&self.alike).map(Rule::name);
+                vec![format!("those that fit: {}", listed(&all.collect::<Vec<_>>()))]
+            }
             _ => self.others(),
         });
         lines.iter().map(|line| sentence(line)).collect()
@@ -120,25 +116,6 @@ impl Diagnosis {
             )
         }));
         all
-    }
-
-    /// What is said where a few digits fit several rules.
-    fn drifting(&self) -> Vec<String> {
-        let all: Vec<String> = std::iter::once(&self.best.rule).chain(&self.alike).map(Rule::name).collect();
-        let (like, unlike) = all.split_at(self.drifts.unwrap_or(0).min(all.len()));
-        let like_it = || {
-            format!("in the mean of the steps these change energy and momentum as it does: {}", listed(like))
-        };
-        match (like, unlike) {
-            ([], _) => {
-                vec![format!(
-                    "but in the mean of the steps none of these changes energy and momentum as it does: {}",
-                    listed(unlike)
-                )]
-            }
-            (_, []) => vec![like_it()],
-            _ => vec![like_it(), format!("and these do not: {}", listed(unlike))],
-        }
     }
 }
 

@@ -554,10 +554,21 @@ impl Invented {
             (Base::Exact, Base::Exact) | (Base::FrozenTensor(..), Base::FrozenTensor(..)) => true,
             (Base::MomentumForSpin(_), Base::MomentumForSpin(_)) => true,
             (Base::Method(Method::ConstantSpin, _), Base::Method(Method::ConstantSpin, _)) => true,
-            (Base::Method(a, parts), Base::Method(b, found)) => a == b && found == parts * every,
+            (Base::Method(a, parts), Base::Method(b, found)) => {
+                self.spins_alike(a) == self.spins_alike(b) && found == parts * every
+            }
             (Base::PositionStage(parts), Base::PositionStage(found)) => found == parts * every,
             (Base::Straight(a, parts), Base::Straight(b, found)) => a == b && found == parts * every,
             _ => false,
+        }
+    }
+
+    /// Of a record of spins alone the method whose spin is the same.
+    fn spins_alike(&self, method: Method) -> Method {
+        match method {
+            Method::ExplicitEuler if self.layout == Layout::Spin => Method::SemiImplicitEuler,
+            Method::RescaledLinearAttitude if self.layout == Layout::Spin => Method::Rescaled,
+            other => other,
         }
     }
 
@@ -578,7 +589,8 @@ impl Invented {
         match (sure, first, any) {
             (true, true, _) if found.alike.is_empty() => Named::Rightly,
             (true, true, _) if found.leading.len() == 1 => Named::Rightly,
-            (true, ..) if found.is_exact() && !self.is_plainly_wrong() => Named::AmongEquals,
+            // What the digits do not show.
+            (true, ..) if found.is_exact() && verdict.outcome != Outcome::Failed => Named::AmongEquals,
             (_, _, true) => Named::AmongEquals,
             // A spin that stays, turned as it is.
             _ if is_still(base) && is_still(found.best.rule.base) => Named::AmongEquals,
@@ -596,11 +608,6 @@ impl Invented {
             true => Named::Wrongly,
             false => Named::Not,
         }
-    }
-
-    /// Whether its errors are no rounding: a fault, or no gyroscopic term at all.
-    fn is_plainly_wrong(&self) -> bool {
-        matches!(self.fault, Fault::Term(_) | Fault::Other(..) | Fault::Damped(..))
     }
 
     pub fn judged(&self) -> Result<Verdict, tumbling_judge::Error> {
