@@ -477,7 +477,7 @@ impl Invented {
             let vector = if self.layout == Layout::World { world } else { *w };
             let quaternion = [q.w, q.i, q.j, q.k];
             let (a, b) = match self.layout {
-                Layout::Spin => (&[][..], &vector.as_slice()[..]),
+                Layout::Spin => (&[][..], vector.as_slice()),
                 Layout::Attitude => (&quaternion[..], &[][..]),
                 _ => (&quaternion[..], vector.as_slice()),
             };
