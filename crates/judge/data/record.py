@@ -291,8 +291,11 @@ def kept(rows, all, every):
 
 def compare(path, text):
     old, new = ([line.split(",") for line in t.splitlines()[2:]] for t in (open(path).read(), text))
-    apart = [n for n, (a, b) in enumerate(zip(old, new)) if list(map(float, a)) != list(map(float, b))]
-    print(os.path.basename(path), "the same" if not apart and len(old) == len(new) else f"differ from row {apart[:1]}")
+    off = lambda a, b: max(abs(float(x) - float(y)) for x, y in zip(a, b)) / max(abs(float(x)) for x in a[1:])
+    apart = [off(a, b) for a, b in zip(old, new)]
+    first = next((n for n, x in enumerate(apart) if x > 1e-15), None)
+    same = "the same" if not any(apart) else "the same to rounding"
+    print(os.path.basename(path), same if first is None and len(old) == len(new) else f"differ from row {first}")
 
 
 def write(package, setting, record, stories, in_body, check):

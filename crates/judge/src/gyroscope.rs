@@ -6,7 +6,7 @@ use crate::rule::{inside, tensor};
 use crate::thresholds::{
     FIT_ANGLE, FIT_FLOOR, FIT_LEFT, FIT_PART_ROWS, FIT_PARTS, JOLT, MOMENTS_APART, STEADY, UNDETERMINED,
 };
-use nalgebra::{Matrix3, SMatrix, SVector, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, SVector, UnitQuaternion, Vector3};
 use tumbling::exact::FreeMotion;
 use tumbling::{Body, Inertia};
 
@@ -17,6 +17,9 @@ pub struct FittedInertia {
     pub moments: Vector3<f64>,
     /// The principal axes in the sensor's, as columns.
     pub axes: Matrix3<f64>,
+    /// Of which two moments are alike within their errors, so that any two axes in their plane are principal
+    /// ones: 0 and 1, or 1 and 2; `None` where all three axes are determined.
+    pub alike: Option<[usize; 2]>,
     /// The standard errors of the moments.
     pub errors: Vector3<f64>,
     /// The root of the mean square of what is left of a component of the spins, rad/s.
@@ -43,8 +46,7 @@ pub struct FittedInertia {
 ///
 /// # Errors
 /// Fewer than four rows, a number that is not finite, a time that does not increase, spins that no free
-/// motion comes near to, or that do not determine moments and axes: a steady spin, a body with two moments
-/// alike.
+/// motion comes near to, or that do not determine the moments: a steady spin.
 pub fn fit_inertia(rows: &[(f64, Vector3<f64>)], guess: Option<&Inertia>) -> Result<FittedInertia, Error> {
     check(rows)?;
     let fail = |problem: String| Error::Fit { rows: rows.len(), problem };
@@ -53,20 +55,20 @@ pub fn fit_inertia(rows: &[(f64, Vector3<f64>)], guess: Option<&Inertia>) -> Res
     let rms = |all: &[Vector3<f64>]| (all.iter().map(Vector3::norm_squared).sum::<f64>() / freedom).sqrt();
     let mean = rows.iter().map(|row| row.1).sum::<Vector3<f64>>() / rows.len() as f64;
     let swing = rms(&rows.iter().map(|row| (row.1 - mean) / speed).collect::<Vec<_>>());
-    let open = || {
-        let swing = swing * speed;
+    let steady = |left: f64| {
+        let [swing, left] = [swing, left].map(|x| x * speed);
         fail(format!(
-            "a spin of {speed:.2e} rad/s that is {swing:.2e} from its mean does not determine the moments: take a longer motion or a less steady one"
+            "the spin is steady, which does not determine the moments: it is {swing:.2e} rad/s from its mean, and must be more than \
+             {STEADY} times what is left, {left:.2e}"
         ))
     };
     let start = match guess.map(Inertia::matrix) {
-        Some(m) => [m[(0, 0)], m[(1, 1)], m[(1, 2)], m[(0, 2)], m[(0, 1)]].map(|x| x / m.trace()).into(),
-        None => {
-            least([1.0 / 3.0, 1.0 / 3.0, 0.0, 0.0, 0.0].into(), |numbers| Some(summed(rows, numbers)), inside)
-                .ok_or_else(open)?
+        Some(m) => {
+            Some([m[(0, 0)], m[(1, 1)], m[(1, 2)], m[(0, 2)], m[(0, 1)]].map(|x| x / m.trace()).into())
         }
+        None => rough(rows),
     };
-    let mut at = with_spin(&start, &(rows[0].1 / speed));
+    let mut at = with_spin(&start.ok_or_else(|| steady(0.0))?, &(rows[0].1 / speed));
     for part in FIT_PARTS {
         let some = &rows[..(rows.len() / part).max(FIT_PART_ROWS).min(rows.len())];
         let inside = |at: SVector<f64, 8>| with_spin(&inside(body(&at)), &at.fixed_rows::<3>(5).into());
@@ -78,13 +80,10 @@ pub fn fit_inertia(rows: &[(f64, Vector3<f64>)], guess: Option<&Inertia>) -> Res
     let turned: Vec<_> = rows.iter().map(|(t, spin)| (*t, axes.tr_mul(spin))).collect();
     let along = [moments.x, moments.y, 0.0, 0.0, 0.0].into();
     let at = with_spin(&along, &axes.tr_mul(&at.fixed_rows::<3>(5)));
-    let here = misses(&turned, speed, &at).ok_or_else(open)?;
+    let here = misses(&turned, speed, &at).ok_or_else(|| steady(0.0))?;
     let left = rms(&here);
     if swing <= (STEADY * left).max(FIT_FLOOR) {
-        let [swing, left] = [swing, left].map(|x| x * speed);
-        return Err(fail(format!(
-            "the spin is steady, which determines no moments: it is {swing:.2e} rad/s from its mean, and must be more than {STEADY} times the noise of {left:.2e}"
-        )));
+        return Err(steady(left));
     }
     if left > FIT_LEFT {
         let left = left * speed;
@@ -92,35 +91,25 @@ pub fn fit_inertia(rows: &[(f64, Vector3<f64>)], guess: Option<&Inertia>) -> Res
             "no free motion comes near to these rows: {left:.2e} rad/s are left of {speed:.2e}"
         )));
     }
-    let along = slopes(&at, &here, |at| misses(&turned, speed, at)).ok_or_else(open)?;
-    let unit = errors(&normal(&along)).ok_or_else(open)?;
-    determined(&moments, &(unit * left.max(FIT_FLOOR))).map_err(fail)?;
-    Ok(FittedInertia { moments, axes, errors: unit * left, residual: left * speed })
+    let along = slopes(&at, &here, |at| misses(&turned, speed, at)).ok_or_else(|| steady(left))?;
+    let c = normal::<8>(&along).cholesky().ok_or_else(|| steady(left))?.inverse();
+    let unit = Vector3::new(c[(0, 0)], c[(1, 1)], c[(0, 0)] + c[(1, 1)] + 2.0 * c[(0, 1)]).map(f64::sqrt);
+    let known = unit * left.max(FIT_FLOOR);
+    if known.max() > UNDETERMINED {
+        return Err(fail(format!(
+            "the motion does not determine the moments: the standard error of one is {:.2e} of their sum, and must be at most \
+             {UNDETERMINED}",
+            known.max()
+        )));
+    }
+    let is_alike = |[i, j]: &[usize; 2]| moments[*j] - moments[*i] < MOMENTS_APART * known[*i].max(known[*j]);
+    let alike = [[0, 1], [1, 2]].into_iter().find(is_alike);
+    Ok(FittedInertia { moments, axes, alike, errors: unit * left, residual: left * speed })
 }
 
-/// The standard errors of the three moments for each unit of noise.
-fn errors(normal: &SMatrix<f64, 8, 8>) -> Option<Vector3<f64>> {
-    let c = normal.cholesky()?.inverse();
-    Some(Vector3::new(c[(0, 0)], c[(1, 1)], c[(0, 0)] + c[(1, 1)] + 2.0 * c[(0, 1)]).map(f64::sqrt))
-}
-
-/// That moments with these standard errors are known, and apart.
-fn determined(moments: &Vector3<f64>, errors: &Vector3<f64>) -> Result<(), String> {
-    let most = errors.max();
-    if most.is_nan() || most > UNDETERMINED {
-        return Err(format!(
-            "the motion does not determine the moments: the standard error of one is {most:.2e} of their sum, and must be at most {UNDETERMINED}"
-        ));
-    }
-    for (i, j) in [(0, 1), (1, 2)] {
-        let (a, b, apart) = (moments[i], moments[j], MOMENTS_APART * errors[i].max(errors[j]));
-        if b - a < apart {
-            return Err(format!(
-                "the moments {a:.6} and {b:.6} (of sum 1) are alike, so that their axes are not determined: they must be {apart:.1e} apart"
-            ));
-        }
-    }
-    Ok(())
+/// The tensor by Euler's equations alone, summed over turns of about a radian.
+fn rough(rows: &[(f64, Vector3<f64>)]) -> Option<SVector<f64, 5>> {
+    least([1.0 / 3.0, 1.0 / 3.0, 0.0, 0.0, 0.0].into(), |numbers| Some(summed(rows, numbers)), inside)
 }
 
 fn check(rows: &[(f64, Vector3<f64>)]) -> Result<(), Error> {
@@ -176,4 +165,24 @@ fn misses(rows: &[(f64, Vector3<f64>)], speed: f64, at: &SVector<f64, 8>) -> Opt
     let (tensor, spin) = (Inertia::try_from(tensor(&held)).ok()?, at.fixed_rows::<3>(5) * speed);
     let motion = FreeMotion::of(&Body::spinning(tensor, UnitQuaternion::identity(), &spin).ok()?).ok()?;
     rows.iter().map(|(t, spin)| Some((motion.omega(t - rows[0].0).ok()? - spin) / speed)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use tumbling::PrincipalMoments;
+
+    #[test]
+    fn of_a_symmetric_body_the_moments_are_found_and_the_free_axes_named() {
+        for (moments, alike) in [([2.0, 2.0, 3.0], [0, 1]), ([1.0, 2.5, 2.5], [1, 2])] {
+            let moments = Vector3::from(moments);
+            let body = PrincipalMoments::try_from(moments).unwrap();
+            let motion = FreeMotion::new(body, &Vector3::new(0.5, 0.7, 1.2)).unwrap();
+            let turn = UnitQuaternion::from_euler_angles(0.3, -0.5, 0.4);
+            let row = |i: u32| (f64::from(i) / 50.0, turn * motion.omega(f64::from(i) / 50.0).unwrap());
+            let fitted = fit_inertia(&(0..400).map(row).collect::<Vec<_>>(), None).unwrap();
+            assert!((fitted.moments - moments / moments.sum()).norm() < 1e-6, "{fitted:?}");
+            assert_eq!(fitted.alike, Some(alike), "{fitted:?}");
+        }
+    }
 }

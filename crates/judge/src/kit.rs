@@ -7,13 +7,7 @@ use crate::memory::{Precision, Row, judge_in_memory};
 use crate::options::Options;
 use crate::read::Note;
 use crate::verdict::Verdict;
-use nalgebra::Vector3;
 use serde_json::Value;
-use tumbling::PrincipalMoments;
-use tumbling::exact::FreeMotion;
-
-/// Times before an answer at which the growth of a rounding is taken.
-const NODES: u32 = 64;
 
 /// A start of a free body, and what becomes of it.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,9 +42,6 @@ pub struct Answer {
     pub spin: [f64; 3],
     /// The attitude: a quaternion w, x, y, z, body to world.
     pub attitude: [f64; 4],
-    /// By how much a relative change of the inputs by one part changes the spin, relative to its length, and
-    /// the attitude, rad.
-    pub sensitivity: [f64; 2],
 }
 
 impl Story {
@@ -81,42 +72,6 @@ impl Story {
             flips: flips.map(|times| times.iter().filter_map(Value::as_f64).collect()),
             answers: answers.map(answer).collect::<Option<Vec<_>>>()?,
         })
-    }
-
-    /// How far off the spin may be at an answer, relative to its length, and the attitude, rad, for an engine
-    /// that counts in numbers of precision `T` and takes steps of `h` seconds; `None` where that is so much
-    /// that the answer says nothing.
-    ///
-    /// It is the sum of what the exact motion makes of three errors: of the rounding of the inputs; of the
-    /// rate of a rule of second order, which is off by (w h)²/12 with the largest spin w; and of a rounding
-    /// of spin and attitude in each step, with the worst signs, by the largest growth of an error of the spin
-    /// from then on.
-    #[must_use]
-    pub fn within<T: Precision>(&self, answer: &Answer, h: f64) -> [Option<f64>; 2] {
-        let rounded = self.rounded(answer, h).map(|sum| T::ROUNDING * sum);
-        let rate = answer.sensitivity.map(|size| size * (self.rate(h) + T::ROUNDING));
-        [0, 1].map(|i| Some(rate[i] + rounded[i]).filter(|off| *off < 1.0))
-    }
-
-    /// What a rounding in each step before an answer makes of spin and attitude there, by one part.
-    fn rounded(&self, answer: &Answer, h: f64) -> [f64; 2] {
-        let grown = || {
-            let moments = PrincipalMoments::try_from(Vector3::from(self.moments)).ok()?;
-            let start = FreeMotion::new(moments, &self.spin.into()).ok()?;
-            let mut sums = [0.0; 2];
-            for node in 0..NODES {
-                let passed = answer.time * (f64::from(node) + 0.5) / f64::from(NODES);
-                let from = start.omega(passed).ok()?;
-                let motion = FreeMotion::new(moments, &from).ok()?;
-                let by_start = motion.state_transition(answer.time - passed).ok()?;
-                let speed = from.norm();
-                let end = Vector3::from(answer.spin).norm();
-                sums[0] += by_start.fixed_view::<3, 3>(3, 3).norm() * speed / end;
-                sums[1] += by_start.fixed_view::<3, 3>(0, 3).norm() * speed + 2.0;
-            }
-            Some(sums.map(|sum| sum * answer.time / h / f64::from(NODES)))
-        };
-        grown().unwrap_or([f64::INFINITY; 2])
     }
 
     /// The rows that an engine makes of it, in steps of `h` seconds: `step` takes an attitude (w, x, y, z;
@@ -181,14 +136,10 @@ fn numbers<const N: usize>(value: &Value) -> Option<[f64; N]> {
 }
 
 fn answer(value: &Value) -> Option<Answer> {
-    // Of what a rounding of the inputs in double precision makes; where that is all, nothing is said.
-    let within = value["within"]["f64"].as_array()?;
-    let sensitivity = [0, 1].map(|i| within.get(i).and_then(Value::as_f64).unwrap_or(f64::INFINITY));
     Some(Answer {
         time: value["t"].as_f64()?,
         spin: numbers(&value["spin"])?,
         attitude: numbers(&value["attitude"])?,
-        sensitivity: sensitivity.map(|off| off / <f64 as Precision>::ROUNDING),
     })
 }
 

@@ -232,6 +232,8 @@ pub(crate) const CLOSELY_SINGLE: [f64; 2] = [4.0, 64.0];
 /// explains: rules of one order differ by a tenth of their errors and more, but for chance; and where numbers
 /// of the rule are fitted to the record.
 pub(crate) const ERROR_ABOVE: [f64; 2] = [32.0, 1e3];
+/// The same of the spin alone, which a turn of its own leaves open.
+pub(crate) const SPIN_ABOVE: f64 = 4.0;
 /// How far from the best, as factors, rules still explain a record alike: half of the steps, and 95 in 100.
 pub(crate) const ALIKE: [f64; 2] = [2.0, 4.0];
 /// How far from the best, in roundings, rules still explain a record alike.
@@ -240,8 +242,8 @@ pub(crate) const ALIKE_ROUNDINGS: [f64; 2] = [8.0, 64.0];
 pub(crate) const ALIKE_FEW: [f64; 2] = [2.0, 16.0];
 /// Error of half of the steps, relative to the spin, below which a rule may be named though it does not fit.
 pub(crate) const NEAR: f64 = 0.01;
-/// How many times as far the next rule must be then; and where numbers of the rule are fitted to the record.
-pub(crate) const NEAR_RATIO: [f64; 2] = [10.0, 1e3];
+/// How many times as far the next rule must be then.
+pub(crate) const NEAR_RATIO: f64 = 1e3;
 /// Roundings that a change of the spin must have for an error to be a share of it.
 pub(crate) const ABOVE_ROUNDING: f64 = 16.0;
 /// Error of an accurate rule's step, as a share of what the gyroscopic term changes in the step.
@@ -252,6 +254,8 @@ pub(crate) const ACCURATE: f64 = 1e-4;
 /// How many times as well the exact motion must explain a record once it is damped, or its gyroscopic term
 /// multiplied, for a rule not to be called accurate; and for that to be named.
 pub(crate) const ALTERED: [f64; 2] = [3.0, 32.0];
+/// Share of the steps that must be a rule's for most to be.
+pub(crate) const MOST_STEPS: f64 = 0.75;
 /// Roundings within which three rows are on a straight line, and the share of all rows from which on they are
 /// interpolated.
 pub(crate) const STRAIGHT: [f64; 2] = [16.0, 0.05];
@@ -261,14 +265,9 @@ pub(crate) const JUMP_IN_LIMITS: f64 = 100.0;
 pub(crate) const FASTER: f64 = 3.0;
 /// Relative to the spin, or in rad.
 pub(crate) const SAME: f64 = 1e-9;
-/// Steps of a whole run taken once more for each rule: longer runs are compared by a part.
-pub(crate) const RUN_STEPS: f64 = 20_000.0;
-/// Share of a drift that a rule's own drift may miss.
-pub(crate) const DRIFT_APART: f64 = 0.25;
-/// Roundings added to a drift.
-pub(crate) const DRIFT_ROUNDINGS: f64 = 32.0;
-/// One flip in this number may be missed over a whole run: they are a matter of the start's rounding.
-pub(crate) const FLIPS_MISSED: u64 = 10;
+/// Roundings in the mean of all steps by which a rule changes energy or momentum otherwise than the record.
+/// SAPIEN's steps have six such, by the way in which it rounds.
+pub(crate) const BIASED: f64 = 8.0;
 
 // Rules with a number in them.
 
@@ -284,6 +283,9 @@ pub(crate) const DAMPED_ROUNDINGS: f64 = 16.0;
 pub(crate) const ROUND_RATE: f64 = 1e-5;
 /// How near a multiple of the gyroscopic term must be to one that has a name, and how far from 1.
 pub(crate) const NEAR_A_TERM: [f64; 2] = [1e-4, 1e-3];
+/// How far from 1 a multiple of the exact motion's term must be: methods that keep the laws go at other
+/// rates.
+pub(crate) const RATE_APART: f64 = 0.1;
 /// Change of a number of order 1 by which derivatives are taken: the cube root of rounding, about.
 pub(crate) const JOLT: f64 = 1e-6;
 

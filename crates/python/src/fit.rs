@@ -6,7 +6,6 @@ use crate::inertia::Given;
 use crate::judge::times;
 use nalgebra::Vector3;
 use pyo3::prelude::*;
-use tumbling_judge::fit_inertia as fit;
 
 /// What `fit_inertia` finds.
 ///
@@ -44,7 +43,9 @@ impl FittedInertia {
     }
 
     fn __repr__(&self) -> String {
-        format!("<FittedInertia: moments {:?}, residual {:e}>", self.0.moments.as_slice(), self.0.residual)
+        let tumbling_judge::FittedInertia { moments, alike, residual, .. } = &self.0;
+        let free = alike.map_or(String::new(), |[i, j]| format!(", axes {i} and {j} free in their plane"));
+        format!("<FittedInertia: moments {:?}, residual {residual:e}{free}>", moments.as_slice())
     }
 }
 
@@ -56,8 +57,8 @@ impl FittedInertia {
 /// common factor: they are given with the sum 1.
 ///
 /// Raises `Error` for fewer than four rows, a number that is not finite, a time that does not increase, spins
-/// that no free motion comes near to, and motions that do not determine the answer: a steady spin, a body of
-/// which two moments are alike.
+/// that no free motion comes near to, and motions that do not determine the moments: a steady spin. Of a body
+/// of which two moments are alike any axes in their plane are principal ones: `repr` says which.
 ///
 /// >>> import numpy as np, tumbling
 /// >>> t = np.arange(500) / 50
@@ -73,8 +74,7 @@ pub fn fit_inertia(
     w: Numbers<'_>,
     guess: Option<Given>,
 ) -> Answer<FittedInertia> {
-    let spins = rows::<3>("w", &w)?.0;
-    let times = times(&t, spins.len())?.0;
-    let rows: Vec<_> = times.into_iter().zip(spins.into_iter().map(Vector3::from)).collect();
-    Ok(FittedInertia(py.detach(|| fit(&rows, guess.map(|guess| guess.0).as_ref()))?))
+    let spins = rows::<3>("w", &w)?.0.into_iter().map(Vector3::from);
+    let rows: Vec<_> = times(&t, spins.len())?.0.into_iter().zip(spins).collect();
+    Ok(FittedInertia(py.detach(|| tumbling_judge::fit_inertia(&rows, guess.map(|guess| guess.0).as_ref()))?))
 }

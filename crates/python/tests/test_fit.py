@@ -50,12 +50,19 @@ def test_a_guess_serves_rows_far_apart():
     [
         (MOMENTS, [0, 0, 3.0], STEADY),
         (MOMENTS, [0, 0, 0], STEADY),
-        ([2.0, 2.0, 3.0], [0.5, 0.5, 2.0], "alike, so that their axes are not determined"),
     ],
 )
 def test_motions_that_do_not_determine_the_body_are_refused(moments, spin, said, noise):
     with pytest.raises(tumbling.Error, match=said):
         tumbling.fit_inertia(TIMES, record(moments, spin, noise))
+
+
+@pytest.mark.parametrize("noise", [0.0, 1e-3])
+@pytest.mark.parametrize("moments,free", [([2.0, 2.0, 3.0], "0 and 1"), ([1.0, 2.5, 2.5], "1 and 2")])
+def test_of_a_symmetric_body_the_moments_are_found_and_the_free_axes_named(moments, free, noise):
+    fitted = tumbling.fit_inertia(TIMES, record(moments, [0.5, 0.7, 1.2], noise))
+    assert abs(fitted.moments - np.array(moments) / sum(moments)).max() < 1e-3
+    assert f"axes {free} free in their plane" in repr(fitted)
 
 
 def test_records_that_are_none_are_refused():

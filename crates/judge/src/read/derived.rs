@@ -10,6 +10,9 @@ use tumbling::exact::FreeMotion;
 /// way: Newton's method with the motion's own derivatives. `None` where the attitudes are too far apart to
 /// tell.
 pub(crate) fn spin(moments: &Vector3<f64>, pair: &Pair) -> Option<Vector3<f64>> {
+    if pair.from.attitude == pair.to.attitude {
+        return Some(Vector3::zeros());
+    }
     let whole = pair.turn()?;
     if whole.norm() > FARTHEST_TURN {
         return None;

@@ -43,7 +43,9 @@ pub(crate) fn slopes<const N: usize>(
 
 /// The products of these changes.
 pub(crate) fn normal<const N: usize>(along: &[Vec<Vector3<f64>>]) -> SMatrix<f64, N, N> {
-    SMatrix::from_fn(|i, j| dot(&along[i], &along[j]))
+    let products = SMatrix::<f64, N, N>::from_fn(|i, j| dot(&along[i], &along[j]));
+    // Numbers on which nothing depends stay as they are.
+    products + SMatrix::identity() * (FIT_GAIN * products.diagonal().amax())
 }
 
 /// Gauss and Newton's way to the numbers of order 1 that miss a record least; `misses` has none of numbers

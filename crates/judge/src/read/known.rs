@@ -57,7 +57,7 @@ impl Known {
         let of_grid = grid.as_ref().map_or(0.0, |grid| grid.floor(probe, &reading, &moments));
         let floor = Floor {
             size: of_numbers.max(of_grid),
-            few: of_numbers > FEW_DIGITS * f64::from(f32::EPSILON),
+            few: of_numbers.max(of_grid) > FEW_DIGITS * f64::from(f32::EPSILON),
             single: of_numbers == f64::from(f32::EPSILON),
         };
         Self { said, moments, grid, reading, clock, floor }

@@ -65,7 +65,7 @@ impl Advice {
             Confidence::MostSteps => advice(
                 "Most steps are this rule's: find what acts in the others, a limit, damping, a contact or a push.",
             ),
-            Confidence::ToRounding | Confidence::Near => match Self::of_rule(rule) {
+            Confidence::ToRounding | Confidence::Near | Confidence::Altered => match Self::of_rule(rule) {
                 Self::NOTHING if single => advice(Self::SINGLE),
                 Self::NOTHING if !whole.kept => advice(
                     "Each step is exact to the record's rounding, and over the whole record the laws named here are not kept: \
@@ -80,7 +80,8 @@ impl Advice {
         // A rule with something altered has a fault of its own, and so has one between jumps.
         let more = (jumps || confidence.names_a_rule() && rule.alteration.is_some())
             .then(|| Self::of_rule(&if jumps { *rule } else { Rule::plain(rule.base) }));
-        std::iter::once(one).chain(more.filter(|more| *more != Self::NOTHING)).collect()
+        let right = [Self::NOTHING, Self::KEEPS_LAWS, Self::OF_ORDER];
+        std::iter::once(one).chain(more.filter(|more| !right.contains(more))).collect()
     }
 
     /// What follows from a rule that all steps are made by.
@@ -139,8 +140,14 @@ impl Advice {
         }
     }
 
-    const KEEPS_LAWS: Self =
-        with(STEPS, "The method conserves what it should; what is left is an error of phase.");
+    const KEEPS_LAWS: Self = with(
+        STEPS,
+        "Its equations conserve energy and momentum; what is left is an error of phase, smaller in shorter steps.",
+    );
+    const OF_ORDER: Self = with(
+        STEPS,
+        "Its errors fall fast with the step, and add up: take shorter steps, or for long runs a method that keeps the laws.",
+    );
 
     const fn of_method(method: Method) -> Self {
         match method {
@@ -177,10 +184,9 @@ impl Advice {
             Method::RungeKutta4
             | Method::DormandPrince5
             | Method::TurnedRungeKutta4
-            | Method::MuntheKaas4 => with(
-                STEPS,
-                "A good method whose errors fall fast with the step, and add up: for long runs take one that keeps the laws.",
-            ),
+            | Method::Buss
+            | Method::Spiral
+            | Method::MuntheKaas4 => Self::OF_ORDER,
             _ => Self::KEEPS_LAWS,
         }
     }

@@ -1,9 +1,12 @@
 //! How sure a diagnosis is, in steps that a reader can act on.
 
-use crate::read::{Floor, Known};
+use crate::read::{Floor, Known, Pair};
 use crate::rule::diagnosis::Ranked;
-use crate::rule::{Alteration, Explanation, PHYSICS_ENGINES, Rule, Turn};
-use crate::thresholds::{ERROR_ABOVE, FITS_EXACT, NEAR, NEAR_RATIO, TRIED_SHARE};
+use crate::rule::tried::explained;
+use crate::rule::{Alteration, Explanation, PHYSICS_ENGINES, Rule, Subject, Turn};
+use crate::thresholds::{
+    ERROR_ABOVE, FITS_EXACT, MOST_STEPS, NEAR, NEAR_RATIO, RULES_NAMED, SPIN_ABOVE, TRIED_SHARE,
+};
 
 /// How sure a diagnosis is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,6 +30,9 @@ pub enum Confidence {
     /// None of the rules known here, and so near to the exact motion that the error of a step is a small
     /// share of what the gyroscopic term does in it ([`error`](crate::Diagnosis::error)).
     Accurate,
+    /// None of the rules known here; the exact motion with one number altered, damping or the size of the
+    /// gyroscopic term, explains nearly all that is seen.
+    Altered,
     /// Rows lie on straight lines between others: they are interpolated.
     Interpolated,
     /// None of the rules known here.
@@ -51,6 +57,7 @@ impl Confidence {
             Self::SmallErrors => "errors too small",
             Self::FewSteps => "too few steps",
             Self::Accurate => "accurate",
+            Self::Altered => "altered",
             Self::Interpolated => "interpolated",
             Self::NoneFits => "none fits",
         }
@@ -59,7 +66,13 @@ impl Confidence {
 
 /// How sure a diagnosis is: by how near the best rule is to the record, relative to rounding, to the error
 /// that it explains, and to the next rule.
-pub(crate) fn confidence_in(ranked: &Ranked, found: &[Explanation], known: &Known, share: f64) -> Confidence {
+pub(super) fn confidence_in(
+    subject: &Subject,
+    pairs: &[Pair],
+    ranked: &Ranked,
+    known: &Known,
+    share: f64,
+) -> Confidence {
     let (floor, best) = (known.floor, &ranked.best);
     let ratio = ranked.second.map_or(f64::INFINITY, |second| best.relative_to(&second));
     let is_exact = best.rule == Rule::EXACT;
@@ -67,20 +80,29 @@ pub(crate) fn confidence_in(ranked: &Ranked, found: &[Explanation], known: &Know
     let [rounding, _] = floor.closely();
     let closely = best.median <= rounding && (!is_exact || best.median <= FITS_EXACT[0] * floor.size);
     let fitted = usize::from(has_fitted_number(&best.rule, known.clock.per_row));
-    let clear = is_exact || explains_much(best, found, floor, ERROR_ABOVE[fitted]);
+    let much = |above: f64| explains_much(subject, pairs, best, floor, above);
+    let clear = is_exact || much(ERROR_ABOVE[fitted]);
     if share < TRIED_SHARE {
         Confidence::FewSteps
     } else if (closely || best.fits(floor)) && !clear {
         Confidence::SmallErrors
     } else if closely && best.fits(floor) {
         Confidence::ToRounding
-    } else if closely {
-        Confidence::MostSteps
-    } else if best.median < NEAR && !is_exact && clear && ratio >= NEAR_RATIO[fitted] {
+    } else if closely && is_most(subject, pairs, &best.rule, floor) {
+        // Of so many rules any may fit a few digits.
+        let many = floor.few && (is_exact || ranked.alike.len() > RULES_NAMED);
+        if many { Confidence::FewDigits } else { Confidence::MostSteps }
+    } else if best.median < NEAR && !is_exact && ratio >= NEAR_RATIO && much(ERROR_ABOVE[1]) {
         Confidence::Near
     } else {
         Confidence::NoneFits
     }
+}
+
+/// Whether most of the steps are a rule's.
+fn is_most(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> bool {
+    let fit = pairs.iter().filter(|pair| subject.residual(rule, pair) <= floor.limits()[0]).count();
+    fit as f64 >= MOST_STEPS * pairs.len() as f64
 }
 
 /// Whether a number of the rule is fitted to the record: that of an alteration, or a number of parts that
@@ -93,19 +115,20 @@ fn has_fitted_number(rule: &Rule, per_row: Option<u32>) -> bool {
     rule.alteration.is_some() || parts > 1 && per_row != Some(parts) && !of_an_engine
 }
 
-/// Whether the error that a rule explains (of the exact motion; of the rule without its alteration) is so
+/// Whether the error that a rule explains (of the exact motion; of the rule without what is altered) is so
 /// many times as large as what is left of it and as the rounding. Otherwise it may be near by chance.
-fn explains_much(best: &Explanation, found: &[Explanation], floor: Floor, above: f64) -> bool {
-    let otherwise = Some(Alteration::Turned(Turn::Otherwise));
-    let altered = best.rule.alteration.is_some() && best.rule.alteration != otherwise;
-    let without = match best.rule.alteration {
-        None => Rule::EXACT,
-        // Of the spin alone.
-        alteration if alteration == otherwise => Rule { alteration, ..Rule::EXACT },
-        Some(_) => Rule::plain(best.rule.base),
+fn explains_much(subject: &Subject, pairs: &[Pair], best: &Explanation, floor: Floor, above: f64) -> bool {
+    let otherwise = Alteration::Turned(Turn::Otherwise);
+    let altered = best.rule.alteration.is_some_and(|alteration| alteration != otherwise);
+    let is_far = |error: &Explanation, best: &Explanation, above: f64| {
+        // An alteration may act in some of the steps alone.
+        (altered || error.median >= above * best.median.max(floor.size))
+            && error.percentile_95 >= above * best.percentile_95.max(floor.size)
     };
-    let Some(error) = found.iter().find(|x| x.rule == without) else { return true };
-    // An alteration may act in some of the steps alone.
-    (altered || error.median >= above * best.median.max(floor.size))
-        && error.percentile_95 >= above * best.percentile_95.max(floor.size)
+    let mut without = best.rule.neutral().into_iter().filter_map(|rule| explained(subject, pairs, rule));
+    // A turn of its own does not make the spin that of a rule.
+    let of_spin = |rule: &Rule| explained(subject, pairs, rule.base.but(otherwise));
+    let spins = of_spin(&Rule::EXACT).zip(of_spin(&best.rule));
+    without.all(|error| is_far(&error, best, above))
+        && (altered || spins.is_none_or(|(error, best)| is_far(&error, &best, SPIN_ABOVE)))
 }

@@ -4,10 +4,12 @@
 use crate::law::LawName;
 use crate::read::{Floor, Known, Pair, Row, Sample, angle_between};
 use crate::rule::confidence::confidence_in;
+use crate::rule::fitted::some;
 use crate::rule::tried::{alike_to_best, explained, tried};
 use crate::rule::unnamed::unnamed;
-use crate::rule::{Advice, Confidence, Rule, Run, Subject, engine_names, engines, first_named};
-use crate::thresholds::{FASTER, FITS_EXACT, JUMP_IN_LIMITS, RESETS, SAME, TRIED_TURNS};
+use crate::rule::{Advice, Base, Confidence, Rule, Subject, engine_names, engines, first_named, settings};
+use crate::thresholds::{BIASED, FASTER, FITS_EXACT, JUMP_IN_LIMITS, RESETS, SAME, TRIED_TURNS};
+use nalgebra::Vector2;
 use serde::Serialize;
 
 /// A rule, and how far its steps are from the record's.
@@ -62,12 +64,11 @@ pub struct Diagnosis {
     pub steps: usize,
     /// The share of the pairs of rows that are one step apart.
     pub share: f64,
-    /// Of a record of few digits that breaks a law: how many of the best and those alike, the first of them,
-    /// drift as the whole record does.
-    pub drifts: Option<usize>,
     /// The rules named first: the best, and with a rule named those that make the same steps here and that an
     /// engine goes by.
     pub leading: Vec<Rule>,
+    /// The engines' own settings, where the record fails and they have one for it.
+    pub settings: Vec<String>,
     /// Engines known to go by one of them; where the record names one that goes by a rule that fits, this one
     /// first.
     pub engines: Vec<String>,
@@ -84,20 +85,21 @@ pub struct Diagnosis {
     pub single: bool,
     /// Whether they are of fewer digits.
     pub(crate) few: bool,
+    /// Whether the record fails, whatever its rule.
+    pub(crate) fails: bool,
 }
 
 /// What the whole record shows, against which a rule of its single steps is held.
 pub(crate) struct Whole {
-    /// The run, where its steps are of one length.
-    pub run: Option<Run>,
     /// The laws that it breaks.
     pub broken: Vec<LawName>,
     /// Whether flips are missing, or too many.
     pub miscounted: bool,
     /// Whether it fails, whatever its rule.
     pub fails: bool,
-    /// Whether all is kept to rounding.
+    /// Whether all is kept to rounding; energy and momentum at least.
     pub kept: bool,
+    pub lengths: bool,
     /// The share of the pairs of rows that are one step apart.
     pub share: f64,
 }
@@ -110,6 +112,14 @@ impl Diagnosis {
         self.confidence == Confidence::ToRounding && self.best.rule == Rule::EXACT
     }
 
+    /// Whether nothing is known of the rule of a record that fails: that the exact motion is the nearest of
+    /// those known says nothing for it.
+    pub(crate) fn is_open(&self) -> bool {
+        let nearest = self.best.rule.base == Base::Exact && !matches!(self.confidence, Confidence::Altered);
+        let unnamed = !self.confidence.names_a_rule() && self.confidence != Confidence::FewDigits;
+        self.fails && nearest && unnamed
+    }
+
     /// What would decide between the rules that explain the record alike.
     #[must_use]
     pub fn would_decide(&self) -> Option<&'static str> {
@@ -117,7 +127,9 @@ impl Diagnosis {
         match self.confidence {
             Confidence::FewSteps => Some("a row at every step"),
             Confidence::SmallErrors => Some("a faster spin, or longer steps"),
-            Confidence::NoneFits | Confidence::Accurate | Confidence::Interpolated => None,
+            Confidence::NoneFits | Confidence::Accurate | Confidence::Altered | Confidence::Interpolated => {
+                None
+            }
             _ if !open => None,
             _ if self.single || self.few => Some(
                 "all digits that the engine has (17 of double precision), a faster spin, or longer steps",
@@ -166,23 +178,19 @@ impl Ranked {
         Some(Self { best, alike, second })
     }
 
-    /// With those rules first that drift over the whole record as the record does, how sure that is, and how
-    /// many these are.
-    fn by_drift(
-        self,
-        subject: &Subject,
-        sample: &Sample,
-        run: Option<&Run>,
-    ) -> (Self, Confidence, Option<usize>) {
-        let all = std::iter::once(self.best.rule).chain(self.alike);
-        let is_like = |rule: &Rule| run.is_some_and(|run| run.is_like(subject, rule));
-        let (mut ordered, unlike): (Vec<Rule>, Vec<Rule>) = all.partition(is_like);
-        let count = ordered.len();
-        let sure = unlike.is_empty() && ordered.first() == Some(&self.best.rule);
-        ordered.extend(unlike);
-        let best = explained(subject, sample.pairs(), ordered.remove(0)).unwrap_or(self.best);
-        let confidence = if sure { Confidence::ToRounding } else { Confidence::FewDigits };
-        (Self { best, alike: ordered, ..self }, confidence, Some(count))
+    /// Without the rules that change energy and momentum in the mean otherwise than the record, unless all
+    /// do; and how sure that is.
+    fn unbiased(mut self, subject: &Subject, pairs: &[Pair], floor: Floor) -> (Self, Confidence) {
+        let all = std::iter::once(self.best.rule).chain(self.alike.iter().copied());
+        let like: Vec<Rule> = all.filter(|rule| !is_biased(subject, pairs, rule, floor)).collect();
+        if like.len() > self.alike.len() && self.best.rule != Rule::EXACT {
+            return (self, Confidence::ToRounding);
+        }
+        if let [first, others @ ..] = &like[..] {
+            self.best = explained(subject, pairs, *first).unwrap_or(self.best);
+            self.alike = others.to_vec();
+        }
+        (self, Confidence::FewDigits)
     }
 }
 
@@ -195,6 +203,48 @@ impl Whole {
     }
 }
 
+/// A rule that fits every step, held against what the whole record shows.
+fn settled(
+    subject: &Subject,
+    pairs: &[Pair],
+    ranked: Ranked,
+    whole: &Whole,
+    floor: Floor,
+) -> (Ranked, Confidence) {
+    let (few, best) = (floor.single || floor.few, ranked.best.rule);
+    let sought = pairs.iter().any(|pair| pair.to.ahead.is_some());
+    if whole.is_astray(&best, floor) || is_biased(subject, pairs, &best, floor) {
+        return ranked.unbiased(subject, pairs, floor);
+    }
+    // What such a rule does to energy and momentum is below the rounding of few digits: others do less.
+    let first = best.method().is_some_and(|rule| rule.0.info().order == 1);
+    // A rule that keeps a law does not make every step of a record that breaks it.
+    let kept = |law: &LawName| best == Rule::EXACT || best.keeps(*law);
+    let confidence = match whole.broken.iter().any(kept) {
+        true if few => Confidence::FewDigits,
+        true => Confidence::MostSteps,
+        false if few && first && !whole.fails && (whole.lengths || sought) => Confidence::SmallErrors,
+        false => Confidence::ToRounding,
+    };
+    (ranked, confidence)
+}
+
+/// Whether a rule that fits each step to the rounding of few digits changes energy or momentum otherwise in
+/// the mean of them, in which rounding is much less.
+fn is_biased(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> bool {
+    let drift = |pair: &Pair| {
+        let end = subject.next(rule, &pair.from, pair.h).filter(|_| pair.to.ahead.is_none())?.omega;
+        let [a, b] = [end, pair.to.omega].map(|omega| (omega, subject.moments.component_mul(&omega)));
+        Some(Vector2::new((a.0.dot(&a.1) / b.0.dot(&b.1)).ln(), (a.1.norm() / b.1.norm()).ln()))
+    };
+    let all: Vec<_> = pairs.iter().filter_map(drift).collect();
+    let count = all.len().max(1) as f64;
+    // What is rounded where it is written does not add up; the engine's own rounding may.
+    let adds_up = if floor.few { count.sqrt() } else { 1.0 };
+    let mean = all.iter().sum::<Vector2<f64>>() / count;
+    (floor.single || floor.few) && mean.amax() > BIASED * floor.size / adds_up
+}
+
 /// Tries every candidate on the sample.
 pub(crate) fn diagnose(
     subject: &Subject,
@@ -205,12 +255,11 @@ pub(crate) fn diagnose(
     let floor = known.floor;
     // Of attitudes alone each rule's spin has to be found first, step by step: fewer steps do.
     let sought = sample.pairs().iter().any(|pair| pair.to.ahead.is_some());
-    let every = if sought { sample.pairs().len().div_ceil(TRIED_TURNS).max(1) } else { 1 };
-    let pairs: Vec<Pair> = sample.pairs().iter().step_by(every).copied().collect();
+    let pairs = if sought { some(sample.pairs(), TRIED_TURNS) } else { sample.pairs().to_vec() };
     let pairs = pairs.as_slice();
     let found = tried(subject, pairs, known, sought);
     let mut ranked = Ranked::of(&found, floor)?;
-    let mut confidence = confidence_in(&ranked, &found, known, whole.share);
+    let mut confidence = confidence_in(subject, pairs, &ranked, known, whole.share);
     let mut error = None;
     if confidence == Confidence::NoneFits && !sought {
         (ranked, confidence, error) = unnamed(subject, pairs, &found, ranked, whole.fails, floor);
@@ -219,17 +268,10 @@ pub(crate) fn diagnose(
         Confidence::ToRounding | Confidence::MostSteps => jumps(subject, pairs, &ranked.best.rule, floor),
         _ => Vec::new(),
     };
-    let mut drifts = None;
     if !jumps.is_empty() {
         confidence = Confidence::MostSteps;
-    } else if confidence == Confidence::ToRounding && whole.is_astray(&ranked.best.rule, floor) {
-        (ranked, confidence, drifts) = ranked.by_drift(subject, sample, whole.run.as_ref());
-    }
-    // A rule that keeps a law does not make every step of a record that breaks it.
-    let kept = |law: &LawName| ranked.best.rule == Rule::EXACT || ranked.best.rule.keeps(*law);
-    if confidence == Confidence::ToRounding && whole.broken.iter().any(kept) {
-        let few = floor.single || floor.few;
-        confidence = if few { Confidence::FewDigits } else { Confidence::MostSteps };
+    } else if confidence == Confidence::ToRounding {
+        (ranked, confidence) = settled(subject, pairs, ranked, whole, floor);
     }
     let Ranked { best, alike, second } = ranked;
     let header = known.said.engine.as_deref().unwrap_or_default();
@@ -244,8 +286,8 @@ pub(crate) fn diagnose(
         confidence,
         steps: pairs.len(),
         share: whole.share,
-        drifts,
         engines: engine_names(&own, &leading),
+        settings: if whole.fails { settings(&own, &leading) } else { Vec::new() },
         leading: leading.iter().map(|rule| rule.times(subject.unit)).collect(),
         error,
         advice: Advice::of(confidence, &best.rule, floor.single, whole, !jumps.is_empty()),
@@ -253,6 +295,7 @@ pub(crate) fn diagnose(
         jumps,
         single: floor.single,
         few: floor.few,
+        fails: whole.fails,
     })
 }
 

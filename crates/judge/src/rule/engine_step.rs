@@ -22,6 +22,8 @@ pub struct PhysicsEngine {
     pub limits: Limits,
     /// The name of its recorded motions in [`records`](crate::records).
     pub record: Option<&'static str>,
+    /// What its own settings have against what the rule does to a free body, if anything.
+    pub remedy: Option<&'static str>,
     /// When it was recorded or read, year-month-day.
     pub date: &'static str,
     /// Where the rule is known from.

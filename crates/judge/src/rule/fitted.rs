@@ -1,9 +1,10 @@
 //! Candidates with numbers in them, each fitted to the record before it is held against it.
 
+use crate::law::LawName;
 use crate::read::{Pair, least, median, ordered};
 use crate::rule::{Alteration, Base, Rule, Subject, Turn, When};
 use crate::thresholds::{
-    BEYOND, CAPPED_ROWS, DAMPED, DAMPED_ROUNDINGS, FITTED_STEPS, JOLT, NEAR_A_TERM, ROUND_RATE,
+    BEYOND, CAPPED_ROWS, DAMPED, DAMPED_ROUNDINGS, FITTED_STEPS, JOLT, NEAR_A_TERM, RATE_APART, ROUND_RATE,
 };
 use nalgebra::{Matrix3, Rotation3, SVector, UnitQuaternion, Vector3};
 use tumbling::PrincipalMoments;
@@ -19,9 +20,10 @@ pub(crate) fn momentum_for_spin(subject: &Subject, pairs: &[Pair]) -> Option<Rul
     (mass.is_finite() && mass > 0.0).then_some(Rule::plain(Base::MomentumForSpin(mass)))
 }
 
-/// The steps that numbers are fitted to.
-fn some(pairs: &[Pair]) -> Vec<Pair> {
-    pairs.iter().step_by(pairs.len().div_ceil(FITTED_STEPS).max(1)).copied().collect()
+/// This number of steps, from all of them, not each so many rows apart: steps may be of two kinds in turn.
+pub(super) fn some(pairs: &[Pair], count: usize) -> Vec<Pair> {
+    let place = |i: usize| i * count.min(pairs.len()) / pairs.len();
+    (0..pairs.len()).filter(|&i| place(i) != place(i + 1)).map(|i| pairs[i]).collect()
 }
 
 /// By how much a rule misses the spins of the record, relative to them.
@@ -35,7 +37,7 @@ fn misses(subject: &Subject, pairs: &[Pair], rule: &Rule) -> Option<Vec<Vector3<
 
 /// Rules with one number, or none: damping, another gyroscopic term, another turn, a cap.
 pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<Rule> {
-    let few = some(pairs);
+    let few = some(pairs, FITTED_STEPS);
     let with_attitude = pairs.first().is_some_and(|pair| pair.from.attitude.is_some());
     let of_spin = pairs.iter().all(|pair| pair.to.ahead.is_none());
     let term = times_the_term(subject, &few);
@@ -50,11 +52,14 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
             };
             all.extend(fitted.into_iter().flat_map(rule));
         }
+        // A rule that keeps the laws goes along the exact motion's curve, at any rate that a number gives.
+        let keeps = Rule::plain(base).keeps(LawName::Separatrix);
+        let far = if keeps { RATE_APART } else { NEAR_A_TERM[1] };
         let is_still = matches!(base, Base::Method(Method::ConstantSpin, _));
-        if !is_still && term.is_finite() {
+        if !is_still && (!keeps || base == Base::Exact) && term.is_finite() {
             let rule = |times: &SVector<f64, 1>| base.but(Alteration::Term(times.x));
             let fitted = least([term].into(), |times| misses(subject, &few, &rule(times)), |times| times);
-            let other = fitted.filter(|times| (times.x - 1.0).abs() > NEAR_A_TERM[1]);
+            let other = fitted.filter(|times| (times.x - 1.0).abs() > far && times.x.abs() > NEAR_A_TERM[1]);
             all.extend(other.map(|times| rule(&times)));
         }
         if with_attitude && of_spin {
@@ -77,7 +82,7 @@ fn times_the_term(subject: &Subject, pairs: &[Pair]) -> f64 {
 
 /// The body with which each base makes the spins of the record: a tensor of the same trace as that named.
 pub(crate) fn other_bodies(subject: &Subject, pairs: &[Pair]) -> Vec<Rule> {
-    let few = some(pairs);
+    let few = some(pairs, FITTED_STEPS);
     let trace = subject.moments.sum();
     let named = subject.moments / trace;
     // Euler's equation, as it stands between two rows, is linear in the tensor.

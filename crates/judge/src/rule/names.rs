@@ -179,6 +179,15 @@ pub(crate) fn engine_names(own: &[Steps], leading: &[Rule]) -> Vec<String> {
     names
 }
 
+/// What to set in these engines, or else in those that go by these rules.
+pub(crate) fn settings(own: &[Steps], rules: &[Rule]) -> Vec<String> {
+    let goes = |engine: &PhysicsEngine| rules.iter().any(|rule| rule.steps_of(engine).is_some());
+    let is_own = |engine: &PhysicsEngine| own.iter().any(|(other, _)| *other == engine);
+    let named = |engine: &&PhysicsEngine| if own.is_empty() { goes(engine) } else { is_own(engine) };
+    let of = |engine: &PhysicsEngine| engine.remedy.map(|remedy| format!("{}: {remedy}", engine.name));
+    PHYSICS_ENGINES.iter().filter(named).filter_map(of).collect()
+}
+
 impl PhysicsEngine {
     /// Whether a word is the first of its name, or of one of its names.
     pub(crate) fn is_called(&self, word: &str) -> bool {

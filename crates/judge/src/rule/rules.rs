@@ -142,6 +142,21 @@ impl Rule {
         }
     }
 
+    /// What it is without the numbers that are fitted to a record.
+    pub(crate) fn neutral(&self) -> Vec<Self> {
+        let with = |alteration| Self { alteration: Some(alteration), ..*self };
+        match self.alteration {
+            Some(Alteration::Damped { when, .. }) => {
+                vec![with(Alteration::Damped { factor: 1.0, rate: 0.0, when })]
+            }
+            Some(Alteration::Term(_)) => [0.0, 1.0].map(|times| with(Alteration::Term(times))).to_vec(),
+            // Of the spin alone.
+            Some(Alteration::Turned(Turn::Otherwise)) => vec![Self { base: Base::Exact, ..*self }],
+            Some(_) => vec![Self::plain(self.base)],
+            None => vec![Self::EXACT],
+        }
+    }
+
     /// Whether it says nothing of the attitude.
     pub(crate) const fn is_of_spin(&self) -> bool {
         matches!(self.alteration, Some(Alteration::Term(_) | Alteration::Turned(Turn::Otherwise)))
@@ -186,7 +201,7 @@ impl Base {
         methods.chain([Self::PositionStage(1)]).chain(straight)
     }
 
-    /// The exact motion, and the rules that engines go by.
+    /// The exact motion, the rules that engines go by, and those that are put into engines.
     pub(crate) fn all() -> Vec<Self> {
         let mut all = vec![Self::Exact];
         for engine in PHYSICS_ENGINES {
@@ -195,11 +210,11 @@ impl Base {
                 (true, _) => Self::Straight(Spin::Explicit, engine.parts),
                 _ => Self::Method(engine.method, engine.parts),
             };
-            if !all.contains(&base) {
-                all.push(base);
-            }
+            all.push(base);
         }
-        all
+        let others = [Method::RungeKutta4, Method::ImplicitMidpoint, Method::RotationSplitting2];
+        all.extend(others.map(|method| Self::Method(method, 1)));
+        distinct(all)
     }
 
     /// With this alteration.
@@ -223,17 +238,10 @@ pub(crate) fn plain(free: bool, pairs: &[Pair]) -> Vec<Rule> {
             all.push(Base::Engine(PhysicsEngine { limits, record: None, ..engine }));
         }
     }
-    for &method in Method::ALL {
-        let base = Base::Method(method, 1);
-        if !all.contains(&base) {
-            all.push(base);
-        }
-    }
-    if free {
-        all.push(Base::PositionStage(1));
-    }
+    all.extend(Method::ALL.iter().map(|&method| Base::Method(method, 1)));
+    all.extend(free.then_some(Base::PositionStage(1)));
     all.extend([Steps::First, Steps::Fourth].map(|steps| Base::FrozenTensor(Quaternion::identity(), steps)));
-    all.into_iter().map(Rule::plain).collect()
+    distinct(all).into_iter().map(Rule::plain).collect()
 }
 
 /// Rules in parts of a row, as of an engine whose rows are not written at every step; those of the header's
@@ -257,13 +265,18 @@ pub(crate) fn in_parts(per_row: Option<u32>, all: bool) -> Vec<Rule> {
         let more = if all && more { &MORE_PARTS[..] } else { &[] };
         found.extend(few.iter().chain(more).map(|&parts| base.in_parts(parts)));
     }
+    distinct(found).into_iter().map(Rule::plain).collect()
+}
+
+/// Each of them once.
+fn distinct(all: Vec<Base>) -> Vec<Base> {
     let mut seen = Vec::new();
-    found.retain(|base| {
-        let new = !seen.contains(base);
-        seen.push(*base);
-        new
-    });
-    found.into_iter().map(Rule::plain).collect()
+    for base in all {
+        if !seen.contains(&base) {
+            seen.push(base);
+        }
+    }
+    seen
 }
 
 /// Every rule in this number of parts; none for one part, in which all are tried anyway.

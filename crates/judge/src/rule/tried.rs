@@ -1,6 +1,7 @@
 //! Which rules are tried on a record, in which order, and how far each is from it.
 
 use crate::read::{Floor, Known, Pair, middle_and_most};
+use crate::rule::fitted::some;
 use crate::rule::{
     Alteration, Base, Explanation, Rule, Subject, Turn, compound, frozen_at, in_parts, momentum_for_spin,
     of_parts, other_bodies, plain,
@@ -56,8 +57,10 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
     }
     let with_attitude = pairs.first().is_some_and(|pair| pair.from.attitude.is_some());
     if free && with_attitude && !sought && !fits(&found) {
+        // Of the rules of engines alone: of a spin that hardly changes, those of one order make the same.
+        let of_engine = |base: &Base| *base == Base::Exact || !Rule::plain(*base).engines().is_empty();
         let otherwise = |base: Base| explained(base.but(Alteration::Turned(Turn::Otherwise)));
-        found.extend(Base::all().into_iter().filter_map(otherwise));
+        found.extend(Base::all().into_iter().filter(of_engine).filter_map(otherwise));
     }
     found
 }
@@ -76,9 +79,7 @@ fn in_the_clear(found: &[Explanation], floor: Floor) -> Option<u32> {
 
 /// The rules in parts that a few of the pairs do not rule out.
 fn tried_in_parts(subject: &Subject, pairs: &[Pair], rules: Vec<Rule>, floor: Floor) -> Vec<Explanation> {
-    let [first, more] = TRIED_IN_PARTS.map(|count| -> Vec<Pair> {
-        pairs.iter().step_by(pairs.len().div_ceil(count).max(1)).copied().collect()
-    });
+    let [first, more] = TRIED_IN_PARTS.map(|count| some(pairs, count));
     let [half, nearly_all] = floor.limits();
     // The first of them, and the same with the exact motion's end.
     let measure = first.first().and_then(|pair| {

@@ -2,6 +2,7 @@
 
 use crate::read::{Floor, Pair, median};
 use crate::rule::diagnosis::Ranked;
+use crate::rule::tried::explained;
 use crate::rule::{Alteration, Base, Confidence, Explanation, Rule, Subject};
 use crate::thresholds::{ABOVE_ROUNDING, ACCURATE, ALTERED, CLEAR, NEAR, STRAIGHT};
 
@@ -19,9 +20,9 @@ pub(super) fn unnamed(
         return (ranked, Confidence::NoneFits, None);
     };
     let alone = |best: &Explanation| Ranked { best: *best, alike: Vec::new(), second: Some(*exact) };
-    let (altered, times) = altered(found, exact);
+    let (altered, times) = altered(subject, pairs, found);
     if let Some(altered) = altered.filter(|x| times > ALTERED[1] && x.median < NEAR) {
-        return (alone(altered), Confidence::Near, None);
+        return (alone(altered), Confidence::Altered, None);
     }
     let error = accuracy(subject, pairs, exact, floor.size).filter(|_| !fails && times < ALTERED[0]);
     if error.is_some() {
@@ -31,12 +32,20 @@ pub(super) fn unnamed(
     (ranked, if straight { Confidence::Interpolated } else { Confidence::NoneFits }, None)
 }
 
-/// The exact motion with one number altered that explains the record best, and how many times as well as the
-/// exact motion alone.
-fn altered<'a>(found: &'a [Explanation], exact: &Explanation) -> (Option<&'a Explanation>, f64) {
+/// The exact motion with one number altered that explains the record best, and how many times as well as
+/// without that number.
+fn altered<'a>(
+    subject: &Subject,
+    pairs: &[Pair],
+    found: &'a [Explanation],
+) -> (Option<&'a Explanation>, f64) {
     let is_one = |altered| matches!(altered, Some(Alteration::Damped { .. } | Alteration::Term(_)));
     let one = |x: &&Explanation| x.rule.base == Base::Exact && is_one(x.rule.alteration);
-    let times = |x: &Explanation| (exact.median / x.median).min(exact.percentile_95 / x.percentile_95);
+    let times = |x: &Explanation| {
+        let without = x.rule.neutral().into_iter().filter_map(|rule| explained(subject, pairs, rule));
+        let times = without.map(|y| (y.median / x.median).min(y.percentile_95 / x.percentile_95));
+        times.fold(f64::INFINITY, f64::min)
+    };
     let best = found.iter().filter(one).max_by(|a, b| times(a).total_cmp(&times(b)));
     (best, best.map_or(0.0, times))
 }

@@ -4,7 +4,7 @@ use crate::law::LawName;
 use crate::laws::{Complaint, FlipCount, Law, Trial};
 use crate::options::Options;
 use crate::read::{Fit, Kind};
-use crate::rule::{Run, Subject, Whole, diagnose};
+use crate::rule::{Subject, Whole, diagnose};
 use crate::thresholds::{ENOUGH_CHANGE, ENOUGH_ROWS, FLIPS_APART, LAW_ROUNDINGS, STILL};
 use crate::verdict::{Outcome, Recording, Verdict, spin_faults, wrong_pace, wrong_rule};
 use std::f64::consts::TAU;
@@ -39,8 +39,7 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, fit: Option<Fit>, options
     if let Some(named) = diagnosis.as_ref().filter(|found| found.confidence.names_a_rule()) {
         // What the rule does not keep is no rounding where it is more than that of the numbers.
         let graded = trial.laws.kept(|_| Some(0.0));
-        let of_rule =
-            |name| matches!(name, LawName::Energy | LawName::Momentum) && !named.best.rule.keeps(name);
+        let of_rule = |name| is_length(name) && !named.best.rule.keeps(name);
         for law in laws.iter_mut().filter(|law| of_rule(law.name) && law.most > LAW_ROUNDINGS[0] * floor) {
             law.growth = graded.iter().find(|x| x.name == law.name).map_or(law.growth, |x| x.growth);
         }
@@ -107,22 +106,15 @@ impl End<'_> {
 
     /// What the whole record shows, besides its single steps.
     fn whole(&self, complaints: &[Complaint]) -> Whole {
-        let Trial { known, laws, first, sample, pairs, resets, ended, .. } = self.trial;
-        let run = known.clock.step.map(|h| Run {
-            first: *first,
-            last: laws.seen.last,
-            h,
-            flips: self.flips.map(|flips| flips.found),
-            floor: known.floor.size,
-        });
+        let Trial { known, laws, sample, pairs, resets, ended, .. } = self.trial;
         let sound = known.reading.mistakes().is_empty() && resets.is_empty() && ended.is_none();
         let broken: Vec<LawName> = self.broken().map(|law| law.name).collect();
         let fails = !sound || !broken.is_empty() || !complaints.is_empty();
         Whole {
-            run,
             broken,
             fails,
             miscounted: self.flips.is_some_and(|flips| flips.found.abs_diff(flips.exact) > FLIPS_APART),
+            lengths: self.laws.iter().filter(|law| is_length(law.name)).all(|law| law.growth.rank() == 0),
             kept: !laws.untraceable() && self.laws.iter().all(|law| law.growth.rank() == 0),
             share: sample.seen() as f64 / (*pairs).max(1) as f64,
         }
@@ -148,7 +140,12 @@ impl End<'_> {
         }
         all.extend(self.otherwise().map(|off| Complaint::Otherwise { off }));
         if self.free() && *rows >= ENOUGH_ROWS {
-            all.extend(wrong_pace(self.laws, laws.ways_round(), self.options));
+            all.extend(wrong_pace(
+                self.laws,
+                laws.separatrix().map(|x| x[0]),
+                laws.ways_round(),
+                self.options,
+            ));
         }
         all
     }
@@ -173,6 +170,11 @@ impl End<'_> {
             Outcome::Passed
         }
     }
+}
+
+/// Whether it is a law of lengths, which needs no attitude.
+const fn is_length(name: LawName) -> bool {
+    matches!(name, LawName::Energy | LawName::Momentum)
 }
 
 /// What a record without attitudes, or of attitudes alone, has nothing of.

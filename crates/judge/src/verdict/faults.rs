@@ -42,8 +42,19 @@ const fn is_wrong(rule: &Rule) -> bool {
     }
 }
 
-/// A phase that ran away, where the caller has set no limit of its own for it.
-pub(crate) fn wrong_pace(laws: &[Law], ways: f64, options: &Options) -> Option<Complaint> {
+/// A phase that ran away, where the caller has set no limit of its own for it. So near the separatrix that
+/// 2 E I2 / L² came farther from its first value than that is from 1, and within its limit, any period is
+/// right.
+pub(crate) fn wrong_pace(
+    laws: &[Law],
+    first: Option<f64>,
+    ways: f64,
+    options: &Options,
+) -> Option<Complaint> {
+    let separatrix = laws.iter().find(|law| law.name == LawName::Separatrix && options.allows(law));
+    if separatrix.zip(first).is_some_and(|(law, first)| law.most > (first - 1.0).abs()) {
+        return None;
+    }
     let phase = laws.iter().find(|law| law.name == LawName::Phase)?;
     let allowed = PHASE + PHASE * ways;
     let wrong = options.allowed(LawName::Phase).is_none() && phase.most > allowed;

@@ -14,10 +14,11 @@ pub(crate) fn sentence(words: &str) -> String {
 }
 
 impl Diagnosis {
-    /// How the best rule is named, up to a colon and its name.
+    /// How the best rule is named, up to a colon and its name; all of it where a record fails and nothing is
+    /// known of its rule.
     #[must_use]
-    pub const fn words(&self) -> &'static str {
-        match self.confidence {
+    pub fn words(&self) -> &'static str {
+        let words = match self.confidence {
             Confidence::ToRounding if self.single => {
                 "To the rounding of single precision every step is that of"
             }
@@ -36,8 +37,14 @@ impl Diagnosis {
             Confidence::Interpolated => {
                 "The rows are interpolated between the engine's steps, and name no rule. Nearest is"
             }
+            Confidence::Altered => "None of the known rules fits. What is seen is",
+            Confidence::NoneFits if self.few => {
+                "Too few digits to name a rule, and none of those known fits. Nearest is"
+            }
             Confidence::NoneFits => "None of the known rules fits. Nearest is",
-        }
+        };
+        // Up to what comes nearest.
+        if self.is_open() { words.split(". ").next().unwrap_or(words) } else { words }
     }
 
     /// The rule, the engines that go by it, and what to do.
@@ -47,6 +54,7 @@ impl Diagnosis {
             (Confidence::FewDigits, _) => {
                 format!("Too few digits to name the rule: they fit {} rules alike", 1 + self.alike.len())
             }
+            _ if self.is_open() => self.words().into(),
             (_, 0) => format!("{}: {}", self.words(), names.join("; or, with the same steps here: ")),
             (_, 1) => format!("Every step but one, a jump, is made by: {}", names[0]),
             (_, count) => format!("Every step but {count}, which are jumps, is made by: {}", names[0]),
@@ -59,6 +67,7 @@ impl Diagnosis {
             let more = chapter.map(|place| format!(" More about it: chapter {place}"));
             format!("{words}{}", more.unwrap_or_default())
         }));
+        lines.extend(self.settings.iter().map(|setting| format!("setting of {setting}")));
         lines.iter().map(|line| sentence(line)).collect()
     }
 
@@ -66,12 +75,16 @@ impl Diagnosis {
     pub(crate) fn details(&self) -> Vec<String> {
         let (half, most) = (plain_number(self.best.median), plain_number(self.best.percentile_95));
         let mut lines: Vec<String> = self.jumps.iter().map(Jump::words).collect();
-        lines.push(format!("of {} steps half are within {half}, 95 in 100 within {most}", self.steps));
+        let (steps, of) = (self.steps, if self.is_open() { " of the exact motion's" } else { "" });
+        lines.push(format!("of {steps} steps half are within {half}{of}, 95 in 100 within {most}"));
         if self.share < 1.0 {
             lines.push(format!("{:.0} % of the rows follow the one before by one step", 100.0 * self.share));
         }
         lines.extend(match self.confidence {
-            Confidence::FewDigits => self.drifting(),
+            Confidence::FewDigits => {
+                let all = std::iter::once(&self.best.rule).chain(&self.alike).map(Rule::name);
+                vec![format!("those that fit: {}", listed(&all.collect::<Vec<_>>()))]
+            }
             _ => self.others(),
         });
         lines.iter().map(|line| sentence(line)).collect()
@@ -103,20 +116,6 @@ impl Diagnosis {
             )
         }));
         all
-    }
-
-    /// What is said where a few digits fit several rules.
-    fn drifting(&self) -> Vec<String> {
-        let all: Vec<String> = std::iter::once(&self.best.rule).chain(&self.alike).map(Rule::name).collect();
-        let (like, unlike) = all.split_at(self.drifts.unwrap_or(0).min(all.len()));
-        let like_it = || format!("over the whole record these drift as it does: {}", listed(like));
-        match (like, unlike) {
-            ([], _) => {
-                vec![format!("but over the whole record none of these drifts as it does: {}", listed(unlike))]
-            }
-            (_, []) => vec![like_it()],
-            _ => vec![like_it(), format!("and these do not: {}", listed(unlike))],
-        }
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::law::LawName;
 use crate::laws::{Gaps, Law, Reset};
 use crate::read::FileMistake;
-use crate::rule::{Diagnosis, readable};
+use crate::rule::{Confidence, Diagnosis, readable};
 use crate::verdict::{Outcome, Verdict, plain_number, sentence};
 use serde::Serialize;
 use std::fmt;
@@ -39,6 +39,9 @@ impl Verdict {
         // The rule is that of the numbers as they are meant.
         let named = head.first_mut().filter(|_| !mistakes.is_empty());
         named.into_iter().for_each(|line| line.insert_str(0, "With the file put right: "));
+        if let Some(seen) = self.seen().filter(|_| !head.is_empty()) {
+            head.insert(1, sentence(&seen));
+        }
         let (failed, reasons) =
             (self.outcome == Outcome::Failed && !head.is_empty(), sentences(self.reasons()));
         let first = if failed { sentences(mistakes) } else { reasons.clone() };
@@ -49,6 +52,14 @@ impl Verdict {
         all.extend(self.of_record());
         all.extend(self.of_file());
         all
+    }
+
+    /// What is seen of the laws that are broken by a rule that is not known.
+    fn seen(&self) -> Option<String> {
+        self.diagnosis.as_ref().filter(|found| found.confidence == Confidence::NoneFits && found.fails)?;
+        let each = self.broken().map(|law| format!("{}, {}", law.name.words(), law.plain()));
+        let all = each.collect::<Vec<_>>().join("; ");
+        (!all.is_empty()).then(|| format!("what is seen: {all}"))
     }
 
     /// The mistakes of the file in words.

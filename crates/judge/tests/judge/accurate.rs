@@ -28,15 +28,6 @@ const THIRD: f64 = 1.0 / 3.0;
 const EIGHTHS: [&[f64]; 4] = [&[], &[THIRD], &[-THIRD, 1.0], &[1.0, -1.0, 1.0]];
 const OF_EIGHTHS: [f64; 4] = [0.125, 0.375, 0.375, 0.125];
 
-fn heun(omega: Spin, h: f64) -> Spin {
-    explicit(&[&[], &[1.0]], &[0.5, 0.5], omega, h, rate)
-}
-
-fn kutta(omega: Spin, h: f64) -> Spin {
-    let stages: [&[f64]; 3] = [&[], &[0.5], &[-1.0, 2.0]];
-    explicit(&stages, &[0.5 * THIRD, 2.0 * THIRD, 0.5 * THIRD], omega, h, rate)
-}
-
 fn eighths(omega: Spin, h: f64) -> Spin {
     explicit(&EIGHTHS, &OF_EIGHTHS, omega, h, rate)
 }
@@ -72,18 +63,13 @@ const ACCURATE: [(&str, Step); 4] = [
     ("tolerance 1e-9", |w, h| controlled(w, h, 1e-9)),
 ];
 
-const FALSE: [(&str, Step); 8] = [
-    ("term times 0.5", |w, h| altered(w, h, 0.5, 0.0)),
-    ("term times 0.98", |w, h| altered(w, h, 0.98, 0.0)),
+const FALSE: [(&str, Step); 5] = [
     ("term times 1.005", |w, h| altered(w, h, 1.005, 0.0)),
     ("term times -1", |w, h| altered(w, h, -1.0, 0.0)),
-    ("drag 0.01", |w, h| altered(w, h, 1.0, 0.01)),
     ("drag 0.001", |w, h| altered(w, h, 1.0, 0.001)),
     ("explicit, 1 % of drag", |w, h| w + rate(&w) * h - w * (0.01 * h * w.norm())),
     ("explicit, half of the term", |w, h| w + rate(&w) * (0.5 * h)),
 ];
-
-const BETWEEN: [(&str, Step); 2] = [("Heun, order 2", heun), ("Kutta, order 3", kutta)];
 
 const STARTS: [Spin; 3] =
     [Vector3::new(0.05, 5.0, 0.1), Vector3::new(1.0, 3.0, 1.5), Vector3::new(0.3, 0.2, 4.0)];
@@ -111,7 +97,7 @@ fn tried(step: Step, omega: Spin, h: f64) -> (f64, Verdict) {
 
 #[test]
 fn a_rule_is_accurate_by_what_its_steps_leave_of_the_gyroscopic_term_and_never_beside_a_failure() {
-    for (rules, accurate) in [(&ACCURATE[..], Some(true)), (&FALSE[..], Some(false)), (&BETWEEN[..], None)] {
+    for (rules, accurate) in [(&ACCURATE[..], true), (&FALSE[..], false)] {
         for (name, step) in rules {
             for omega in STARTS {
                 for h in [0.01, 1.0 / 60.0, 0.05] {
@@ -120,8 +106,8 @@ fn a_rule_is_accurate_by_what_its_steps_leave_of_the_gyroscopic_term_and_never_b
                     let confidence = verdict.diagnosis.as_ref().unwrap().confidence;
                     let praised = confidence == Confidence::Accurate;
                     assert!(!praised || share < 1e-4 && verdict.outcome != Outcome::Failed, "{what}");
-                    assert!(accurate != Some(true) || praised && share < 8e-5, "{what}");
-                    assert!(accurate != Some(false) || share > 3e-3, "{what}");
+                    assert!(!accurate || praised && share < 8e-5, "{what}");
+                    assert!(accurate || share > 3e-3, "{what}");
                     assert!(!verdict.to_string().contains("Nothing to do") || share > 1.9, "{what}");
                 }
             }

@@ -1,11 +1,8 @@
-//! Input that is not what it should be, and records of real-looking engines: every body, spin, step, rounding
-//! and naming.
+//! Input that is not what it should be.
 
 use crate::common::{exact, judged};
-use nalgebra::{Quaternion, Vector3};
+use nalgebra::Vector3;
 use std::fmt::Write as _;
-use tumbling::attitude::rotation_matrix;
-use tumbling::step::{Method, State, System};
 use tumbling_judge::{Options, Outcome, judge};
 
 fn error(text: impl AsRef<[u8]>) -> String {
@@ -82,83 +79,4 @@ fn two_rows_are_judged_and_one_or_none_are_an_error() {
     // Attitudes alone need a third row for anything to be held against.
     let verdict = judge(format!("{attitudes}0.1,0.99,0.1,0.05,0.02\n").as_bytes(), &Options::default());
     assert!(verdict.is_ok_and(|verdict| verdict.outcome != Outcome::Passed));
-}
-
-const BODIES: [[f64; 3]; 4] = [[1.0, 2.0, 3.0], [3.0, 1.0, 2.5], [0.02, 0.013, 0.03], [40.0, 41.0, 7.0]];
-
-/// A record as engines write them: single precision or not, spin in body or world axes, names in some order.
-fn record(
-    method: Method,
-    moments: &Vector3<f64>,
-    omega: Vector3<f64>,
-    h: f64,
-    single: bool,
-    style: usize,
-) -> String {
-    let round = |x: f64| if single { f64::from(x as f32) } else { x };
-    let system = System::free((*moments).try_into().unwrap()).unwrap();
-    let mut motion = State {
-        attitude: nalgebra::UnitQuaternion::from_euler_angles(0.2, 0.3, -0.4).into_inner(),
-        momentum: system.momentum(&omega),
-    };
-    let names = [
-        "t,qx,qy,qz,qw,wx,wy,wz",
-        "wx_world;wy_world;wz_world;time;quat_w;quat_x;quat_y;quat_z",
-        "t qw qx qy qz Lx_world Ly_world Lz_world",
-    ];
-    let mut text = format!("# inertia: {:?} {:?} {:?}\n{}\n", moments.x, moments.y, moments.z, names[style]);
-    for i in 0..400 {
-        let (q, omega) = (motion.attitude.coords.map(round), system.omega(&motion.momentum).map(round));
-        let q = Quaternion::from_vector(q);
-        motion = State { attitude: q, momentum: system.momentum(&omega) };
-        let t = h * f64::from(i);
-        let world = rotation_matrix(&q) * omega / q.norm_squared();
-        let momentum = rotation_matrix(&q) * motion.momentum / q.norm_squared();
-        let (fields, separator) = match style {
-            0 => ([t, q.i, q.j, q.k, q.w, omega.x, omega.y, omega.z], ","),
-            1 => ([world.x, world.y, world.z, t, q.w, q.i, q.j, q.k], ";"),
-            _ => ([t, q.w, q.i, q.j, q.k, momentum.x, momentum.y, momentum.z], " "),
-        };
-        let written = |x: f64| if single { format!("{:?}", round(x) as f32) } else { format!("{x:?}") };
-        let time = usize::from(style == 1) * 3;
-        let fields: Vec<String> = fields
-            .iter()
-            .enumerate()
-            .map(|(k, x)| if k == time { format!("{x:?}") } else { written(*x) })
-            .collect();
-        writeln!(text, "{}", fields.join(separator)).unwrap();
-        match method.step(&system, &motion, h) {
-            Ok(next) if next.momentum.norm() < 1e3 * motion.momentum.norm().max(1.0) => motion = next,
-            _ => break,
-        }
-    }
-    text
-}
-
-#[test]
-fn rules_are_named_whatever_the_body_the_spin_the_step_the_rounding_and_the_names() {
-    let methods =
-        [Method::ConstantSpin, Method::SemiImplicitEuler, Method::Rescaled, Method::ImplicitOneNewton];
-    let (mut tried, mut wrong) = (0, Vec::new());
-    for (i, moments) in BODIES.iter().map(|x| Vector3::from(*x)).enumerate() {
-        for (j, speed) in [0.1, 1.0, 8.0, 30.0].into_iter().enumerate() {
-            for (k, h) in [1.0 / 30.0, 1.0 / 60.0, 1.0 / 1000.0].into_iter().enumerate() {
-                for single in [false, true] {
-                    let method = methods[(i + j + k) % 4];
-                    let omega = Vector3::new(0.3, 1.0, 0.4).normalize() * speed;
-                    let verdict = judged(&record(method, &moments, omega, h, single, (i + 2 * j + k) % 3));
-                    let about = format!("{method:?} {moments:?} {speed} {h} single: {single}");
-                    assert_eq!(verdict.file_mistakes, [], "{about}");
-                    assert_eq!(verdict.resets, [], "{about}");
-                    let diagnosis = verdict.diagnosis.as_ref().unwrap();
-                    let mut named = std::iter::once(&diagnosis.best.rule).chain(&diagnosis.alike);
-                    if !named.any(|rule| rule.method() == Some((method, 1))) {
-                        wrong.push(format!("{about}\n{diagnosis}"));
-                    }
-                    tried += 1;
-                }
-            }
-        }
-    }
-    assert!(wrong.is_empty(), "{} of {tried}:\n{}", wrong.len(), wrong.join("\n"));
 }

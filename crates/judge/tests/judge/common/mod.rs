@@ -1,5 +1,6 @@
 //! Records made for the judge.
 
+pub mod invented;
 pub mod record;
 
 use nalgebra::{Quaternion, Vector3};

@@ -1,0 +1,633 @@
+//! Records invented from a seed, each of one rule in one body, layout and precision, perhaps with a fault;
+//! and whether the judge says what made it.
+
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use std::fmt::Write as _;
+use tumbling::attitude::{product, rotation_matrix, turn};
+use tumbling::dynamics::euler::angular_acceleration;
+use tumbling::exact::FreeMotion;
+use tumbling::step::{Method, PositionStage, State, System};
+use tumbling_judge::{
+    Alteration, Base, Confidence, Diagnosis, FileMistake, Options, Outcome, PHYSICS_ENGINES, Rule, Turn,
+    Verdict, When, judge,
+};
+
+/// An attitude, body to world, and a spin in body axes, rad/s.
+type Motion = (Quaternion<f64>, Vector3<f64>);
+type Step = Box<dyn Fn(&Motion, f64) -> Option<Motion>>;
+
+/// Numbers by chance, the same for the same seed: Steele, Lea and Flood's SplitMix64.
+struct Chance(u64);
+
+impl Chance {
+    fn share(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    fn below(&mut self, most: usize) -> usize {
+        ((self.share() * most as f64) as usize).min(most - 1)
+    }
+
+    fn of<T: Copy>(&mut self, all: &[T]) -> T {
+        all[self.below(all.len())]
+    }
+
+    fn between(&mut self, least: f64, most: f64) -> f64 {
+        least * (most / least).powf(self.share())
+    }
+
+    fn vector(&mut self) -> Vector3<f64> {
+        Vector3::from_fn(|_, _| self.share() * 2.0 - 1.0)
+    }
+}
+
+/// What is wrong besides the rule.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Fault {
+    None,
+    Damped(f64, When),
+    Term(f64),
+    Turned(Turn),
+    /// Of the body with these moments, about axes turned by so many degrees from the record's.
+    Other(Vector3<f64>, f64),
+    Hits(usize),
+    Rest,
+    Interpolated,
+}
+
+/// The rule that made a record: one that the judge may name, or none that it knows.
+#[derive(Clone, Copy, PartialEq)]
+enum Truth {
+    Known(Base),
+    Outside(&'static str),
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Layout {
+    Both,
+    World,
+    Spin,
+    Attitude,
+}
+
+/// How the numbers are kept and written.
+#[derive(Clone, Copy, PartialEq)]
+enum Digits {
+    Double,
+    Single,
+    /// Attitude and spin in the world in single precision, the spin turned to the body in double.
+    Converted,
+    Decimal(usize),
+}
+
+/// A record, and what is true of it.
+pub struct Invented {
+    pub text: String,
+    pub what: String,
+    truth: Truth,
+    fault: Fault,
+    every: u32,
+    layout: Layout,
+}
+
+/// What the judge makes of it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Named {
+    /// The rule, first.
+    Rightly,
+    /// The rule, among those that make the same steps here; or the exact motion, from which it differs by
+    /// less than rounding.
+    AmongEquals,
+    /// No rule.
+    Not,
+    /// Another rule.
+    Wrongly,
+}
+
+fn single(x: f64) -> f64 {
+    f64::from(x as f32)
+}
+
+fn rate(moments: &Vector3<f64>, omega: &Vector3<f64>) -> Vector3<f64> {
+    angular_acceleration(moments, omega, &Vector3::zeros())
+}
+
+fn turned(q: &Quaternion<f64>, omega: &Vector3<f64>, h: f64) -> Quaternion<f64> {
+    product(q, &turn(&(omega * h)))
+}
+
+/// A rule that the judge knows, for a body with these moments.
+fn known(base: Base, moments: Vector3<f64>) -> Step {
+    let system = System::free(moments.try_into().unwrap()).unwrap();
+    let stage = PositionStage::new(&moments).unwrap();
+    let straight = |engine: &&tumbling_judge::PhysicsEngine, kept: bool| {
+        engine.limits.straight && kept == (engine.method == Method::ConstantSpin)
+    };
+    Box::new(move |(q, omega), h| {
+        let start = State { attitude: *q, momentum: system.momentum(omega) };
+        let end = |state: State<f64>| (state.attitude, system.omega(&state.momentum));
+        match base {
+            Base::Exact => {
+                let end = FreeMotion::new(moments.try_into().ok()?, omega).ok()?.at(h).ok()?;
+                Some((product(q, &end.attitude), end.omega))
+            }
+            Base::Method(method, parts) => (0..parts)
+                .try_fold(start, |state, _| method.step(&system, &state, h / f64::from(parts)).ok())
+                .map(end),
+            Base::Engine(engine) => engine.step(&system, &start, h).ok().map(end),
+            Base::PositionStage(_) => {
+                let end = stage.step(q, &(rotation_matrix(q) * omega), h);
+                (end.parts > 0).then(|| (end.attitude, rotation_matrix(&end.attitude).tr_mul(&end.omega)))
+            }
+            Base::Straight(spin, _) => {
+                let kept = spin == tumbling_judge::Spin::Kept;
+                let engine = PHYSICS_ENGINES.iter().find(|engine| straight(engine, kept))?;
+                engine.step(&system, &start, h).ok().map(end)
+            }
+            Base::FrozenTensor(first, _) => {
+                let spin = first.conjugate() * (q * Quaternion::from_imag(*omega) * q.conjugate()) * first;
+                let spin = spin.imag() + rate(&moments, &spin.imag()) * h;
+                let world = rotation_matrix(&first) * spin;
+                let q = product(&turn(&(world * h)), q);
+                Some((q, rotation_matrix(&q).tr_mul(&world)))
+            }
+            Base::MomentumForSpin(mass) => {
+                let (inside, world) = (start.momentum, rotation_matrix(q) * start.momentum);
+                let q = turned(q, &(inside / mass), h);
+                Some((q, system.omega(&rotation_matrix(&q).tr_mul(&world))))
+            }
+            _ => None,
+        }
+    })
+}
+
+const OUTSIDE: [&str; 12] = [
+    "Heun, the mean spin turns",
+    "Kutta's third order, the new spin turns",
+    "the exact spin, the new one turns",
+    "two rounds of the midpoint rule",
+    "explicit, energy and momentum put right",
+    "explicit, energy put right",
+    "drag of the square of the speed",
+    "damping about one axis",
+    "friction of one size",
+    "momentum in the world, the old tensor",
+    "every second step without the term",
+    "Adams and Bashforth, the new spin turns",
+];
+
+/// A rule that the judge does not know.
+fn outside(name: &'static str, moments: Vector3<f64>) -> Step {
+    let exact =
+        move |w: &Vector3<f64>, h: f64| FreeMotion::new(moments.try_into().ok()?, w).ok()?.omega(h).ok();
+    let start = std::cell::Cell::new(None);
+    let (second, last) = (std::cell::Cell::new(false), std::cell::Cell::new(None));
+    Box::new(move |(q, w), h| {
+        let f = |w: &Vector3<f64>| rate(&moments, w);
+        let energy = |w: &Vector3<f64>| w.dot(&moments.component_mul(w));
+        let momentum = |w: &Vector3<f64>| moments.component_mul(w).norm_squared();
+        let (mut by, explicit) = (None, w + f(w) * h);
+        let end = match name {
+            "Heun, the mean spin turns" => {
+                let end = w + (f(w) + f(&explicit)) * (h / 2.0);
+                by = Some((w + end) / 2.0);
+                end
+            }
+            "Kutta's third order, the new spin turns" => {
+                let (a, b) = (f(w), f(&(w + f(w) * (h / 2.0))));
+                w + (a + b * 4.0 + f(&(w + (b * 2.0 - a) * h))) * (h / 6.0)
+            }
+            "the exact spin, the new one turns" => exact(w, h)?,
+            "two rounds of the midpoint rule" => {
+                let first = w + f(&((w + w) / 2.0)) * h;
+                let end = w + f(&((w + first) / 2.0)) * h;
+                by = Some((w + end) / 2.0);
+                end
+            }
+            "explicit, energy and momentum put right" => {
+                // Two of the squares of the spin's components are solved for, the third is kept.
+                let (mut end, [a, b, c]) = (explicit, moments.into());
+                let (e, l) = (energy(w) - a * end.x * end.x, momentum(w) - a * a * end.x * end.x);
+                let (y, z) = ((c * e - l) / (b * (c - b)), (l - b * e) / (c * (c - b)));
+                if y > 0.0 && z > 0.0 && y.is_finite() && z.is_finite() {
+                    (end.y, end.z) = (y.sqrt().copysign(end.y), z.sqrt().copysign(end.z));
+                }
+                end
+            }
+            "explicit, energy put right" => explicit * (energy(w) / energy(&explicit)).sqrt(),
+            "drag of the square of the speed" => exact(w, h)? * (1.0 - 0.02 * h * w.norm()),
+            "damping about one axis" => explicit.component_mul(&Vector3::new(1.0 - 0.05 * h, 1.0, 1.0)),
+            "friction of one size" => {
+                let first = start.get().unwrap_or(w.norm());
+                start.set(Some(first));
+                explicit * (1.0 - (0.02 * first * h / explicit.norm()).min(1.0))
+            }
+            "momentum in the world, the old tensor" => {
+                let world = rotation_matrix(q) * moments.component_mul(w);
+                let q = turned(q, w, h);
+                return Some((q, rotation_matrix(&q).tr_mul(&world).component_div(&moments)));
+            }
+            "every second step without the term" => {
+                second.set(!second.get());
+                if second.get() { explicit } else { *w }
+            }
+            // Adams and Bashforth's rule, which remembers the term of the step before.
+            _ => {
+                let now = f(w);
+                let before = last.replace(Some(now)).unwrap_or(now);
+                w + (now * 1.5 - before * 0.5) * h
+            }
+        };
+        Some((turned(q, &by.unwrap_or(end), h), end))
+    })
+}
+
+/// Of which the new spin turns the body, so that it may be altered before it does.
+const BY_THE_NEW: [Method; 5] = [
+    Method::SemiImplicitEuler,
+    Method::Rescaled,
+    Method::ImplicitOneNewton,
+    Method::LinearisedImplicit,
+    Method::ConstantSpin,
+];
+
+/// A rule with a fault.
+fn altered(step: Step, fault: Fault) -> Step {
+    Box::new(move |(q, w), h| match fault {
+        Fault::Damped(rate, When::Before) => step(&(*q, w * (1.0 - rate * h)), h),
+        Fault::Damped(rate, When::After) => {
+            let w = step(&(*q, *w), h)?.1 * (1.0 - rate * h);
+            Some((turned(q, &w, h), w))
+        }
+        Fault::Damped(rate, When::Turned) => step(&(*q, *w), h).map(|(q, w)| (q, w * (1.0 - rate * h))),
+        Fault::Term(times) => {
+            let w = step(&(*q, *w), h * times)?.1;
+            Some((turned(q, &w, h), w))
+        }
+        Fault::Turned(Turn::Old) => Some((turned(q, w, h), step(&(*q, *w), h)?.1)),
+        _ => step(&(*q, *w), h),
+    })
+}
+
+/// The moments of a body, now and then of a flat or a symmetric one.
+fn body(chance: &mut Chance) -> Vector3<f64> {
+    let mut squares = Vector3::from_fn(|_, _| chance.between(0.1, 1.0));
+    match chance.below(12) {
+        0 => squares[chance.below(3)] = 0.0,
+        1 => squares.x = squares.y,
+        _ => {}
+    }
+    let moments = Vector3::new(squares.y + squares.z, squares.z + squares.x, squares.x + squares.y);
+    if chance.below(5) == 0 { moments * chance.between(1e-6, 1e6) } else { moments }
+}
+
+/// Six bodies that are mistaken for others, two of them flat.
+const MISTAKEN: [[f64; 3]; 6] =
+    [[1.0, 2.0, 3.0], [1.0, 2.0, 2.5], [2.0, 1.0, 3.0], [1.0, 1.7, 2.3], [0.2, 1.0, 1.1], [3.0, 2.5, 1.0]];
+
+/// Whether a rule keeps the spin as it is in the body.
+fn is_still(base: Base) -> bool {
+    match base {
+        Base::Straight(spin, _) => spin == tumbling_judge::Spin::Kept,
+        Base::Method(method, _) => method == Method::ConstantSpin,
+        Base::Engine(engine) => engine.method == Method::ConstantSpin,
+        Base::MomentumForSpin(_) => true,
+        _ => false,
+    }
+}
+
+/// A fault that shows in the columns.
+fn fault(chance: &mut Chance, base: Base, layout: Layout) -> Fault {
+    let (still, both) = (is_still(base), matches!(layout, Layout::Both | Layout::World));
+    let by_new = matches!(base, Base::Method(method, 1) if BY_THE_NEW.contains(&method));
+    match chance.below(20) {
+        8 | 9 => {
+            let when = chance.of(&[When::Before, When::After, When::Turned]);
+            let when = if when == When::After && !by_new { When::Turned } else { when };
+            Fault::Damped(chance.of(&[0.01, 0.05, 0.1, 0.25, 0.5]), when)
+        }
+        10 | 11 if by_new && !still => Fault::Term(chance.of(&[0.5, -1.0, 2.0])),
+        12 if by_new && both && !still => Fault::Turned(Turn::Old),
+        13 if both && !still => Fault::Turned(Turn::Late),
+        14 | 15 if !still && !matches!(base, Base::FrozenTensor(..)) => {
+            let (moments, degrees) = (chance.of(&MISTAKEN), chance.of(&[0.0, 1.0, 5.0, 10.0, 30.0]));
+            // The header may name these.
+            let same = degrees == 0.0 && moments == [1.0, 2.0, 2.5];
+            Fault::Other(moments.into(), if same { 5.0 } else { degrees })
+        }
+        16 => Fault::Hits(1 + chance.below(3)),
+        17 => Fault::Rest,
+        18 if !still => Fault::Interpolated,
+        _ => Fault::None,
+    }
+}
+
+fn base(chance: &mut Chance, first: Quaternion<f64>, moments: &Vector3<f64>) -> Base {
+    match chance.below(12) {
+        0 => Base::Exact,
+        1 => Base::PositionStage(1),
+        2 => Base::Straight(chance.of(&[tumbling_judge::Spin::Kept, tumbling_judge::Spin::Explicit]), 1),
+        3 if chance.below(2) == 0 => Base::FrozenTensor(first, tumbling_judge::Steps::First),
+        3 => Base::MomentumForSpin(moments.sum() / 3.0),
+        4..=7 => Base::Engine(chance.of(PHYSICS_ENGINES)),
+        _ => Base::Method(chance.of(Method::ALL), 1),
+    }
+}
+
+impl Invented {
+    /// The record of a seed: of a rule that the judge knows, or of one that it does not.
+    pub fn of(seed: u64, is_known: bool) -> Self {
+        let mut chance = Chance(seed.wrapping_mul(2) + u64::from(is_known));
+        let mut named = body(&mut chance);
+        let first = if chance.below(2) == 0 { Quaternion::identity() } else { turn(&chance.vector()) };
+        let h = chance.of(&[1.0 / 30.0, 1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0, 0.01, 0.005, 1e-3]);
+        let truth = match is_known {
+            true => Truth::Known(base(&mut chance, first, &named)),
+            false => Truth::Outside(chance.of(&OUTSIDE)),
+        };
+        let layout = chance.of(&[Layout::Both, Layout::Both, Layout::World, Layout::Spin, Layout::Attitude]);
+        let fault = match truth {
+            Truth::Known(base) => fault(&mut chance, base, layout),
+            Truth::Outside(_) => Fault::None,
+        };
+        let moments = if let Fault::Other(moments, _) = fault {
+            // The named ones are some ten or twenty per cent off, and those of a body.
+            let off = moments.map(|x| x * (1.0 + 0.15 * chance.share()));
+            named = if chance.below(2) == 0 { Vector3::new(1.0, 2.0, 2.5) } else { off };
+            if 2.0 * named.max() > named.sum() {
+                named = Vector3::new(2.0, 2.2, 1.7);
+            }
+            moments
+        } else {
+            named
+        };
+        let step = match truth {
+            Truth::Known(base) => altered(known(base, moments), fault),
+            Truth::Outside(name) => outside(name, moments),
+        };
+        let digits = match chance.below(10) {
+            0..=3 => Digits::Double,
+            4 | 5 => Digits::Single,
+            6 => Digits::Converted,
+            _ => Digits::Decimal(chance.of(&[5, 6, 7, 9, 11])),
+        };
+        let alone = fault == Fault::None;
+        // Two steps in turn are one, of half of the term.
+        let in_turn = truth == Truth::Outside("every second step without the term");
+        let every = if alone && !in_turn && chance.below(3) == 0 { chance.of(&[2, 3, 4, 5, 10]) } else { 1 };
+        let speed = chance.between(0.02, 0.7) / h;
+        let mut spin = chance.vector();
+        if chance.below(3) == 0 {
+            spin[chance.below(3)] *= 20.0;
+        }
+        let mut invented = Self { text: String::new(), what: String::new(), truth, fault, every, layout };
+        let start = (first, spin.normalize() * speed.min(60.0));
+        let rows = invented.rows(&mut chance, step, start, h, digits);
+        invented.write(&mut chance, &rows, &named, h, digits);
+        invented
+    }
+
+    /// The rows, each a step of `h` seconds after the last.
+    fn rows(&self, chance: &mut Chance, step: Step, start: Motion, h: f64, digits: Digits) -> Vec<Motion> {
+        let kept = |(q, w): Motion| match digits {
+            Digits::Double | Digits::Decimal(_) => (q, w),
+            Digits::Single => (Quaternion::from_vector(q.coords.map(single)), w.map(single)),
+            Digits::Converted => {
+                let q = Quaternion::from_vector(q.coords.map(single));
+                let world = (rotation_matrix(&q) * w / q.norm_squared()).map(single);
+                (q, rotation_matrix(&q).tr_mul(&world) / q.norm_squared())
+            }
+        };
+        let axes = match self.fault {
+            Fault::Other(_, degrees) => turn(&(Vector3::new(0.48, 0.6, 0.64) * degrees.to_radians())),
+            _ => Quaternion::identity(),
+        };
+        let count = 200 + chance.below(200);
+        let hits: Vec<usize> = match self.fault {
+            Fault::Hits(hits) => (1..=hits).map(|i| count * i / (hits + 1)).collect(),
+            _ => Vec::new(),
+        };
+        let (mut now, mut all) = (kept(start), Vec::new());
+        for i in 0..count * self.every as usize {
+            if i.is_multiple_of(self.every as usize) {
+                all.push((product(&now.0, &axes), rotation_matrix(&axes).tr_mul(&now.1)));
+            }
+            if hits.contains(&i) {
+                now.1 += chance.vector() * (0.3 * now.1.norm());
+            }
+            // What leaves the numbers, or a step that is refused, ends the record.
+            let Some(next) = step(&now, h).filter(|next| next.1.norm() < 1e3 * start.1.norm()) else { break };
+            now = kept(next);
+        }
+        match self.fault {
+            Fault::Turned(Turn::Late) => {
+                let late = all.windows(2).map(|two| (two[1].0, two[0].1)).collect();
+                all = late;
+            }
+            Fault::Rest => {
+                let rest = std::iter::repeat_n((start.0, Vector3::zeros()), 20);
+                all = rest.chain(all).collect();
+            }
+            Fault::Interpolated => {
+                let at = |i: usize| {
+                    let (place, share) = ((i as f64 * 0.4) as usize, (i as f64 * 0.4).fract());
+                    let [a, b] = [all[place], all[place + 1]];
+                    let q =
+                        UnitQuaternion::new_normalize(a.0).slerp(&UnitQuaternion::new_normalize(b.0), share);
+                    (q.into_inner(), a.1 * (1.0 - share) + b.1 * share)
+                };
+                all = (0..all.len().saturating_sub(2) * 2).map(at).collect();
+            }
+            _ => {}
+        }
+        all
+    }
+
+    fn write(
+        &mut self,
+        chance: &mut Chance,
+        rows: &[Motion],
+        moments: &Vector3<f64>,
+        h: f64,
+        digits: Digits,
+    ) {
+        let between = h * f64::from(self.every) * if self.fault == Fault::Interpolated { 0.4 } else { 1.0 };
+        let short = self.every == 1 && h >= 0.01 && self.fault != Fault::Interpolated && chance.below(6) == 0;
+        let [x, y, z] = (*moments).into();
+        let text = &mut self.text;
+        let _ = writeln!(text, "# inertia: {x:e} {y:e} {z:e}");
+        if self.every > 1 && chance.below(2) == 0 {
+            let _ = writeln!(text, "# dt: {h:e}");
+        }
+        let names = match self.layout {
+            Layout::Both => "t,qw,qx,qy,qz,wx,wy,wz",
+            Layout::World => "t,qw,qx,qy,qz,wxw,wyw,wzw",
+            Layout::Spin => "t,wx,wy,wz",
+            Layout::Attitude => "t,qw,qx,qy,qz",
+        };
+        let _ = writeln!(text, "{names}");
+        for (i, (q, w)) in rows.iter().enumerate() {
+            let t = i as f64 * between;
+            let _ = if short { write!(text, "{t:.2}") } else { write!(text, "{t:e}") };
+            let world = rotation_matrix(q) * w / q.norm_squared();
+            let vector = if self.layout == Layout::World { world } else { *w };
+            let quaternion = [q.w, q.i, q.j, q.k];
+            let (a, b) = match self.layout {
+                Layout::Spin => (&[][..], vector.as_slice()),
+                Layout::Attitude => (&quaternion[..], &[][..]),
+                _ => (&quaternion[..], vector.as_slice()),
+            };
+            for &x in a.iter().chain(b) {
+                let places = match digits {
+                    Digits::Double => 16,
+                    Digits::Single | Digits::Converted => 8,
+                    Digits::Decimal(places) => places - 1,
+                };
+                let _ = write!(text, ",{x:.places$e}");
+            }
+            text.push('\n');
+        }
+        let rule = match self.truth {
+            Truth::Known(base) => base.name(),
+            Truth::Outside(name) => name.into(),
+        };
+        let digits = match digits {
+            Digits::Double => "double".to_owned(),
+            Digits::Single => "single".into(),
+            Digits::Converted => "single, turned in double".into(),
+            Digits::Decimal(digits) => format!("{digits} digits"),
+        };
+        let step = if short { " (two decimals)" } else { "" };
+        let speed = rows.first().map_or(0.0, |row| row.1.norm());
+        self.what = format!(
+            "{rule}; {:?}; {names}; {digits}; every {}; h {h:.5}{step}; |w| {speed:.2}",
+            self.fault, self.every
+        );
+    }
+
+    /// Whether a rule is the one that made it.
+    fn is(&self, rule: &Rule) -> bool {
+        matches!(self.truth, Truth::Known(base) if self.is_as_said(rule) && self.is_base(base, rule))
+    }
+
+    /// Whether the fault is the one that was made.
+    fn is_as_said(&self, rule: &Rule) -> bool {
+        let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-2;
+        match (self.fault, rule.alteration) {
+            (Fault::Damped(wanted, _), Some(Alteration::Damped { rate, .. })) => near(rate, wanted),
+            (Fault::Term(wanted), Some(Alteration::Term(times))) => near(times, wanted),
+            (Fault::Turned(wanted), Some(Alteration::Turned(turn))) => turn == wanted,
+            (Fault::Other(wanted, degrees), Some(Alteration::OtherMoments(moments, axes))) => {
+                (moments / moments.sum() - wanted / wanted.sum()).norm() < 1e-2
+                    && (axes.angle().to_degrees() - degrees).abs() < 1.0
+            }
+            // A spin that does not change, or is written alone, hides which of its values turned the body.
+            (Fault::Turned(_), None) => self.layout == Layout::Spin,
+            (Fault::None | Fault::Hits(_) | Fault::Rest, None) => true,
+            _ => false,
+        }
+    }
+
+    fn is_base(&self, base: Base, rule: &Rule) -> bool {
+        let plain = match base {
+            Base::Engine(engine) if engine.limits.straight => {
+                let kept = engine.method == Method::ConstantSpin;
+                Base::Straight(
+                    if kept { tumbling_judge::Spin::Kept } else { tumbling_judge::Spin::Explicit },
+                    engine.parts,
+                )
+            }
+            Base::Engine(engine) => Base::Method(engine.method, engine.parts),
+            other => other,
+        };
+        let every = self.every;
+        match (plain, rule.base) {
+            // A momentum that turns the body turns it about itself, and the spin in the body stays.
+            _ if is_still(base) && !matches!(self.layout, Layout::Both | Layout::World) => {
+                is_still(rule.base)
+            }
+            (_, Base::Engine(found)) => matches!(plain, Base::Method(m, _) if m == found.method),
+            (Base::Exact, Base::Exact) | (Base::FrozenTensor(..), Base::FrozenTensor(..)) => true,
+            (Base::MomentumForSpin(_), Base::MomentumForSpin(_)) => true,
+            (Base::Method(Method::ConstantSpin, _), Base::Method(Method::ConstantSpin, _)) => true,
+            (Base::Method(a, parts), Base::Method(b, found)) => {
+                self.spins_alike(a) == self.spins_alike(b) && found == parts * every
+            }
+            (Base::PositionStage(parts), Base::PositionStage(found)) => found == parts * every,
+            (Base::Straight(a, parts), Base::Straight(b, found)) => a == b && found == parts * every,
+            _ => false,
+        }
+    }
+
+    /// Of a record of spins alone the method whose spin is the same.
+    fn spins_alike(&self, method: Method) -> Method {
+        match method {
+            Method::ExplicitEuler if self.layout == Layout::Spin => Method::SemiImplicitEuler,
+            Method::RescaledLinearAttitude if self.layout == Layout::Spin => Method::Rescaled,
+            other => other,
+        }
+    }
+
+    /// What the judge made of it.
+    pub fn named(&self, verdict: &Verdict) -> Named {
+        let Some(found) = &verdict.diagnosis else { return Named::Not };
+        let all = || std::iter::once(&found.best.rule).chain(&found.alike);
+        let (first, any) = (found.leading.iter().any(|x| self.is(x)), all().any(|x| self.is(x)));
+        // A spin alone cannot distinguish the wrong sign from the other hand: both are offered.
+        let mirrored = self.fault == Fault::Term(-1.0)
+            && verdict.file_mistakes.contains(&FileMistake::LeftHandedSpin)
+            && verdict.to_string().contains("wrong sign");
+        let sure = found.confidence.names_a_rule();
+        // The exact motion with the fault: the rule's own error is less than what is left.
+        let of_fault = found.best.rule.base == Base::Exact && self.is_as_said(&found.best.rule);
+        let near = found.confidence == Confidence::Near;
+        let Truth::Known(base) = self.truth else { return self.outside(found) };
+        match (sure, first, any) {
+            (true, true, _) if found.alike.is_empty() => Named::Rightly,
+            (true, true, _) if found.leading.len() == 1 => Named::Rightly,
+            // What the digits do not show.
+            (true, ..) if found.is_exact() && verdict.outcome != Outcome::Failed => Named::AmongEquals,
+            (_, _, true) => Named::AmongEquals,
+            // A spin that stays, turned as it is.
+            _ if is_still(base) && is_still(found.best.rule.base) => Named::AmongEquals,
+            _ if mirrored || sure && of_fault => Named::AmongEquals,
+            // The rule is right, and a fault is not seen.
+            _ if near && all().any(|x| self.is_base(base, &Rule::plain(x.base))) => Named::Not,
+            (true, ..) => Named::Wrongly,
+            (false, ..) => Named::Not,
+        }
+    }
+
+    /// What is made of a rule that the judge does not know.
+    fn outside(&self, found: &Diagnosis) -> Named {
+        match found.confidence.names_a_rule() && !found.is_exact() {
+            true => Named::Wrongly,
+            false => Named::Not,
+        }
+    }
+
+    pub fn judged(&self) -> Result<Verdict, tumbling_judge::Error> {
+        judge(self.text.as_bytes(), &Options::default())
+    }
+}
+
+/// Words of praise in the verdict on a record that fails, and not for its file or for jumps.
+pub fn praise(verdict: &Verdict) -> Option<&'static str> {
+    let jumps = verdict.diagnosis.as_ref().is_some_and(|found: &Diagnosis| !found.jumps.is_empty());
+    let of_file = !verdict.file_mistakes.is_empty() || !verdict.resets.is_empty();
+    if verdict.outcome != Outcome::Failed || jumps || of_file {
+        return None;
+    }
+    let text = verdict.to_string().to_lowercase();
+    let words = ["accurate", "is: the exact motion", "is that of: the exact motion", "nothing to do"];
+    let more = ["good method", "conserves what it should"];
+    let made = "every step is made by: the exact motion";
+    words.into_iter().chain(more).chain([made]).find(|words| text.contains(words)).or_else(|| {
+        let accurate = verdict.diagnosis.as_ref().map(|found| found.confidence) == Some(Confidence::Accurate);
+        accurate.then_some("accurate")
+    })
+}
