@@ -49,8 +49,10 @@ const FARTHEST: f64 = 700.0;
 #[inline(always)]
 fn exp_parts<T: Lane>(x: T, rest: T) -> (T, T) {
     let twos = (x * core::f64::consts::LOG2_E).round_ties_even();
-    let r = (x - twos * LN_2_HIGH) + (rest - twos * LN_2_LOW);
-    // The series of exp(r) - 1 - r, over r²: what is left out is below 1e-17 of it for |r| <= 0.35.
+    // The two parts of the logarithm lack less than that.
+    let r = (x - twos * LN_2_HIGH) + (rest - twos * LN_2_LOW).up_to(|| twos * 2e-26);
+    // The series of exp(r) - 1 - r, over r²: what is left out and what the coefficients lack is below
+    // 4.4e-17 for |r| <= 0.35.
     let a = const {
         let mut a = [0.5; 12];
         let mut n = 1;
@@ -62,7 +64,7 @@ fn exp_parts<T: Lane>(x: T, rest: T) -> (T, T) {
     };
     let (r2, r4) = (r * r, (r * r) * (r * r));
     let four = |k: usize| (r * a[k + 1] + a[k]) + r2 * (r * a[k + 3] + a[k + 2]);
-    let series = (four(0) + r4 * (four(4) + r4 * four(8))).up_to(|| splat(1.5e-17));
+    let series = (four(0) + r4 * (four(4) + r4 * four(8))).up_to(|| splat(4.4e-17));
     (power_of_two(twos), r + r2 * series)
 }
 

@@ -2,8 +2,9 @@
 //! a box.
 //!
 //! The closed form runs on numbers that pass their rounding errors on, over boxes of moments, spins and times
-//! at once. What it rests on: the library's exponential, sine, cosine, arctangent and length of two numbers
-//! are right to a unit in the last place, which their tests sample; all else follows from IEEE 754.
+//! at once. What it rests on: where the motion is prepared, the library's exponential, that less 1, sine,
+//! cosine, arctangent and length of two numbers are right to a unit in the last place, which tests sample;
+//! and the rests of the series, argued next to each in the library's code. All else follows from IEEE 754.
 
 use super::Interval;
 use super::motion::{self, Open};
@@ -39,8 +40,9 @@ pub fn bound(moments: &Vector3<Interval>, omega: &Vector3<Interval>, t: Interval
             return Ok([f64::INFINITY; 2]);
         };
         for (spin, turn) in instants {
-            // An angle is twice the change of a quaternion of length one.
-            let off = [size(spin.as_slice()), 2.0 * size(turn.coords.as_slice())];
+            // Of a quaternion at this distance from one of length one the angle is off by twice the arcsine.
+            let apart = size(turn.coords.as_slice());
+            let off = [size(spin.as_slice()), 2.0 * apart * (1.0 + 0.6 * apart * apart)];
             most = [0, 1].map(|k| if off[k] >= most[k] || off[k].is_nan() { off[k] } else { most[k] });
         }
     }
@@ -51,12 +53,12 @@ pub fn bound(moments: &Vector3<Interval>, omega: &Vector3<Interval>, t: Interval
 pub const SHARE: f64 = 1e-12;
 
 /// The same for all bodies and spins that differ from these by that [`SHARE`] at most in each number, at all
-/// times until they have flipped so often.
+/// times from 0 to so many times that between the flips of these.
 ///
 /// # Errors
 /// As [`bound`].
 pub fn bound_of_all(moments: [f64; 3], omega: [f64; 3], flips: f64) -> Result<[f64; 2], Open> {
-    let near_one = Interval { low: 1.0 - SHARE, high: 1.0 + SHARE };
+    let near_one = Interval { low: (1.0 - SHARE).next_down(), high: (1.0 + SHARE).next_up() };
     let around = |x: [f64; 3]| Vector3::from(x.map(|x| Interval { low: x, high: x } * near_one));
     let (_, late) = motion::of_floats(moments, omega, flips)?;
     bound(&around(moments), &around(omega), Interval { low: 0.0, high: late })
