@@ -60,6 +60,9 @@ function unread() {
   return found;
 }
 
+/** A figure that answers a question waits for it: as if all were answered. */
+const answered = (page) => page.evaluate(() => { for (const question of document.querySelectorAll(".question")) question.dataset.state = "told"; });
+
 /** From each theme, a drawing opened over its page and by its address. */
 async function themed({ open, base, fault }) {
   const colours = (element) => [getComputedStyle(element).color, getComputedStyle(document.documentElement).backgroundColor].join(" on ");
@@ -67,6 +70,7 @@ async function themed({ open, base, fault }) {
     const page = await open(base, { theme, colorScheme: ["light", "rust"].includes(theme) ? "dark" : "light" });
     const wants = (what, holds) => holds || fault(`figure opened large, ${theme}`, what);
     await page.goto(`${base}two-arrows.html`);
+    await answered(page);
     const expected = await page.locator("body").evaluate(colours);
     const link = page.locator("a.fig-large").first();
     const address = await link.evaluate((a) => a.href);
@@ -91,6 +95,7 @@ export async function figures({ open, base, pages, fault }) {
   const large = new Set();
   for (const name of pages.filter((name) => name !== "print.html")) {
     await page.goto(base + name);
+    await answered(page);
     await page.evaluate(() => document.fonts.ready);
     for (const what of await withFonts(page, await page.evaluate(outOfReach))) fault(`${name}, 390 px`, what);
     await page.evaluate(() => { for (const fold of document.querySelectorAll("main details")) fold.open = true; });

@@ -450,6 +450,10 @@ mod tests {
             ("radius = 33\nmass = 0.058", "0.058 kg in 33 m: is this in mm and kg?"),
             ("radius = '33 mm'\nmass = 58", "58 kg in 33 mm: is this in g?"),
             ("radius = 33\nmass = '58 g'", "58 g in 33 m: is this in mm?"),
+            (
+                "radius = 1\nmass = 1e30",
+                "1e30 kg in 1 m: no solid is so light or so heavy. Are the numbers right?",
+            ),
         ] {
             assert_eq!(body(&format!("shape = 'ball'\n{text}")).unwrap().question.unwrap(), asked);
         }

@@ -68,5 +68,9 @@ pub(crate) fn of(
     };
     let shown = format!("{} in {}", shown(mass, "kg"), shown(&sizes, "m").replace(',', " ×"));
     let plain = shown.replace(['[', ']', '"', '\''], "");
-    (!words.is_empty()).then(|| format!("{plain}: is this in {words}?"))
+    let odd = in_m && in_kg && far("m", "kg").is_none();
+    match words.is_empty() {
+        false => Some(format!("{plain}: is this in {words}?")),
+        true => odd.then(|| format!("{plain}: no solid is so light or so heavy. Are the numbers right?")),
+    }
 }

@@ -65,7 +65,11 @@ impl Rounded {
 
     /// Rounded to the nearest float, unless it is known to be one.
     fn to_nearest(at: Interval, off: Interval, exactly: bool) -> Self {
-        if at.low == at.high || (exactly && at.abs().high < f64::INFINITY) { Self { at, off } } else { Self { at, off: off + units(at, 0.5) } }
+        if at.low == at.high || (exactly && at.abs().high < f64::INFINITY) {
+            Self { at, off }
+        } else {
+            Self { at, off: off + units(at, 0.5) }
+        }
     }
 
     /// A product or quotient or root, of which the smallest can underflow.
