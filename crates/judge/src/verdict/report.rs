@@ -67,7 +67,7 @@ impl Verdict {
         let words = |mistake: &FileMistake| match (mistake, self.record.has_attitude) {
             (FileMistake::LeftHandedSpin, false) => {
                 format!(
-                    "{}; or the step has the gyroscopic term with the wrong sign: spins alone do not distinguish the two",
+                    "{}; or the step has the gyroscopic term with the wrong sign, or is of a body with other moments: spins alone do not distinguish these",
                     mistake.words()
                 )
             }

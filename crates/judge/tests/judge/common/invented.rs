@@ -563,8 +563,8 @@ impl Invented {
         let Some(found) = &verdict.diagnosis else { return Named::Not };
         let all = || std::iter::once(&found.best.rule).chain(&found.alike);
         let (first, any) = (found.leading.iter().any(|x| self.is(x)), all().any(|x| self.is(x)));
-        // A spin alone cannot distinguish the wrong sign from the other hand: both are offered.
-        let mirrored = self.fault == Fault::Term(-1.0)
+        // A spin alone leaves wrong sign, other moments and the other hand open: all are offered.
+        let mirrored = matches!(self.fault, Fault::Term(-1.0) | Fault::Other(..))
             && verdict.file_mistakes.contains(&FileMistake::LeftHandedSpin)
             && verdict.to_string().contains("wrong sign");
         let sure = found.confidence.names_a_rule();
