@@ -16,19 +16,10 @@ pub enum Error {
     },
     /// Not a single line that is not a comment.
     Empty,
-    /// Column names, and no row below them.
+    /// No row.
     NoRows,
-    /// An iterator without a row.
-    NoRowsInMemory,
     /// A start, and nothing to hold against it.
     OneRow,
-    /// The line of column names does not do.
-    Columns {
-        /// Its line, from 1.
-        line: usize,
-        /// What is wrong with it.
-        problem: String,
-    },
     /// A field does not do.
     Field {
         /// Its line, from 1.
@@ -87,12 +78,9 @@ impl fmt::Display for Error {
             Self::Read { line: 0, source } => write!(f, "{source}"),
             Self::Read { line, source } => write!(f, "line {line}: {source}"),
             Self::Empty => f.write_str("the file is empty: it takes a line of column names, then rows of numbers"),
-            Self::NoRows => f.write_str("there are column names and no rows"),
-            Self::NoRowsInMemory => f.write_str("the iterator gives no row: a motion takes two at least"),
+            Self::NoRows => f.write_str("there are no rows: a motion takes two at least"),
             Self::OneRow => f.write_str("there is one row: a motion takes two at least"),
-            Self::Columns { line, problem } | Self::Line { line, problem } => {
-                write!(f, "line {line}: {problem}")
-            }
+            Self::Line { line, problem } => write!(f, "line {line}: {problem}"),
             Self::Row { row, problem } => write!(f, "row {row}: {problem}"),
             Self::Field { line, column, name, problem } => {
                 write!(f, "line {line}, column {column} (`{name}`): {problem}")

@@ -7,10 +7,16 @@ use crate::memory::{Precision, Row, judge_in_memory};
 use crate::options::Options;
 use crate::read::Note;
 use crate::verdict::Verdict;
-use serde_json::Value;
+use serde::Deserialize;
+
+/// The kit's file.
+#[derive(Default, Deserialize)]
+struct Kit {
+    stories: Vec<Story>,
+}
 
 /// A start of a free body, and what becomes of it.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct Story {
     /// Its name, such as `box-5`.
     pub name: String,
@@ -34,9 +40,10 @@ pub struct Story {
 }
 
 /// The exact motion at one time.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
 pub struct Answer {
     /// The time, s.
+    #[serde(rename = "t")]
     pub time: f64,
     /// The spin in body axes, rad/s.
     pub spin: [f64; 3],
@@ -48,30 +55,13 @@ impl Story {
     /// All of them, in the order of the file.
     #[must_use]
     pub fn all() -> Vec<Self> {
-        let file: Value = serde_json::from_str(include_str!("../kit/stories.json")).unwrap_or_default();
-        file["stories"].as_array().into_iter().flatten().filter_map(Self::of).collect()
+        serde_json::from_str::<Kit>(include_str!("../kit/stories.json")).unwrap_or_default().stories
     }
 
     /// The one of this name.
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         Self::all().into_iter().find(|story| story.name == name)
-    }
-
-    fn of(value: &Value) -> Option<Self> {
-        let answers = value["answers"].as_array()?.iter();
-        let flips = value["flips"].as_array();
-        Some(Self {
-            name: value["name"].as_str()?.into(),
-            tests: value["tests"].as_str()?.into(),
-            moments: numbers(&value["moments"])?,
-            spin: numbers(&value["spin"])?,
-            attitude: numbers(&value["attitude"])?,
-            duration: value["duration"].as_f64()?,
-            fastest: value["fastest"].as_f64()?,
-            flips: flips.map(|times| times.iter().filter_map(Value::as_f64).collect()),
-            answers: answers.map(answer).collect::<Option<Vec<_>>>()?,
-        })
     }
 
     /// The rows that an engine makes of it, in steps of `h` seconds: `step` takes an attitude (w, x, y, z;
@@ -128,19 +118,6 @@ impl Story {
     fn rate(&self, h: f64) -> f64 {
         (self.fastest * h).powi(2) / 12.0
     }
-}
-
-fn numbers<const N: usize>(value: &Value) -> Option<[f64; N]> {
-    let all: Option<Vec<f64>> = value.as_array()?.iter().map(Value::as_f64).collect();
-    all?.try_into().ok()
-}
-
-fn answer(value: &Value) -> Option<Answer> {
-    Some(Answer {
-        time: value["t"].as_f64()?,
-        spin: numbers(&value["spin"])?,
-        attitude: numbers(&value["attitude"])?,
-    })
 }
 
 /// Fails the test where a verdict is not that the record passes, and prints it.

@@ -35,6 +35,6 @@ pub use options::Options;
 pub use read::{FileMistake, Fit, Kind, Note};
 pub use rule::{
     Advice, Alteration, Base, Confidence, Diagnosis, Explanation, Jump, Limits, PHYSICS_ENGINES,
-    PhysicsEngine, Rule, Spin, Steps, Turn, When,
+    PhysicsEngine, Rule, Steps, Turn, When,
 };
 pub use verdict::{Outcome, Recording, Section, Verdict};

@@ -47,8 +47,8 @@ above 1 where round the smallest's. Phase is how far the spin is ahead of the ex
 The JSON object has: version (of its keys), outcome (passed, failed, nothing to judge, too short to judge), complaints,
 laws (law, grade, rate, most, last, allowed), flips, separatrix (first and last), file_mistakes, resets, gaps,
 missing, sign_changes, rounding, diagnosis (confidence: to rounding, most steps, near, too few digits, errors too
-small, too few steps, accurate, interpolated or none fits; best, alike, second, ratio, steps, share, error, jumps,
-would_decide, advice, chapter), curve (the run in at most 256 points), report (all of it in words), and what was read.
+small, too few steps, accurate, altered, interpolated or none fits; best, alike, second, ratio, steps, share, error,
+jumps, would_decide, advice, chapter), curve (the run in at most 256 points), report (in words), and what was read.
 
 Exit code: 0 if the record passes, 1 if it fails or there is nothing or too little to judge, 2 if it cannot be read.";
 

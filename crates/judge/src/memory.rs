@@ -124,7 +124,7 @@ pub fn judge_described<T: Precision>(
     options: &Options,
 ) -> Result<Verdict, Error> {
     let mut rows = rows.into_iter().peekable();
-    let first = rows.peek().ok_or(Error::NoRowsInMemory)?;
+    let first = rows.peek().ok_or(Error::NoRows)?;
     let Description { kind, engine, step, torque } = description;
     let attitudes = first.attitude.is_some();
     if !attitudes && (kind.in_world() || kind == Kind::Attitude) {

@@ -11,7 +11,7 @@ mod words;
 
 pub(crate) use end::verdict;
 pub(crate) use faults::{spin_faults, wrong_pace, wrong_rule};
-pub(crate) use finding::sentence;
+pub(crate) use finding::{capital, sentence};
 pub use outcome::{Outcome, Recording, Verdict};
 pub(crate) use plain::plain_number;
 pub(crate) use report::COLUMNS;

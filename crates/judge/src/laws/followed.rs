@@ -153,11 +153,8 @@ impl Laws {
         let (energy, momentum) = (observe::energy(&state.omega, &angular), angular.norm());
         self.put(LawName::Energy, t, (energy / self.start.energy).ln());
         self.put(LawName::Momentum, t, (momentum / self.start.momentum).ln());
-        let middle = ordered(&self.moments)[1];
-        let separatrix =
-            |energy: f64, momentum: f64| 2.0 * energy / momentum * (self.moments[middle] / momentum);
-        let first = separatrix(self.start.energy, self.start.momentum);
-        self.put(LawName::Separatrix, t, separatrix(energy, momentum) / first - 1.0);
+        let [first, now] = [&self.start.row, state].map(|row| self.ratio(row));
+        self.put(LawName::Separatrix, t, now / first - 1.0);
         let mut turned_away = None;
         if let Some(q) = state.attitude {
             self.put(LawName::Unit, t, q.norm() - 1.0);
@@ -299,14 +296,16 @@ impl Laws {
         largest - smallest <= ON_AXIS * f64::EPSILON * largest
     }
 
-    /// The first, and the last, `2 E I2 / L²`.
+    /// `2 E I2 / L²` in a row.
+    fn ratio(&self, row: &Row) -> f64 {
+        let angular = self.moments.component_mul(&row.omega);
+        let (middle, momentum) = (self.moments[ordered(&self.moments)[1]], angular.norm());
+        2.0 * observe::energy(&row.omega, &angular) / momentum * (middle / momentum)
+    }
+
+    /// It in the first row, and in the last.
     pub(crate) fn separatrix(&self) -> Option<[f64; 2]> {
-        let middle = self.moments[ordered(&self.moments)[1]];
-        let at = |state: &Row| {
-            let angular = self.moments.component_mul(&state.omega);
-            2.0 * observe::energy(&state.omega, &angular) * middle / angular.norm_squared()
-        };
-        self.middle.map(|_| [at(&self.start.row), at(&self.seen.last)])
+        self.middle.map(|_| [&self.start.row, &self.seen.last].map(|row| self.ratio(row)))
     }
 
     /// How each law was kept that there was something of.

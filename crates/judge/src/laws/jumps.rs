@@ -31,12 +31,12 @@ pub(crate) struct Jumps {
     pub has_spin: bool,
     /// The rounding of the numbers, relative to 1.
     pub floor: f64,
-    errors: Errors,
+    pub errors: Errors,
 }
 
 /// How far steps were off the law, relative to the spin or in rad.
 #[derive(Default)]
-struct Errors {
+pub(crate) struct Errors {
     /// The most in spin or turn, slowly forgotten.
     off: f64,
     /// How many steps there were.
@@ -49,16 +49,6 @@ struct Errors {
 }
 
 impl Jumps {
-    pub(crate) fn new(
-        first: Row,
-        moments: Vector3<f64>,
-        torque: Option<Vector3<f64>>,
-        has_spin: bool,
-        floor: f64,
-    ) -> Self {
-        Self { first, moments, torque, has_spin, floor, errors: Errors::default() }
-    }
-
     /// Whether the motion starts anew with a row, this number of steps after the last.
     pub(crate) fn reset(&mut self, pair: &Pair, times: f64) -> Option<Reset> {
         let Pair { from: last, to: state, .. } = pair;

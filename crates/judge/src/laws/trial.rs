@@ -1,7 +1,7 @@
 //! A trial: rows in, and what they do to the laws noted.
 
 use crate::error::Error;
-use crate::laws::{Jumps, Laws, Reset};
+use crate::laws::{Errors, Jumps, Laws, Reset};
 use crate::read::{Known, Pair, Row, Sample};
 use crate::rule::Subject;
 use crate::thresholds::RESETS;
@@ -45,12 +45,13 @@ impl Trial {
         direction: Option<Vector3<f64>>,
         known: Known,
     ) -> Result<Self, Error> {
-        let (has_spin, floor) = (known.has_spin(), known.floor.size);
+        let (has_spin, floor, errors) = (known.has_spin(), known.floor.size, Errors::default());
+        let Subject { moments, torque, .. } = *subject;
         Ok(Self {
-            laws: Laws::new(&subject.moments, &first, direction, floor)?,
+            laws: Laws::new(&moments, &first, direction, floor)?,
             first,
             sample: Sample::new(),
-            jumps: Jumps::new(first, subject.moments, subject.torque, has_spin, floor),
+            jumps: Jumps { first, moments, torque, has_spin, floor, errors },
             known,
             resets: Vec::new(),
             gaps: None,

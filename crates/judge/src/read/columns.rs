@@ -194,7 +194,7 @@ impl Names {
     }
 
     fn wrong(&self, problem: String) -> Error {
-        Error::Columns { line: self.line, problem }
+        Error::Line { line: self.line, problem }
     }
 
     fn at(&self, wanted: &str) -> Result<Option<usize>, Error> {
@@ -208,18 +208,16 @@ impl Names {
 
     /// The one there is of these.
     fn any(&self, wanted: &[&str]) -> Result<Option<usize>, Error> {
-        let mut found = None;
+        let mut found = Vec::new();
         for name in wanted {
-            if let Some(i) = self.at(name)? {
-                if let Some(before) = found {
-                    let before: &String = &self.raw[before];
-                    let problem = format!("`{before}` and `{}` both are the time", self.raw[i]);
-                    return Err(self.wrong(problem));
-                }
-                found = Some(i);
-            }
+            found.extend(self.at(name)?);
         }
-        Ok(found)
+        match found[..] {
+            [a, b, ..] => {
+                Err(self.wrong(format!("`{}` and `{}` both are the time", self.raw[a], self.raw[b])))
+            }
+            _ => Ok(found.first().copied()),
+        }
     }
 
     /// All of these, or nothing.
@@ -232,13 +230,12 @@ impl Names {
     fn whole(&self, prefix: &str, axes: &[&str], suffix: &str) -> Result<Option<Vec<usize>>, Error> {
         let wanted: Vec<String> = axes.iter().map(|axis| format!("{prefix}{axis}{suffix}")).collect();
         let places = wanted.iter().map(|name| self.at(name)).collect::<Result<Vec<_>, _>>()?;
-        if places.iter().all(Option::is_none) {
-            return Ok(None);
+        match places.iter().position(Option::is_none) {
+            Some(missing) if places.iter().any(Option::is_some) => {
+                Err(self.wrong(format!("the column `{}` is missing", wanted[missing])))
+            }
+            _ => Ok(places.into_iter().collect()),
         }
-        if let Some(missing) = places.iter().position(Option::is_none) {
-            return Err(self.wrong(format!("the column `{}` is missing", wanted[missing])));
-        }
-        Ok(Some(places.into_iter().flatten().collect()))
     }
 
     /// The time; `step` says whether the header has the length of a step.
@@ -271,32 +268,27 @@ impl Names {
         for names in ATTITUDE_NAMES {
             sets.extend(self.all(&names)?);
         }
-        let mut attitude = None;
-        for places in sets {
-            if attitude.is_some() {
-                return Err(self.wrong("there are two sets of columns for the attitude".into()));
-            }
-            attitude = <[usize; 4]>::try_from(places).ok();
+        match &sets[..] {
+            [_, _, ..] => Err(self.wrong("there are two sets of columns for the attitude".into())),
+            sets => Ok(sets.first().and_then(|places| places.as_slice().try_into().ok())),
         }
-        Ok(attitude)
     }
 
     /// The vector that is judged: the first kind there is.
     fn vector(&self) -> Result<Option<(Kind, [usize; 3])>, Error> {
         for (kind, ways) in VECTORS {
-            let mut vector = None;
+            let mut sets = Vec::new();
             for (prefix, suffix) in ways.split(' ').filter_map(|way| way.split_once('*')) {
-                let Some(places) = self.whole(prefix, &["x", "y", "z"], suffix)? else { continue };
-                if vector.is_some() {
-                    let name = &self.raw[places[0]];
-                    let problem =
-                        format!("there are two sets of columns for one vector, `{name}` among them");
-                    return Err(self.wrong(problem));
-                }
-                vector = <[usize; 3]>::try_from(places).ok();
+                sets.extend(self.whole(prefix, &["x", "y", "z"], suffix)?);
             }
-            if let Some(places) = vector {
-                return Ok(Some((kind, places)));
+            if let [_, other, ..] = &sets[..] {
+                let name = &self.raw[other[0]];
+                return Err(
+                    self.wrong(format!("there are two sets of columns for one vector, `{name}` among them"))
+                );
+            }
+            if let Some(places) = sets.first() {
+                return Ok(places.as_slice().try_into().ok().map(|places| (kind, places)));
             }
         }
         let places = self.all(&SPIN_NAMES)?.and_then(|places| <[usize; 3]>::try_from(places).ok());

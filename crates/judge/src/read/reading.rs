@@ -150,25 +150,16 @@ impl Reading {
             Order::Last => all.push(FileMistake::Order),
             Order::First => all.push(FileMistake::ScalarFirst),
         }
-        match (self.inverse, self.hand) {
-            (true, Hand::Left) => all.push(FileMistake::LeftHanded),
-            (inverse, hand) => {
-                if inverse {
-                    all.push(FileMistake::Inverse);
-                }
-                match hand {
-                    Hand::Right => {}
-                    Hand::Left => all.push(FileMistake::LeftHandedSpin),
-                    Hand::One(i) => all.push(FileMistake::MirroredComponent(i)),
-                }
-            }
-        }
-        if self.frame {
-            all.push(FileMistake::Frame);
-        }
-        if self.momentum {
-            all.push(FileMistake::Momentum);
-        }
+        let mirrored = self.inverse && self.hand == Hand::Left;
+        all.extend((self.inverse && !mirrored).then_some(FileMistake::Inverse));
+        all.extend(match self.hand {
+            Hand::Right => None,
+            Hand::Left if mirrored => Some(FileMistake::LeftHanded),
+            Hand::Left => Some(FileMistake::LeftHandedSpin),
+            Hand::One(i) => Some(FileMistake::MirroredComponent(i)),
+        });
+        all.extend(self.frame.then_some(FileMistake::Frame));
+        all.extend(self.momentum.then_some(FileMistake::Momentum));
         all.extend(SPINS.iter().filter(|unit| unit.1 == self.spin).map(|unit| unit.0));
         all.extend(TIMES.iter().filter(|unit| unit.1 == self.time).map(|unit| unit.0));
         all
@@ -235,12 +226,11 @@ impl Reading {
         if alike(&plain) > LAW_AGREES {
             return plain;
         }
-        let orders = [Order::Last, Order::First];
-        let [last, first] = orders.map(|order| (order, false));
-        let others = [last, first, (Order::AsNamed, true), (Order::Last, true), (Order::First, true)];
+        let orders = [Order::AsNamed, Order::Last, Order::First];
+        let others = [false, true].into_iter().flat_map(|inverse| orders.map(|order| (order, inverse)));
         let best = others
+            .skip(1)
             .map(|(order, inverse)| Self { order, inverse, ..plain })
-            .into_iter()
             .map(|way| (way, alike(&way)))
             // Which end the scalar is at shows a mirror image of the motion, which is a motion too: the
             // commoner one is named.
@@ -324,23 +314,15 @@ impl Reading {
     }
 
     fn with_units(self, ratio: f64) -> Self {
-        let near = |unit: &&(FileMistake, f64)| (ratio / unit.1 - 1.0).abs() < UNIT_APART;
-        match (SPINS.iter().find(near), TIMES.iter().find(|unit| (ratio / unit.1 - 1.0).abs() < UNIT_APART)) {
-            (Some(unit), _) => Self { spin: unit.1, ..self },
-            (None, Some(unit)) => Self { time: unit.1, ..self },
-            (None, None) => self.with_both_units(ratio),
-        }
-    }
-
-    /// Spin and time each in a unit of its own: turns determine their product alone.
-    fn with_both_units(self, ratio: f64) -> Self {
-        if (ratio - 1.0).abs() < UNIT_APART {
-            return self;
-        }
-        let both = SPINS.iter().flat_map(|spin| TIMES.iter().map(move |time| (spin.1, time.1)));
         let off = |(spin, time): &(f64, f64)| (ratio / (spin * time) - 1.0).abs();
-        let nearest = both.min_by(|a, b| off(a).total_cmp(&off(b))).filter(|both| off(both) < UNIT_APART);
-        nearest.map_or(self, |(spin, time)| Self { spin, time, ..self })
+        let near = |units: &(f64, f64)| off(units) < UNIT_APART;
+        let [spins, times] = [SPINS.iter(), TIMES.iter()].map(|units| units.map(|unit| unit.1));
+        let one = spins.clone().map(|spin| (spin, 1.0)).chain(times.clone().map(|time| (1.0, time)));
+        // Spin and time may each be in a unit of its own: turns determine their product alone.
+        let both = spins.flat_map(|spin| times.clone().map(move |time| (spin, time)));
+        let nearest = || both.min_by(|a, b| off(a).total_cmp(&off(b))).filter(near);
+        let found = std::iter::once((1.0, 1.0)).chain(one).find(near).or_else(nearest);
+        found.map_or(self, |(spin, time)| Self { spin, time, ..self })
     }
 
     fn law(&self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> (f64, f64) {

@@ -33,7 +33,7 @@ impl<R: BufRead> Rows<R> {
                 if matches!(columns.clock, TimeColumn::Steps(_)) && header.step.is_none() {
                     let problem = "steps are counted, and their length is not given: a comment line `# dt: 0.01`, or a \
                                    column `t`, is missing";
-                    return Err(Error::Columns { line, problem: problem.into() });
+                    return Err(Error::Line { line, problem: problem.into() });
                 }
                 let (last, fields, rows, ended) = (None, Vec::new(), 0, None);
                 return Ok(Self { lines, columns, header, last, fields, rows, ended });
@@ -50,14 +50,15 @@ impl<R: BufRead> Rows<R> {
             if text.is_empty() || text.starts_with('#') {
                 continue;
             }
-            let raw = match read(&self.columns, text, line, (&self.header, self.rows), &mut self.fields) {
-                Err(Wrong::NotFinite(error)) if self.rows >= ROWS_BEFORE_THE_END => {
-                    self.ended = Some(error);
-                    break;
-                }
-                Err(Wrong::NotFinite(error) | Wrong::Row(error)) => return Err(error),
-                Ok(raw) => raw,
-            };
+            let header = (&self.header, self.rows);
+            let raw = read(&self.columns, text, line, header, (&mut self.fields, &mut self.ended))?;
+            if self.ended.is_some() {
+                return if self.rows >= ROWS_BEFORE_THE_END {
+                    Ok(None)
+                } else {
+                    self.ended.take().map_or(Ok(None), Err)
+                };
+            }
             if let Some(last) = self.last.replace(raw.t)
                 && raw.t <= last
             {
@@ -87,14 +88,6 @@ impl<R: BufRead> Source for Rows<R> {
     }
 }
 
-/// Why a row is none.
-enum Wrong {
-    /// A value is not finite: the engine's doing.
-    NotFinite(Error),
-    /// The file's doing.
-    Row(Error),
-}
-
 impl Exact {
     /// Of no number yet.
     const NONE: Self = Self { digits: 0, single: true, place: f64::INFINITY };
@@ -117,13 +110,14 @@ impl Printed {
     }
 }
 
-/// The numbers of a row, one for each column; zero where none is read.
+/// The numbers of a row, one for each column; zero where none is read. Where one is not finite the numbers
+/// end.
 fn numbers(
     columns: &Columns,
     text: &str,
     line: usize,
-    fields: &mut Vec<f64>,
-) -> Result<(Printed, [Exact; 2]), Wrong> {
+    (fields, ended): (&mut Vec<f64>, &mut Option<Error>),
+) -> Result<(Printed, [Exact; 2]), Error> {
     let (mut printed, mut exact) = (Printed::default(), [Exact::NONE; 2]);
     let there = columns.names.len();
     fields.clear();
@@ -140,19 +134,19 @@ fn numbers(
             }
             let shown = shown(field);
             let problem = format!("`{shown}` is one more field than there are columns ({there})");
-            return Err(Wrong::Row(wrong(problem)));
+            return Err(wrong(problem));
         }
         if !columns.reads(i) {
             fields.push(0.0);
             continue;
         }
         if field.is_empty() {
-            return Err(Wrong::Row(wrong("the field is empty".into())));
+            return Err(wrong("the field is empty".into()));
         }
-        let value: f64 = field.parse().map_err(|_| Wrong::Row(wrong(no_number(field))))?;
+        let value: f64 = field.parse().map_err(|_| wrong(no_number(field)))?;
         if !value.is_finite() {
             let problem = format!("the value is {}: from here on there is no motion", shown(field));
-            return Err(Wrong::NotFinite(wrong(problem)));
+            ended.get_or_insert(wrong(problem));
         }
         if columns.clock.place() == Some(i) {
             printed = Printed::of(field, value);
@@ -165,7 +159,7 @@ fn numbers(
     if let Some(missing) = columns.names.get(fields.len()) {
         let found = fields.len();
         let problem = format!("there are {found} fields for {there} columns: `{missing}` is missing");
-        return Err(Wrong::Row(Error::Line { line, problem }));
+        return Err(Error::Line { line, problem });
     }
     Ok((printed, exact))
 }
@@ -175,9 +169,9 @@ fn read(
     text: &str,
     line: usize,
     (header, rows): (&Header, u64),
-    fields: &mut Vec<f64>,
-) -> Result<Raw, Wrong> {
-    let (printed, exact) = numbers(columns, text, line, fields)?;
+    (fields, ended): (&mut Vec<f64>, &mut Option<Error>),
+) -> Result<Raw, Error> {
+    let (printed, exact) = numbers(columns, text, line, (fields, ended))?;
     let t = match columns.clock {
         TimeColumn::Time(i) => fields[i] / columns.per_second,
         TimeColumn::Steps(i) => fields[i] * header.step.unwrap_or(1.0),

@@ -1,6 +1,6 @@
 //! What to do about a rule that is found, and where the book says more.
 
-use crate::rule::{Alteration, Base, Confidence, Rule, Spin, Turn, Whole};
+use crate::rule::{Alteration, Base, Confidence, Rule, Turn, Whole};
 use tumbling::step::Method;
 
 /// What a rule means for a body, and what to do.
@@ -130,8 +130,8 @@ impl Advice {
                 "The momentum turns the body as if it were the spin: make the spin from it by the inverse tensor turned to the \
                  world, w = R J R^T L.",
             ),
-            (None, Base::Straight(Spin::Kept, _)) => Self::of_method(Method::ConstantSpin),
-            (None, Base::Straight(Spin::Explicit, _)) => with(
+            (None, Base::Straight(Method::ConstantSpin, _)) => Self::of_method(Method::ConstantSpin),
+            (None, Base::Straight(..)) => with(
                 REMEDY,
                 "The gyroscopic term is taken at the start of the step and adds energy without bound: a stable spin blows up; and \
                  the straight step turns the body by too little. Turn the momentum instead of adding to it (three exact turns a \

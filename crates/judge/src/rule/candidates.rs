@@ -1,7 +1,7 @@
 //! The body of a record, and how each rule that may have made it takes a row one step further.
 
 use crate::read::{Pair, Row, angle_between, ordered, unit};
-use crate::rule::{Alteration, Base, Limits, Rule, Spin, Steps, Turn, When, parted};
+use crate::rule::{Alteration, Base, Limits, Rule, Steps, Turn, When, parted, turned_straight};
 use crate::thresholds::{FAR_FROM_ONE, RULE_ROUNDS, STILL};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::exact::FreeMotion;
@@ -10,11 +10,6 @@ use tumbling::{Body, Error, Inertia, attitude, dynamics::euler};
 
 /// An attitude, body to world, and a spin in body axes, rad/s.
 type End = (Quaternion<f64>, Vector3<f64>);
-
-/// The attitude `q + h/2 q w`, of whatever length.
-pub(crate) fn straight(q: &Quaternion<f64>, omega: &Vector3<f64>, h: f64) -> Quaternion<f64> {
-    q + attitude::product(q, &Quaternion::from_imag(omega * (h / 2.0)))
-}
 
 /// `q` turned by the spin for `h` seconds.
 fn turned(q: &Quaternion<f64>, omega: &Vector3<f64>, h: f64) -> Quaternion<f64> {
@@ -66,8 +61,10 @@ impl Subject {
                 let after = motion.at(h).ok()?;
                 Some((start * after.attitude.into_inner(), after.omega))
             }
-            Base::Method(method, parts) => {
-                parted(method, parts, &Limits::NONE, &self.system, &self.motion(from), h).ok().map(end)
+            Base::Method(method, parts) | Base::Straight(method, parts) => {
+                let straight = matches!(base, Base::Straight(..));
+                let limits = Limits { straight, ..Limits::NONE };
+                parted(method, parts, &limits, &self.system, &self.motion(from), h).ok().map(end)
             }
             Base::Engine(engine) => engine.step(&self.system, &self.motion(from), h).ok().map(end),
             Base::PositionStage(parts) => self.staged(parts.max(1), from, h),
@@ -83,7 +80,6 @@ impl Subject {
                 let world = attitude::rotation_matrix(&start) * momentum;
                 Some((q, self.system.omega(&attitude::rotation_matrix(&q).tr_mul(&world))))
             }
-            Base::Straight(spin, parts) => Some(self.straight(spin, parts.max(1), from, h)),
         }
     }
 
@@ -99,20 +95,6 @@ impl Subject {
             (end.parts > 0).then_some((end.attitude, end.omega))
         })?;
         Some((attitude, attitude::rotation_matrix(&attitude).tr_mul(&omega)))
-    }
-
-    /// The spin stepped so in this number of parts, and the attitude straight by each new one.
-    fn straight(&self, spin: Spin, parts: u32, from: &Row, h: f64) -> End {
-        let h = h / f64::from(parts);
-        (0..parts).fold((from.start(), from.omega), |(q, omega), _| {
-            let rate = match spin {
-                Spin::Kept => Vector3::zeros(),
-                Spin::Explicit => euler::angular_acceleration(&self.moments, &omega, &Vector3::zeros()),
-            };
-            let after = omega + rate * h;
-            let q = straight(&q, &after, h);
-            (q / q.norm(), after)
-        })
     }
 
     /// The step with the tensor frozen as it stands at the identity.
@@ -142,7 +124,7 @@ impl Subject {
         let start = from.start();
         let base = |from: &Row, h: f64| self.based(rule.base, from, h);
         let with = |omega: Vector3<f64>| match rule.base {
-            Base::Straight(..) => (unit(&straight(&start, &omega, h)).into_inner(), omega),
+            Base::Straight(..) => (turned_straight(&start, &omega, h), omega),
             _ => (turned(&start, &omega, h), omega),
         };
         let Some(alteration) = rule.alteration else { return base(from, h) };

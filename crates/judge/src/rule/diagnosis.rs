@@ -93,6 +93,8 @@ pub struct Diagnosis {
 pub(crate) struct Whole {
     /// The laws that it breaks.
     pub broken: Vec<LawName>,
+    /// Those that it does not keep to rounding.
+    pub unkept: Vec<LawName>,
     /// Whether flips are missing, or too many.
     pub miscounted: bool,
     /// Whether it fails, whatever its rule.
@@ -260,6 +262,10 @@ pub(crate) fn diagnose(
     let found = tried(subject, pairs, known, sought);
     let mut ranked = Ranked::of(&found, floor)?;
     let mut confidence = confidence_in(subject, pairs, &ranked, known, whole.share);
+    // A rule that keeps a law is not nearly that of a record that does not.
+    if confidence == Confidence::Near && whole.unkept.iter().any(|law| ranked.best.rule.keeps(*law)) {
+        confidence = Confidence::NoneFits;
+    }
     let mut error = None;
     if confidence == Confidence::NoneFits && !sought {
         (ranked, confidence, error) = unnamed(subject, pairs, &found, ranked, whole.fails, floor);

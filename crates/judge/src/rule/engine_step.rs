@@ -173,7 +173,7 @@ fn turned(start: &Quaternion<f64>, turn: &Quaternion<f64>) -> Quaternion<f64> {
 
 /// `start` moved along its rate at the spin `omega` (body axes, rad/s) for `h` seconds, at length 1: a turn
 /// by `2 atan(|w| h / 2)` instead of `|w| h`.
-fn turned_straight(start: &Quaternion<f64>, omega: &Vector3<f64>, h: f64) -> Quaternion<f64> {
+pub(crate) fn turned_straight(start: &Quaternion<f64>, omega: &Vector3<f64>, h: f64) -> Quaternion<f64> {
     turned(start, &Quaternion::from_parts(1.0, omega * (h / 2.0)))
 }
 

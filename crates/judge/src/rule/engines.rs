@@ -64,7 +64,7 @@ pub const PHYSICS_ENGINES: &[PhysicsEngine] = engines! {
     "PhysX, Unity", Some("2.7.3 (physx-js-webidl)"), "gyroscopic forces off (default)": ConstantSpin in 1, NONE, Some("physx-js-webidl-2.7.3"), "2026-11-24", Some("PxRigidBodyFlag::eENABLE_GYROSCOPIC_FORCES"), "recorded from the package physx-js-webidl of npm";
     "Godot Physics", None, "default": ConstantSpin in 1, NONE, None, "2026-11-21", None, "godotengine/godot, modules/godot_physics_3d/godot_body_3d.cpp: no gyroscopic term";
     "Havok", Some("1.3.14 (@babylonjs/havok)"), "default": ConstantSpin in 1, NONE, Some("babylonjs-havok-1.3.14"), "2026-11-24", None, "recorded from the package @babylonjs/havok of npm";
-    "ammo.js", Some("1.1.0 (ammojs-typed)"), "default": ConstantSpin in 1, NONE, Some("ammojs-typed-1.1.0"), "2026-11-24", Some("the body's flag BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY"), "recorded from the package ammojs-typed of npm";
+    "ammo.js", Some("1.1.0 (ammojs-typed)"), "default": ConstantSpin in 1, NONE, Some("ammojs-typed-1.1.0"), "2026-11-24", None, "recorded from the package ammojs-typed of npm";
     "Brax", Some("0.14.2"), "spring": ConstantSpin in 1, STRAIGHT, Some("brax-0.14.2-spring"), "2026-11-24", Some("the generalized pipeline"), "recorded from the Python package brax";
     "Brax", Some("0.14.2"), "generalized": SemiImplicitEuler in 1, NONE, Some("brax-0.14.2-generalized"), "2026-11-24", None, "recorded from the Python package brax";
     "cannon-es", Some("0.20.0"), "default": ConstantSpin in 1, STRAIGHT, Some("cannon-es-0.20.0"), "2026-11-24", None, "recorded from the package cannon-es of npm";

@@ -1,6 +1,6 @@
 //! What a rule is called, and who goes by it.
 
-use crate::rule::{Alteration, Base, Limits, PHYSICS_ENGINES, PhysicsEngine, Rule, Spin, Turn, When};
+use crate::rule::{Alteration, Base, Limits, PHYSICS_ENGINES, PhysicsEngine, Rule, Turn, When};
 use crate::thresholds::{NEAR_A_TERM, RULES_NAMED};
 use tumbling::step::Method;
 
@@ -46,15 +46,13 @@ impl Base {
             Self::MomentumForSpin(mass) => {
                 format!("momentum taken for spin (divided by {})", significant(*mass))
             }
-            Self::Straight(spin, parts) => {
-                let spin = match spin {
-                    Spin::Kept => "no gyroscopic term, and the attitude stepped straight (q + h/2 q w)",
-                    Spin::Explicit => {
-                        "explicit gyroscopic step (w + h w'), and the attitude stepped straight by the new spin (q + h/2 q w)"
-                    }
-                };
-                in_parts(spin, *parts)
+            Self::Straight(Method::ConstantSpin, parts) => {
+                in_parts("no gyroscopic term, and the attitude stepped straight (q + h/2 q w)", *parts)
             }
+            Self::Straight(_, parts) => in_parts(
+                "explicit gyroscopic step (w + h w'), and the attitude stepped straight by the new spin (q + h/2 q w)",
+                *parts,
+            ),
         }
     }
 }
@@ -120,11 +118,7 @@ impl Rule {
     /// The number of an engine's steps that one step of this rule is, if it is the engine's rule.
     pub(crate) fn steps_of(&self, engine: &PhysicsEngine) -> Option<u32> {
         match (self.base, self.alteration) {
-            (Base::Straight(spin, parts), None) => {
-                let method = match spin {
-                    Spin::Kept => Method::ConstantSpin,
-                    Spin::Explicit => Method::SemiImplicitEuler,
-                };
+            (Base::Straight(method, parts), None) => {
                 (engine.limits.straight && engine.method == method).then_some(parts)
             }
             (Base::Method(..), None) if engine.limits.straight => None,

@@ -33,9 +33,9 @@ pub enum Base {
     FrozenTensor(Quaternion<f64>, Steps),
     /// The momentum, divided by this one number, turns the body.
     MomentumForSpin(f64),
-    /// The spin stepped so, and the attitude straight by the new one: `q + h/2 q w`, its length set to 1 or
-    /// not; in this number of parts. (By the old spin it is [`Method::ExplicitEuler`].)
-    Straight(Spin, u32),
+    /// The spin by this method, and the attitude straight by the new one: `q + h/2 q w`, its length set to 1
+    /// or not; in this number of parts. (By the old spin it is [`Method::ExplicitEuler`].)
+    Straight(Method, u32),
 }
 
 /// What is altered of a step.
@@ -70,15 +70,6 @@ pub enum Turn {
     Late,
     /// Otherwise.
     Otherwise,
-}
-
-/// How a plain engine steps the spin where it steps the attitude straight.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Spin {
-    /// Not at all: no gyroscopic term.
-    Kept,
-    /// By the gyroscopic term at the start of the step.
-    Explicit,
 }
 
 /// Of what order the frozen tensor's spin is stepped.
@@ -189,7 +180,7 @@ impl Base {
         match self {
             Self::Method(method, _) => Self::Method(method, parts),
             Self::PositionStage(_) => Self::PositionStage(parts),
-            Self::Straight(spin, _) => Self::Straight(spin, parts),
+            Self::Straight(method, _) => Self::Straight(method, parts),
             other => other,
         }
     }
@@ -197,7 +188,8 @@ impl Base {
     /// Every rule that a step can be cut into parts of.
     fn every() -> impl Iterator<Item = Self> {
         let methods = Method::ALL.iter().map(|&method| Self::Method(method, 1));
-        let straight = [Spin::Explicit, Spin::Kept].map(|spin| Self::Straight(spin, 1));
+        let straight =
+            [Method::SemiImplicitEuler, Method::ConstantSpin].map(|method| Self::Straight(method, 1));
         methods.chain([Self::PositionStage(1)]).chain(straight)
     }
 
@@ -205,12 +197,8 @@ impl Base {
     pub(crate) fn all() -> Vec<Self> {
         let mut all = vec![Self::Exact];
         for engine in PHYSICS_ENGINES {
-            let base = match (engine.limits.straight, engine.method) {
-                (true, Method::ConstantSpin) => Self::Straight(Spin::Kept, engine.parts),
-                (true, _) => Self::Straight(Spin::Explicit, engine.parts),
-                _ => Self::Method(engine.method, engine.parts),
-            };
-            all.push(base);
+            let base = if engine.limits.straight { Self::Straight } else { Self::Method };
+            all.push(base(engine.method, engine.parts));
         }
         let others = [Method::RungeKutta4, Method::ImplicitMidpoint, Method::RotationSplitting2];
         all.extend(others.map(|method| Self::Method(method, 1)));

@@ -110,8 +110,10 @@ impl End<'_> {
         let sound = known.reading.mistakes().is_empty() && resets.is_empty() && ended.is_none();
         let broken: Vec<LawName> = self.broken().map(|law| law.name).collect();
         let fails = !sound || !broken.is_empty() || !complaints.is_empty();
+        let unkept = self.laws.iter().filter(|law| is_length(law.name) && law.growth.rank() > 0);
         Whole {
             broken,
+            unkept: unkept.map(|law| law.name).collect(),
             fails,
             miscounted: self.flips.is_some_and(|flips| flips.found.abs_diff(flips.exact) > FLIPS_APART),
             lengths: self.laws.iter().filter(|law| is_length(law.name)).all(|law| law.growth.rank() == 0),

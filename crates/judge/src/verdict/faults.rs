@@ -4,7 +4,7 @@
 use crate::law::LawName;
 use crate::laws::{Complaint, FlipCount, Law};
 use crate::options::Options;
-use crate::rule::{Alteration, Base, Confidence, Diagnosis, Rule, Spin};
+use crate::rule::{Alteration, Base, Confidence, Diagnosis, Rule};
 use crate::thresholds::PHASE;
 use tumbling::step::Method;
 
@@ -31,12 +31,13 @@ pub(crate) fn wrong_rule(diagnosis: &Diagnosis) -> Option<Complaint> {
 const fn is_wrong(rule: &Rule) -> bool {
     match (rule.base, rule.alteration) {
         (Base::Exact | Base::PositionStage(_), None) => false,
-        (Base::Method(method, _), None) => matches!(method, Method::ConstantSpin),
+        (Base::Method(method, _) | Base::Straight(method, _), None) => {
+            matches!(method, Method::ConstantSpin)
+        }
         // A limit on the turn of a step is out of reach of shorter ones.
         (Base::Engine(engine), None) => {
             engine.limits.component.is_some() || matches!(engine.method, Method::ConstantSpin)
         }
-        (Base::Straight(spin, _), None) => matches!(spin, Spin::Kept),
         (base, Some(Alteration::Turned(_))) => is_wrong(&Rule::plain(base)),
         _ => true,
     }

@@ -5,12 +5,16 @@ use crate::thresholds::RULES_NAMED;
 use crate::verdict::plain_number;
 use std::fmt;
 
-/// With a capital letter and a full stop.
-pub(crate) fn sentence(words: &str) -> String {
+/// With a capital letter.
+pub(crate) fn capital(words: &str) -> String {
     let mut letters = words.chars();
     let first = letters.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
-    let stop = if words.ends_with('.') { "" } else { "." };
-    format!("{first}{}{stop}", letters.as_str())
+    first + letters.as_str()
+}
+
+/// With a capital letter and a full stop.
+pub(crate) fn sentence(words: &str) -> String {
+    capital(words) + if words.ends_with('.') { "" } else { "." }
 }
 
 impl Diagnosis {

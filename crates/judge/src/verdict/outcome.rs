@@ -22,18 +22,7 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// What a reader calls it.
-    #[must_use]
-    pub(crate) const fn words(self) -> &'static str {
-        match self {
-            Self::Passed => "Passed",
-            Self::Failed => "Failed",
-            Self::NothingToJudge => "Nothing to judge",
-            Self::TooShort => "Too short to judge",
-        }
-    }
-
-    /// What a program calls it.
+    /// What a program calls it, and with a capital letter a reader.
     #[must_use]
     pub const fn key(self) -> &'static str {
         match self {

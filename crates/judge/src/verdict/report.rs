@@ -4,7 +4,7 @@ use crate::law::LawName;
 use crate::laws::{Gaps, Law, Reset};
 use crate::read::FileMistake;
 use crate::rule::{Confidence, Diagnosis, readable};
-use crate::verdict::{Outcome, Verdict, plain_number, sentence};
+use crate::verdict::{Outcome, Verdict, capital, plain_number, sentence};
 use serde::Serialize;
 use std::fmt;
 
@@ -45,7 +45,7 @@ impl Verdict {
         let (failed, reasons) =
             (self.outcome == Outcome::Failed && !head.is_empty(), sentences(self.reasons()));
         let first = if failed { sentences(mistakes) } else { reasons.clone() };
-        let mut all = vec![section(self.outcome.words(), first.into_iter().chain(head))];
+        let mut all = vec![section(&capital(self.outcome.key()), first.into_iter().chain(head))];
         all.extend(failed.then(|| section("Why", reasons)));
         all.extend(shown.map(|found| section("Diagnosis", found.details())));
         all.extend(self.physics());
@@ -67,7 +67,7 @@ impl Verdict {
         let words = |mistake: &FileMistake| match (mistake, self.record.has_attitude) {
             (FileMistake::LeftHandedSpin, false) => {
                 format!(
-                    "{}; or the step has the gyroscopic term with the wrong sign: spins alone do not distinguish the two",
+                    "{}; or the step has the gyroscopic term with the wrong sign, or is of a body with other moments: spins alone do not distinguish these",
                     mistake.words()
                 )
             }

@@ -9,12 +9,15 @@ const SPIN: Vector3<f64> = Vector3::new(1.0, 2.0, 1.5);
 
 /// Good records: the motion itself, and two engines' rules.
 fn good() -> Vec<Vec<Row>> {
+    let long = stepped(Method::SemiImplicitEuler, SPIN, 0.01, 800);
     vec![
         exact(SPIN, 0.01, 600),
         exact(Vector3::new(0.2, 0.3, -6.0), 1.0 / 60.0, 600),
         stepped(Method::SemiImplicitEuler, SPIN, 0.01, 600),
         stepped(Method::ImplicitOneNewton, SPIN, 1.0 / 60.0, 600),
         stepped(Method::Rescaled, Vector3::new(-2.0, 0.5, 1.0), 1.0 / 30.0, 600),
+        // With gaps.
+        (0..40).flat_map(|i| long[20 * i..20 * i + 9].to_vec()).collect(),
     ]
 }
 
@@ -332,5 +335,23 @@ fn spins_from_the_slowest_to_the_fastest_that_a_number_holds_are_judged_or_refus
         } else {
             assert!(!(1e-100..1e101).contains(&scale), "{scale:e}");
         }
+    }
+}
+
+#[test]
+fn a_motion_that_jumps_is_named_with_its_place_and_judged_up_to_there() {
+    let mut rows = exact(SPIN, 0.01, 300);
+    let other = exact(Vector3::new(-2.0, 0.4, 1.0), 0.01, 300);
+    rows.truncate(200);
+    rows.extend(other.iter().skip(200).copied());
+    let verdict = judged(&csv(&rows));
+    assert_eq!(verdict.resets.len(), 1);
+    // Two lines above the rows, and the 201st row is the first of the other motion.
+    assert_eq!(verdict.resets[0].line, 203);
+    assert!(!verdict.resets[0].to_rest && !verdict.resets[0].to_start);
+    assert_eq!(verdict.outcome, Outcome::Failed);
+    assert_eq!(verdict.diagnosis.unwrap().best.rule, tumbling_judge::Rule::EXACT);
+    for law in &verdict.laws {
+        assert_eq!(law.growth.rank(), 0, "{law}");
     }
 }

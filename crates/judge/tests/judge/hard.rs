@@ -44,7 +44,6 @@ fn columns_that_say_a_thing_twice_are_refused() {
         error("t,qw,qx,qy,qz,quat_w,quat_x,quat_y,quat_z,wx,wy,wz\n")
             .contains("two sets of columns for the attitude")
     );
-    assert!(error("t,wx,wy,wz,wy\n").contains("there are two columns `wy`"));
     assert!(error("t,qw,qx,qy,wx,wy,wz\n").contains("the column `qz` is missing"));
 }
 
@@ -69,9 +68,7 @@ fn separators_at_the_ends_of_lines_and_any_line_end_do_no_harm() {
 }
 
 #[test]
-fn two_rows_are_judged_and_one_or_none_are_an_error() {
-    assert!(error("# inertia: 1 2 2.5\nt,wx,wy,wz\n").contains("no rows"));
-    assert!(error(HEAD).contains("one row"));
+fn two_rows_are_judged_and_one_attitude_is_an_error() {
     let rows = exact(Vector3::new(1.0, 2.0, 1.5), 0.01, 1);
     assert_eq!(judged(&crate::common::csv(&rows)).outcome, Outcome::TooShort);
     let attitudes = "# inertia: 1 2 2.5\nt,qw,qx,qy,qz\n0,1,0,0,0\n";

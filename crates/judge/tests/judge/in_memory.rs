@@ -176,7 +176,7 @@ fn what_is_no_record_is_refused_with_its_row() {
     let judged =
         |rows: &[Row<f64>]| judge_in_memory([1.0, 2.0, 2.5], rows.iter().copied(), &Options::default());
     let empty = judged(&[]).unwrap_err();
-    assert!(matches!(empty, Error::NoRowsInMemory) && !empty.to_string().contains("column"), "{empty}");
+    assert!(matches!(empty, Error::NoRows) && !empty.to_string().contains("column"), "{empty}");
     assert!(matches!(judged(&[row(0.0, 1.0)]), Err(Error::OneRow)));
     let error = judged(&[row(0.0, 1.0), row(0.1, 1.0), row(0.1, 1.0)]).unwrap_err().to_string();
     assert_eq!(error, "row 3: time does not increase: 0.1 s after 0.1 s");

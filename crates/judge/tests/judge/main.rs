@@ -16,7 +16,6 @@ mod in_memory;
 mod invented_records;
 mod kit;
 mod mended;
-mod mistakes;
 mod names_and_units;
 mod options;
 mod our_own;

@@ -1,20 +1,16 @@
 //! Verdicts that were wrong of records that engines make: rows written at the display's rate, single
 //! precision, needles, starts on an axis.
 
-use crate::common::{MOMENTS, Row, csv, exact, stepped, stepped_by};
+use crate::common::{MOMENTS, Row, csv, exact, judged, stepped, stepped_by, written};
 use nalgebra::{Quaternion, Vector3};
 use std::fmt::Write as _;
 use tumbling::attitude::product;
 use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, State, System};
-use tumbling_judge::{Confidence, LawName, Note, Options, Outcome, Verdict, judge};
+use tumbling_judge::{LawName, Note, Options, Outcome, judge};
 
 const SPIN: Vector3<f64> = Vector3::new(1.0, 2.0, 1.5);
-
-fn judged(text: &str) -> Verdict {
-    judge(text.as_bytes(), &Options::default()).unwrap()
-}
 
 /// Every `n`th row, below a header of one's own.
 fn every(n: usize, header: &str, rows: &[Row]) -> String {
@@ -25,15 +21,8 @@ fn every(n: usize, header: &str, rows: &[Row]) -> String {
 /// A record of these moments, each number as its shortest decimal; in single precision or not.
 fn printed(moments: [f64; 3], rows: &[Row], single: bool) -> String {
     let [a, b, c] = moments;
-    let mut text = format!("# inertia: {a:e} {b:e} {c:e}\nt,qw,qx,qy,qz,wx,wy,wz\n");
-    for (t, q, w) in rows {
-        write!(text, "{t:?}").unwrap();
-        for x in [q.w, q.i, q.j, q.k, w.x, w.y, w.z] {
-            if single { write!(text, ",{:?}", x as f32) } else { write!(text, ",{x:?}") }.unwrap();
-        }
-        text.push('\n');
-    }
-    text
+    let number = |x: f64| if single { format!("{:?}", x as f32) } else { format!("{x:?}") };
+    written(&format!("# inertia: {a:e} {b:e} {c:e}"), rows, |t| format!("{t:?}"), number)
 }
 
 /// The exact motion of any moments.
@@ -64,25 +53,6 @@ fn a_spin_that_starts_without_a_middle_component_is_not_held_to_a_flip_at_the_st
         assert_eq!(verdict.outcome, Outcome::Passed, "{verdict}");
         let flips = verdict.flips.unwrap();
         assert_eq!(flips.found, flips.exact, "{moments:?} {omega}");
-    }
-}
-
-#[test]
-fn rows_at_the_display_s_rate_are_tried_by_rules_of_shorter_steps() {
-    for method in [Method::Buss, Method::ImplicitOneNewton, Method::Rescaled, Method::RungeKutta4] {
-        for (rate, n) in [(240.0, 4), (1000.0, 20), (180.0, 3)] {
-            let rows = stepped(method, SPIN * 4.0, 1.0 / rate, 6000);
-            for header in [String::new(), format!("# dt: 1/{rate}\n")] {
-                let verdict = judged(&every(n, &header, &rows));
-                let diagnosis = verdict.diagnosis.as_ref().unwrap();
-                assert_eq!(diagnosis.confidence, Confidence::ToRounding, "{method:?} {n}\n{verdict}");
-                let expected = Some((method, u32::try_from(n).unwrap()));
-                // The implicit step of two engines is one for a free body.
-                let mut named = std::iter::once(&diagnosis.best.rule).chain(&diagnosis.alike);
-                assert!(named.any(|rule| rule.method() == expected), "{header}{verdict}");
-                assert!(diagnosis.alike.len() < 2, "{header}{verdict}");
-            }
-        }
     }
 }
 

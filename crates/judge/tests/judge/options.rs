@@ -1,6 +1,6 @@
 //! What the caller may choose: a fitted start, limits for each law; and the points that the run is drawn by.
 
-use crate::common::{MOMENTS, Row, csv, exact, judged, stepped};
+use crate::common::{MOMENTS, Row, csv, exact, judged, stepped, written};
 use nalgebra::Vector3;
 use tumbling::exact::FreeMotion;
 use tumbling::step::Method;
@@ -10,12 +10,7 @@ const SPIN: Vector3<f64> = Vector3::new(0.1, 3.0, 0.2);
 
 /// With this number of digits of each number.
 fn rounded(rows: &[Row], digits: usize) -> String {
-    let mut text = String::from("# inertia: 1 2 2.5\nt,qw,qx,qy,qz,wx,wy,wz\n");
-    for (t, q, w) in rows {
-        let numbers = [q.w, q.i, q.j, q.k, w.x, w.y, w.z].map(|x| format!("{x:.*e}", digits - 1));
-        text += &format!("{t:.4},{}\n", numbers.join(","));
-    }
-    text
+    written("# inertia: 1 2 2.5", rows, |t| format!("{t:.4}"), |x| format!("{x:.*e}", digits - 1))
 }
 
 fn most(verdict: &Verdict, name: LawName) -> f64 {

@@ -1,12 +1,12 @@
 //! What a hobby engine does, its records with few digits or many, and records that say too little.
 
-use crate::common::{Row, stepped_by};
+use crate::common::{Row, judged, stepped_by, written};
 use nalgebra::{Quaternion, Vector3};
 use std::fmt::Write as _;
 use tumbling::attitude::product;
 use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::step::{Method, State, System};
-use tumbling_judge::{Base, Confidence, LawName, Options, Outcome, Rule, Spin, Verdict, judge};
+use tumbling_judge::{Base, Confidence, LawName, Outcome, Rule};
 
 const SPIN: Vector3<f64> = Vector3::new(0.5, 6.0, 0.5);
 const BODY: Vector3<f64> = crate::common::MOMENTS;
@@ -32,16 +32,8 @@ fn significant(x: f64, digits: usize) -> String {
 }
 
 fn text(rows: &[Row], number: impl Fn(f64) -> String) -> String {
-    let mut text = String::from("# inertia: 1 2 2.5; dt: 1/60\nstep,qw,qx,qy,qz,wx,wy,wz\n");
-    for (i, (_, q, w)) in rows.iter().enumerate() {
-        let numbers = [q.w, q.i, q.j, q.k, w.x, w.y, w.z].map(&number);
-        writeln!(text, "{i},{}", numbers.join(",")).unwrap();
-    }
-    text
-}
-
-fn judged(text: &str) -> Verdict {
-    judge(text.as_bytes(), &Options::default()).unwrap()
+    let steps = |t: f64| (t / H).round().to_string();
+    written("# inertia: 1 2 2.5; dt: 1/60", rows, steps, number).replacen("t,", "step,", 1)
 }
 
 #[test]
@@ -51,8 +43,8 @@ fn the_rule_of_a_plain_engine_is_named_whichever_spin_it_turns_by() {
         assert_eq!(diagnosis.confidence, Confidence::ToRounding, "{diagnosis}");
         diagnosis.best.rule
     };
-    assert_eq!(named(&plain(true, false, 600)), Rule::plain(Base::Straight(Spin::Explicit, 1)));
-    assert_eq!(named(&plain(false, false, 600)), Rule::plain(Base::Straight(Spin::Kept, 1)));
+    assert_eq!(named(&plain(true, false, 600)), Rule::plain(Base::Straight(Method::SemiImplicitEuler, 1)));
+    assert_eq!(named(&plain(false, false, 600)), Rule::plain(Base::Straight(Method::ConstantSpin, 1)));
     assert_eq!(named(&plain(true, true, 600)).method(), Some((Method::ExplicitEuler, 1)));
 }
 
@@ -68,7 +60,7 @@ fn a_spin_without_its_gyroscopic_term_fails_however_few_its_digits() {
     let diagnosis = verdict.diagnosis.unwrap();
     let kept = |rule: &Rule| {
         rule.method() == Some((Method::ConstantSpin, 1))
-            || *rule == Rule::plain(Base::Straight(Spin::Kept, 1))
+            || *rule == Rule::plain(Base::Straight(Method::ConstantSpin, 1))
     };
     assert!(kept(&diagnosis.best.rule), "{diagnosis}");
     // Stepped slowly enough for no single step to show it.

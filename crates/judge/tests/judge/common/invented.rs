@@ -2,14 +2,14 @@
 //! and whether the judge says what made it.
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use std::fmt::Write as _;
+use std::io;
 use tumbling::attitude::{product, rotation_matrix, turn};
 use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, PositionStage, State, System};
 use tumbling_judge::{
-    Alteration, Base, Confidence, Diagnosis, FileMistake, Options, Outcome, PHYSICS_ENGINES, Rule, Turn,
-    Verdict, When, judge,
+    Alteration, Base, Confidence, Diagnosis, FileMistake, Options, Outcome, PHYSICS_ENGINES, Rule, Steps,
+    Turn, Verdict, When, judge,
 };
 
 /// An attitude, body to world, and a spin in body axes, rad/s.
@@ -60,13 +60,13 @@ enum Fault {
 }
 
 /// The rule that made a record: one that the judge may name, or none that it knows.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 enum Truth {
     Known(Base),
-    Outside(&'static str),
+    Outside(&'static str, Spin),
 }
 
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum Layout {
     Both,
     World,
@@ -75,7 +75,7 @@ enum Layout {
 }
 
 /// How the numbers are kept and written.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum Digits {
     Double,
     Single,
@@ -85,9 +85,9 @@ enum Digits {
 }
 
 /// A record, and what is true of it.
-pub struct Invented {
-    pub text: String,
-    pub what: String,
+struct Invented {
+    text: String,
+    what: String,
     truth: Truth,
     fault: Fault,
     every: u32,
@@ -96,7 +96,7 @@ pub struct Invented {
 
 /// What the judge makes of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Named {
+enum Named {
     /// The rule, first.
     Rightly,
     /// The rule, among those that make the same steps here; or the exact motion, from which it differs by
@@ -124,9 +124,6 @@ fn turned(q: &Quaternion<f64>, omega: &Vector3<f64>, h: f64) -> Quaternion<f64> 
 fn known(base: Base, moments: Vector3<f64>) -> Step {
     let system = System::free(moments.try_into().unwrap()).unwrap();
     let stage = PositionStage::new(&moments).unwrap();
-    let straight = |engine: &&tumbling_judge::PhysicsEngine, kept: bool| {
-        engine.limits.straight && kept == (engine.method == Method::ConstantSpin)
-    };
     Box::new(move |(q, omega), h| {
         let start = State { attitude: *q, momentum: system.momentum(omega) };
         let end = |state: State<f64>| (state.attitude, system.omega(&state.momentum));
@@ -135,18 +132,15 @@ fn known(base: Base, moments: Vector3<f64>) -> Step {
                 let end = FreeMotion::new(moments.try_into().ok()?, omega).ok()?.at(h).ok()?;
                 Some((product(q, &end.attitude), end.omega))
             }
-            Base::Method(method, parts) => (0..parts)
-                .try_fold(start, |state, _| method.step(&system, &state, h / f64::from(parts)).ok())
-                .map(end),
+            Base::Method(method, _) => method.step(&system, &start, h).ok().map(end),
             Base::Engine(engine) => engine.step(&system, &start, h).ok().map(end),
             Base::PositionStage(_) => {
                 let end = stage.step(q, &(rotation_matrix(q) * omega), h);
                 (end.parts > 0).then(|| (end.attitude, rotation_matrix(&end.attitude).tr_mul(&end.omega)))
             }
-            Base::Straight(spin, _) => {
-                let kept = spin == tumbling_judge::Spin::Kept;
-                let engine = PHYSICS_ENGINES.iter().find(|engine| straight(engine, kept))?;
-                engine.step(&system, &start, h).ok().map(end)
+            Base::Straight(method, _) => {
+                let mut engines = PHYSICS_ENGINES.iter().filter(|engine| engine.limits.straight);
+                engines.find(|engine| engine.method == method)?.step(&system, &start, h).ok().map(end)
             }
             Base::FrozenTensor(first, _) => {
                 let spin = first.conjugate() * (q * Quaternion::from_imag(*omega) * q.conjugate()) * first;
@@ -165,84 +159,97 @@ fn known(base: Base, moments: Vector3<f64>) -> Step {
     })
 }
 
-const OUTSIDE: [&str; 12] = [
-    "Heun, the mean spin turns",
-    "Kutta's third order, the new spin turns",
-    "the exact spin, the new one turns",
-    "two rounds of the midpoint rule",
-    "explicit, energy and momentum put right",
-    "explicit, energy put right",
-    "drag of the square of the speed",
-    "damping about one axis",
-    "friction of one size",
-    "momentum in the world, the old tensor",
-    "every second step without the term",
-    "Adams and Bashforth, the new spin turns",
+/// A step of a rule that the judge does not know.
+struct Unknown<'a> {
+    moments: &'a Vector3<f64>,
+    w: Vector3<f64>,
+    h: f64,
+    /// Of the steps before: how many, the first speed, and the last term.
+    past: &'a mut (u32, f64, Vector3<f64>),
+    /// What turns the body, where that is not the new spin.
+    by: Option<Vector3<f64>>,
+}
+
+/// The spin at its end.
+type Spin = fn(&mut Unknown<'_>) -> Option<Vector3<f64>>;
+
+impl Unknown<'_> {
+    fn f(&self, w: Vector3<f64>) -> Vector3<f64> {
+        rate(self.moments, &w)
+    }
+
+    fn explicit(&self) -> Vector3<f64> {
+        self.w + self.f(self.w) * self.h
+    }
+
+    fn exact(&self) -> Option<Vector3<f64>> {
+        FreeMotion::new((*self.moments).try_into().ok()?, &self.w).ok()?.omega(self.h).ok()
+    }
+
+    fn energy(&self, w: &Vector3<f64>) -> f64 {
+        w.dot(&self.moments.component_mul(w))
+    }
+
+    /// The spin at the end, where the mean of both turns the body.
+    fn by_mean(&mut self, end: Vector3<f64>) -> Option<Vector3<f64>> {
+        self.by = Some((self.w + end) / 2.0);
+        Some(end)
+    }
+}
+
+const OUTSIDE: [(&str, Spin); 12] = [
+    ("Heun, the mean spin turns", |s| s.by_mean(s.w + (s.f(s.w) + s.f(s.explicit())) * (s.h / 2.0))),
+    ("Kutta's third order, the new spin turns", |s| {
+        let a = s.f(s.w);
+        let b = s.f(s.w + a * (s.h / 2.0));
+        Some(s.w + (a + b * 4.0 + s.f(s.w + (b * 2.0 - a) * s.h)) * (s.h / 6.0))
+    }),
+    ("the exact spin, the new one turns", |s| s.exact()),
+    ("two rounds of the midpoint rule", |s| s.by_mean(s.w + s.f((s.w + s.explicit()) / 2.0) * s.h)),
+    ("explicit, energy and momentum put right", |s| {
+        // Two of the squares of the spin's components are solved for, the third is kept.
+        let (mut end, [a, b, c]) = (s.explicit(), (*s.moments).into());
+        let (e, l) = (s.energy(&s.w), s.moments.component_mul(&s.w).norm_squared());
+        let (e, l) = (e - a * end.x * end.x, l - a * a * end.x * end.x);
+        let (y, z) = ((c * e - l) / (b * (c - b)), (l - b * e) / (c * (c - b)));
+        if y > 0.0 && z > 0.0 && y.is_finite() && z.is_finite() {
+            (end.y, end.z) = (y.sqrt().copysign(end.y), z.sqrt().copysign(end.z));
+        }
+        Some(end)
+    }),
+    ("explicit, energy put right", |s| {
+        Some(s.explicit() * (s.energy(&s.w) / s.energy(&s.explicit())).sqrt())
+    }),
+    ("drag of the square of the speed", |s| Some(s.exact()? * (1.0 - 0.02 * s.h * s.w.norm()))),
+    ("damping about one axis", |s| {
+        Some(s.explicit().component_mul(&Vector3::new(1.0 - 0.05 * s.h, 1.0, 1.0)))
+    }),
+    ("friction of one size", |s| {
+        Some(s.explicit() * (1.0 - (0.02 * s.past.1 * s.h / s.explicit().norm()).min(1.0)))
+    }),
+    ("momentum in the world, the old tensor", |s| {
+        s.by = Some(s.w);
+        let after = rotation_matrix(&turn(&(s.w * s.h))).tr_mul(&s.moments.component_mul(&s.w));
+        Some(after.component_div(s.moments))
+    }),
+    (IN_TURN, |s| Some(if s.past.0 % 2 == 1 { s.explicit() } else { s.w })),
+    ("Adams and Bashforth, the new spin turns", |s| Some(s.w + (s.f(s.w) * 1.5 - s.past.2 * 0.5) * s.h)),
 ];
 
+/// Of which two steps are one, of half of the term.
+const IN_TURN: &str = "every second step without the term";
+
 /// A rule that the judge does not know.
-fn outside(name: &'static str, moments: Vector3<f64>) -> Step {
-    let exact =
-        move |w: &Vector3<f64>, h: f64| FreeMotion::new(moments.try_into().ok()?, w).ok()?.omega(h).ok();
-    let start = std::cell::Cell::new(None);
-    let (second, last) = (std::cell::Cell::new(false), std::cell::Cell::new(None));
+fn outside(rule: Spin, moments: Vector3<f64>) -> Step {
+    let past = std::cell::Cell::new((0, 0.0, Vector3::zeros()));
     Box::new(move |(q, w), h| {
-        let f = |w: &Vector3<f64>| rate(&moments, w);
-        let energy = |w: &Vector3<f64>| w.dot(&moments.component_mul(w));
-        let momentum = |w: &Vector3<f64>| moments.component_mul(w).norm_squared();
-        let (mut by, explicit) = (None, w + f(w) * h);
-        let end = match name {
-            "Heun, the mean spin turns" => {
-                let end = w + (f(w) + f(&explicit)) * (h / 2.0);
-                by = Some((w + end) / 2.0);
-                end
-            }
-            "Kutta's third order, the new spin turns" => {
-                let (a, b) = (f(w), f(&(w + f(w) * (h / 2.0))));
-                w + (a + b * 4.0 + f(&(w + (b * 2.0 - a) * h))) * (h / 6.0)
-            }
-            "the exact spin, the new one turns" => exact(w, h)?,
-            "two rounds of the midpoint rule" => {
-                let first = w + f(&((w + w) / 2.0)) * h;
-                let end = w + f(&((w + first) / 2.0)) * h;
-                by = Some((w + end) / 2.0);
-                end
-            }
-            "explicit, energy and momentum put right" => {
-                // Two of the squares of the spin's components are solved for, the third is kept.
-                let (mut end, [a, b, c]) = (explicit, moments.into());
-                let (e, l) = (energy(w) - a * end.x * end.x, momentum(w) - a * a * end.x * end.x);
-                let (y, z) = ((c * e - l) / (b * (c - b)), (l - b * e) / (c * (c - b)));
-                if y > 0.0 && z > 0.0 && y.is_finite() && z.is_finite() {
-                    (end.y, end.z) = (y.sqrt().copysign(end.y), z.sqrt().copysign(end.z));
-                }
-                end
-            }
-            "explicit, energy put right" => explicit * (energy(w) / energy(&explicit)).sqrt(),
-            "drag of the square of the speed" => exact(w, h)? * (1.0 - 0.02 * h * w.norm()),
-            "damping about one axis" => explicit.component_mul(&Vector3::new(1.0 - 0.05 * h, 1.0, 1.0)),
-            "friction of one size" => {
-                let first = start.get().unwrap_or(w.norm());
-                start.set(Some(first));
-                explicit * (1.0 - (0.02 * first * h / explicit.norm()).min(1.0))
-            }
-            "momentum in the world, the old tensor" => {
-                let world = rotation_matrix(q) * moments.component_mul(w);
-                let q = turned(q, w, h);
-                return Some((q, rotation_matrix(&q).tr_mul(&world).component_div(&moments)));
-            }
-            "every second step without the term" => {
-                second.set(!second.get());
-                if second.get() { explicit } else { *w }
-            }
-            // Adams and Bashforth's rule, which remembers the term of the step before.
-            _ => {
-                let now = f(w);
-                let before = last.replace(Some(now)).unwrap_or(now);
-                w + (now * 1.5 - before * 0.5) * h
-            }
-        };
-        Some((turned(q, &by.unwrap_or(end), h), end))
+        let (count, speed, term) = past.get();
+        let now = rate(&moments, w);
+        let mut before = if count == 0 { (1, w.norm(), now) } else { (count + 1, speed, term) };
+        past.set((before.0, before.1, now));
+        let mut step = Unknown { moments: &moments, w: *w, h, past: &mut before, by: None };
+        let end = rule(&mut step)?;
+        Some((turned(q, &step.by.unwrap_or(end), h), end))
     })
 }
 
@@ -292,11 +299,9 @@ const MISTAKEN: [[f64; 3]; 6] =
 /// Whether a rule keeps the spin as it is in the body.
 fn is_still(base: Base) -> bool {
     match base {
-        Base::Straight(spin, _) => spin == tumbling_judge::Spin::Kept,
-        Base::Method(method, _) => method == Method::ConstantSpin,
+        Base::Straight(method, _) | Base::Method(method, _) => method == Method::ConstantSpin,
         Base::Engine(engine) => engine.method == Method::ConstantSpin,
-        Base::MomentumForSpin(_) => true,
-        _ => false,
+        other => matches!(other, Base::MomentumForSpin(_)),
     }
 }
 
@@ -330,8 +335,8 @@ fn base(chance: &mut Chance, first: Quaternion<f64>, moments: &Vector3<f64>) -> 
     match chance.below(12) {
         0 => Base::Exact,
         1 => Base::PositionStage(1),
-        2 => Base::Straight(chance.of(&[tumbling_judge::Spin::Kept, tumbling_judge::Spin::Explicit]), 1),
-        3 if chance.below(2) == 0 => Base::FrozenTensor(first, tumbling_judge::Steps::First),
+        2 => Base::Straight(chance.of(&[Method::ConstantSpin, Method::SemiImplicitEuler]), 1),
+        3 if chance.below(2) == 0 => Base::FrozenTensor(first, Steps::First),
         3 => Base::MomentumForSpin(moments.sum() / 3.0),
         4..=7 => Base::Engine(chance.of(PHYSICS_ENGINES)),
         _ => Base::Method(chance.of(Method::ALL), 1),
@@ -340,19 +345,21 @@ fn base(chance: &mut Chance, first: Quaternion<f64>, moments: &Vector3<f64>) -> 
 
 impl Invented {
     /// The record of a seed: of a rule that the judge knows, or of one that it does not.
-    pub fn of(seed: u64, is_known: bool) -> Self {
+    fn of(seed: u64, is_known: bool) -> Self {
         let mut chance = Chance(seed.wrapping_mul(2) + u64::from(is_known));
         let mut named = body(&mut chance);
         let first = if chance.below(2) == 0 { Quaternion::identity() } else { turn(&chance.vector()) };
         let h = chance.of(&[1.0 / 30.0, 1.0 / 60.0, 1.0 / 120.0, 1.0 / 240.0, 0.01, 0.005, 1e-3]);
-        let truth = match is_known {
-            true => Truth::Known(base(&mut chance, first, &named)),
-            false => Truth::Outside(chance.of(&OUTSIDE)),
+        let truth = if is_known {
+            Truth::Known(base(&mut chance, first, &named))
+        } else {
+            let (name, rule) = chance.of(&OUTSIDE);
+            Truth::Outside(name, rule)
         };
         let layout = chance.of(&[Layout::Both, Layout::Both, Layout::World, Layout::Spin, Layout::Attitude]);
         let fault = match truth {
             Truth::Known(base) => fault(&mut chance, base, layout),
-            Truth::Outside(_) => Fault::None,
+            Truth::Outside(..) => Fault::None,
         };
         let moments = if let Fault::Other(moments, _) = fault {
             // The named ones are some ten or twenty per cent off, and those of a body.
@@ -367,7 +374,7 @@ impl Invented {
         };
         let step = match truth {
             Truth::Known(base) => altered(known(base, moments), fault),
-            Truth::Outside(name) => outside(name, moments),
+            Truth::Outside(_, rule) => outside(rule, moments),
         };
         let digits = match chance.below(10) {
             0..=3 => Digits::Double,
@@ -376,8 +383,7 @@ impl Invented {
             _ => Digits::Decimal(chance.of(&[5, 6, 7, 9, 11])),
         };
         let alone = fault == Fault::None;
-        // Two steps in turn are one, of half of the term.
-        let in_turn = truth == Truth::Outside("every second step without the term");
+        let in_turn = matches!(truth, Truth::Outside(IN_TURN, _));
         let every = if alone && !in_turn && chance.below(3) == 0 { chance.of(&[2, 3, 4, 5, 10]) } else { 1 };
         let speed = chance.between(0.02, 0.7) / h;
         let mut spin = chance.vector();
@@ -458,55 +464,41 @@ impl Invented {
         let between = h * f64::from(self.every) * if self.fault == Fault::Interpolated { 0.4 } else { 1.0 };
         let short = self.every == 1 && h >= 0.01 && self.fault != Fault::Interpolated && chance.below(6) == 0;
         let [x, y, z] = (*moments).into();
-        let text = &mut self.text;
-        let _ = writeln!(text, "# inertia: {x:e} {y:e} {z:e}");
+        self.text = format!("# inertia: {x:e} {y:e} {z:e}\n");
         if self.every > 1 && chance.below(2) == 0 {
-            let _ = writeln!(text, "# dt: {h:e}");
+            self.text += &format!("# dt: {h:e}\n");
         }
-        let names = match self.layout {
-            Layout::Both => "t,qw,qx,qy,qz,wx,wy,wz",
-            Layout::World => "t,qw,qx,qy,qz,wxw,wyw,wzw",
-            Layout::Spin => "t,wx,wy,wz",
-            Layout::Attitude => "t,qw,qx,qy,qz",
+        // The columns of an attitude, and those of a spin.
+        let (names, places) = match self.layout {
+            Layout::Both => ("t,qw,qx,qy,qz,wx,wy,wz", 0..7),
+            Layout::World => ("t,qw,qx,qy,qz,wxw,wyw,wzw", 0..7),
+            Layout::Spin => ("t,wx,wy,wz", 4..7),
+            Layout::Attitude => ("t,qw,qx,qy,qz", 0..4),
         };
-        let _ = writeln!(text, "{names}");
+        let decimals = match digits {
+            Digits::Double => 16,
+            Digits::Single | Digits::Converted => 8,
+            Digits::Decimal(digits) => digits - 1,
+        };
+        self.text += names;
         for (i, (q, w)) in rows.iter().enumerate() {
             let t = i as f64 * between;
-            let _ = if short { write!(text, "{t:.2}") } else { write!(text, "{t:e}") };
+            self.text += &if short { format!("\n{t:.2}") } else { format!("\n{t:e}") };
             let world = rotation_matrix(q) * w / q.norm_squared();
-            let vector = if self.layout == Layout::World { world } else { *w };
-            let quaternion = [q.w, q.i, q.j, q.k];
-            let (a, b) = match self.layout {
-                Layout::Spin => (&[][..], vector.as_slice()),
-                Layout::Attitude => (&quaternion[..], &[][..]),
-                _ => (&quaternion[..], vector.as_slice()),
-            };
-            for &x in a.iter().chain(b) {
-                let places = match digits {
-                    Digits::Double => 16,
-                    Digits::Single | Digits::Converted => 8,
-                    Digits::Decimal(places) => places - 1,
-                };
-                let _ = write!(text, ",{x:.places$e}");
+            let v = if self.layout == Layout::World { world } else { *w };
+            for x in &[q.w, q.i, q.j, q.k, v.x, v.y, v.z][places.clone()] {
+                self.text += &format!(",{x:.decimals$e}");
             }
-            text.push('\n');
         }
+        self.text.push('\n');
         let rule = match self.truth {
             Truth::Known(base) => base.name(),
-            Truth::Outside(name) => name.into(),
-        };
-        let digits = match digits {
-            Digits::Double => "double".to_owned(),
-            Digits::Single => "single".into(),
-            Digits::Converted => "single, turned in double".into(),
-            Digits::Decimal(digits) => format!("{digits} digits"),
+            Truth::Outside(name, _) => name.into(),
         };
         let step = if short { " (two decimals)" } else { "" };
-        let speed = rows.first().map_or(0.0, |row| row.1.norm());
-        self.what = format!(
-            "{rule}; {:?}; {names}; {digits}; every {}; h {h:.5}{step}; |w| {speed:.2}",
-            self.fault, self.every
-        );
+        let (fault, every, speed) = (self.fault, self.every, rows.first().map_or(0.0, |row| row.1.norm()));
+        self.what =
+            format!("{rule}; {fault:?}; {names}; {digits:?}; every {every}; h {h:.5}{step}; |w| {speed:.2}");
     }
 
     /// Whether a rule is the one that made it.
@@ -534,13 +526,7 @@ impl Invented {
 
     fn is_base(&self, base: Base, rule: &Rule) -> bool {
         let plain = match base {
-            Base::Engine(engine) if engine.limits.straight => {
-                let kept = engine.method == Method::ConstantSpin;
-                Base::Straight(
-                    if kept { tumbling_judge::Spin::Kept } else { tumbling_judge::Spin::Explicit },
-                    engine.parts,
-                )
-            }
+            Base::Engine(engine) if engine.limits.straight => Base::Straight(engine.method, engine.parts),
             Base::Engine(engine) => Base::Method(engine.method, engine.parts),
             other => other,
         };
@@ -553,7 +539,7 @@ impl Invented {
             (_, Base::Engine(found)) => matches!(plain, Base::Method(m, _) if m == found.method),
             (Base::Exact, Base::Exact) | (Base::FrozenTensor(..), Base::FrozenTensor(..)) => true,
             (Base::MomentumForSpin(_), Base::MomentumForSpin(_)) => true,
-            (Base::Method(Method::ConstantSpin, _), Base::Method(Method::ConstantSpin, _)) => true,
+            (Base::Method(..), Base::Method(..)) if is_still(plain) && is_still(rule.base) => true,
             (Base::Method(a, parts), Base::Method(b, found)) => {
                 self.spins_alike(a) == self.spins_alike(b) && found == parts * every
             }
@@ -573,12 +559,12 @@ impl Invented {
     }
 
     /// What the judge made of it.
-    pub fn named(&self, verdict: &Verdict) -> Named {
+    fn named(&self, verdict: &Verdict) -> Named {
         let Some(found) = &verdict.diagnosis else { return Named::Not };
         let all = || std::iter::once(&found.best.rule).chain(&found.alike);
         let (first, any) = (found.leading.iter().any(|x| self.is(x)), all().any(|x| self.is(x)));
-        // A spin alone cannot distinguish the wrong sign from the other hand: both are offered.
-        let mirrored = self.fault == Fault::Term(-1.0)
+        // A spin alone leaves wrong sign, other moments and the other hand open: all are offered.
+        let mirrored = matches!(self.fault, Fault::Term(-1.0) | Fault::Other(..))
             && verdict.file_mistakes.contains(&FileMistake::LeftHandedSpin)
             && verdict.to_string().contains("wrong sign");
         let sure = found.confidence.names_a_rule();
@@ -604,30 +590,46 @@ impl Invented {
 
     /// What is made of a rule that the judge does not know.
     fn outside(&self, found: &Diagnosis) -> Named {
-        match found.confidence.names_a_rule() && !found.is_exact() {
-            true => Named::Wrongly,
-            false => Named::Not,
-        }
-    }
-
-    pub fn judged(&self) -> Result<Verdict, tumbling_judge::Error> {
-        judge(self.text.as_bytes(), &Options::default())
+        if found.confidence.names_a_rule() && !found.is_exact() { Named::Wrongly } else { Named::Not }
     }
 }
 
+/// Judges the records of this many seeds, and writes which are not named, or wrongly, or praised beside a
+/// failure; a single one in full. How many are named rightly, among equals, not and wrongly, and how many are
+/// praised and refused (an attitude that turns too far from row to row).
+pub fn counted(first: u64, count: u64, is_known: bool, out: &mut impl io::Write) -> io::Result<[u64; 6]> {
+    let mut counts = [0; 6];
+    for seed in first..first.saturating_add(count) {
+        let record = Invented::of(seed, is_known);
+        let Ok(verdict) = judge(record.text.as_bytes(), &Options::default()) else {
+            counts[5] += 1;
+            continue;
+        };
+        let (named, praise) = (record.named(&verdict), praise(&verdict));
+        counts[named as usize] += 1;
+        counts[4] += u64::from(praise.is_some());
+        if count == 1 {
+            writeln!(out, "{}\n{}\n{named:?}\n{verdict}", record.text, record.what)?;
+        } else if named == Named::Wrongly || named == Named::Not && is_known || praise.is_some() {
+            writeln!(out, "{seed} {named:?} {praise:?}: {}", record.what)?;
+            let found =
+                verdict.diagnosis.map(|found| (found.confidence, found.best.rule.name(), found.alike.len()));
+            writeln!(out, "    {found:?}")?;
+        }
+    }
+    Ok(counts)
+}
+
 /// Words of praise in the verdict on a record that fails, and not for its file or for jumps.
-pub fn praise(verdict: &Verdict) -> Option<&'static str> {
+fn praise(verdict: &Verdict) -> Option<&'static str> {
     let jumps = verdict.diagnosis.as_ref().is_some_and(|found: &Diagnosis| !found.jumps.is_empty());
     let of_file = !verdict.file_mistakes.is_empty() || !verdict.resets.is_empty();
     if verdict.outcome != Outcome::Failed || jumps || of_file {
         return None;
     }
     let text = verdict.to_string().to_lowercase();
-    let words = ["accurate", "is: the exact motion", "is that of: the exact motion", "nothing to do"];
-    let more = ["good method", "conserves what it should"];
-    let made = "every step is made by: the exact motion";
-    words.into_iter().chain(more).chain([made]).find(|words| text.contains(words)).or_else(|| {
-        let accurate = verdict.diagnosis.as_ref().map(|found| found.confidence) == Some(Confidence::Accurate);
-        accurate.then_some("accurate")
-    })
+    let accurate = verdict.diagnosis.as_ref().map(|found| found.confidence) == Some(Confidence::Accurate);
+    let words = "accurate|is: the exact motion|is that of: the exact motion|nothing to do|good method|\
+                 conserves what it should|every step is made by: the exact motion";
+    words.split('|').find(|words| text.contains(words)).or(accurate.then_some("accurate"))
 }

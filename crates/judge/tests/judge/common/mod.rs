@@ -4,7 +4,6 @@ pub mod invented;
 pub mod record;
 
 use nalgebra::{Quaternion, Vector3};
-use std::fmt::Write as _;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, State, System};
 use tumbling_judge::{Options, Verdict, judge};
@@ -56,10 +55,20 @@ fn number(x: f64) -> String {
 }
 
 pub fn csv(rows: &[Row]) -> String {
-    let mut text = String::from("# inertia: 1 2 2.5 kg m2\nt,qw,qx,qy,qz,wx,wy,wz\n");
+    written("# inertia: 1 2 2.5 kg m2", rows, number, number)
+}
+
+/// Rows below a header, times and the other numbers written so.
+pub fn written(
+    header: &str,
+    rows: &[Row],
+    time: impl Fn(f64) -> String,
+    number: impl Fn(f64) -> String,
+) -> String {
+    let mut text = format!("{header}\nt,qw,qx,qy,qz,wx,wy,wz\n");
     for (t, q, w) in rows {
-        let numbers = [*t, q.w, q.i, q.j, q.k, w.x, w.y, w.z].map(number);
-        let _ = writeln!(text, "{}", numbers.join(","));
+        let numbers = [q.w, q.i, q.j, q.k, w.x, w.y, w.z].map(&number);
+        text += &format!("{},{}\n", time(*t), numbers.join(","));
     }
     text
 }
