@@ -153,7 +153,8 @@ globalThis.tumblingLive ??= (() => {
         } catch (why) {
             box.classList.remove("live-on");
             // Not what stands there without scripts: that tells the reader to use them.
-            box.querySelector(".live-still").textContent = `This part could not be loaded (${why.message}). Load the page again; the rest of it does without.`;
+            const advice = globalThis.DecompressionStream && globalThis.WebAssembly ? "Load the page again" : "It needs a newer browser";
+            box.querySelector(".live-still").textContent = `This part could not be loaded (${why.message}). ${advice}; the rest of the page does without.`;
             box.dataset.state = `failed: ${why.message}`;
         }
     }
