@@ -61,7 +61,7 @@ pub const PHYSICS_ENGINES: &[PhysicsEngine] = engines! {
     "PhysX", Some("2.7.3 (physx-js-webidl)"), "gyroscopic forces on": Rescaled in 1, NONE, Some("physx-js-webidl-2.7.3-gyroscopic"), "2026-11-24", None, "recorded from the package physx-js-webidl of npm, eENABLE_GYROSCOPIC_FORCES set";
     "SAPIEN", Some("3.0.3"), "default": Rescaled in 1, NONE, Some("sapien-3.0.3"), "2026-11-24", None, "recorded from the Python package sapien, which has PhysX with its flag on";
     "Box3D", None, "four substeps": ImplicitOneNewton in 4, NONE, None, "2026-11-22", None, "erincatto/box3d at 04ce9fb9, src/solver.c: b3IntegrateVelocitiesTask";
-    "PhysX, Unity", Some("2.7.3 (physx-js-webidl)"), "gyroscopic forces off (default)": ConstantSpin in 1, NONE, Some("physx-js-webidl-2.7.3"), "2026-11-24", Some("PxRigidBodyFlag::eENABLE_GYROSCOPIC_FORCES"), "recorded from the package physx-js-webidl of npm";
+    "PhysX, Unity", Some("2.7.3 (physx-js-webidl)"), "gyroscopic forces off (default)": ConstantSpin in 1, NONE, Some("physx-js-webidl-2.7.3"), "2026-11-24", Some("in PhysX PxRigidBodyFlag::eENABLE_GYROSCOPIC_FORCES"), "recorded from the package physx-js-webidl of npm";
     "Godot Physics", None, "default": ConstantSpin in 1, NONE, None, "2026-11-21", None, "godotengine/godot, modules/godot_physics_3d/godot_body_3d.cpp: no gyroscopic term";
     "Havok", Some("1.3.14 (@babylonjs/havok)"), "default": ConstantSpin in 1, NONE, Some("babylonjs-havok-1.3.14"), "2026-11-24", None, "recorded from the package @babylonjs/havok of npm";
     "ammo.js", Some("1.1.0 (ammojs-typed)"), "default": ConstantSpin in 1, NONE, Some("ammojs-typed-1.1.0"), "2026-11-24", None, "recorded from the package ammojs-typed of npm";
