@@ -149,14 +149,27 @@ fn a_body_of_any_shape_fills_the_height_or_the_width_that_it_has() {
     }
 }
 
-/// Where each thing of a drawing but its clock begins, and its look: rounding decides what a path drops.
-fn timeless(svg: &str) -> Vec<String> {
-    let begins = |line: &str| {
-        let path = line.strip_prefix("<path d=\"")?;
-        Some(format!("{} {}", path.split('l').next()?, path.split_once('"')?.1))
+/// Of each thing of a drawing but its clock: its look, and of a path the box around it, since rounding decides
+/// which points a path drops.
+fn timeless(svg: &str) -> Vec<(String, [f64; 4])> {
+    let path = |line: &str| {
+        let (points, look) = line.strip_prefix("<path d=\"")?.split_once('"')?;
+        let (mut at, mut around) = ([0.0; 2], [f64::INFINITY, f64::INFINITY, -f64::INFINITY, -f64::INFINITY]);
+        for step in numbers(points).chunks_exact(2) {
+            at = [at[0] + step[0], at[1] + step[1]];
+            around = [around[0].min(at[0]), around[1].min(at[1]), around[2].max(at[0]), around[3].max(at[1])];
+        }
+        Some((look.to_string(), around))
     };
     let lines = svg.lines().filter(|line| !line.contains(">t = "));
-    lines.map(|line| begins(line).unwrap_or_else(|| line.into())).collect()
+    lines.map(|line| path(line).unwrap_or_else(|| (line.into(), [0.0; 4]))).collect()
+}
+
+/// Whether two drawings look alike, to a few tenths of a pixel.
+fn alike(one: &str, other: &str) -> bool {
+    let (one, other) = (timeless(one), timeless(other));
+    let near = |a: [f64; 4], b: [f64; 4]| a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 3.0);
+    one.len() == other.len() && one.iter().zip(other).all(|(a, b)| a.0 == b.0 && near(a.1, b.1))
 }
 
 #[test]
@@ -166,8 +179,8 @@ fn a_film_that_closes_starts_again_with_its_first_drawing() {
             let model = BodyModel::load(body).unwrap();
             let film = Film::new(&model, &Request { camera, axis, ..Request::default() }).unwrap();
             let (first, again) = (film.frame(0.0).unwrap(), film.frame(1.0).unwrap());
-            assert_eq!(timeless(&first), timeless(&again), "{body} {axis:?} {camera:?}");
-            assert_ne!(timeless(&first), timeless(&film.frame(0.5).unwrap()), "{body} {axis:?} {camera:?}");
+            assert!(alike(&first, &again), "{body} {axis:?} {camera:?}");
+            assert!(!alike(&first, &film.frame(0.5).unwrap()), "{body} {axis:?} {camera:?}");
             assert!(film.explained().unwrap().contains("without a seam"), "{}", film.explained().unwrap());
         }
     }
@@ -195,7 +208,7 @@ fn bodies_with_equal_moments_and_steady_spins_are_filmed_too() {
         for axis in Axis::ALL {
             let film = Film::new(&model(body), &Request { axis, push, ..Request::default() }).unwrap();
             let (first, again) = (film.frame(0.0).unwrap(), film.frame(1.0).unwrap());
-            assert_eq!(timeless(&first), timeless(&again), "{body} {axis:?}");
+            assert!(alike(&first, &again), "{body} {axis:?}");
             assert!(!first.contains("NaN"), "{body} {axis:?}");
             if let Some(turns) = turns {
                 assert!((film.shows() * turns - 1.0).abs() < 1e-9, "{body} {axis:?}: {} s", film.shows());

@@ -232,7 +232,7 @@ pub(crate) const CLOSELY_SINGLE: [f64; 2] = [4.0, 64.0];
 /// explains: rules of one order differ by a tenth of their errors and more, but for chance; and where numbers
 /// of the rule are fitted to the record.
 pub(crate) const ERROR_ABOVE: [f64; 2] = [32.0, 1e3];
-/// The same of the spin alone, which a turn of its own leaves open.
+/// That of the spin alone, where the record's attitude goes by another rule.
 pub(crate) const SPIN_ABOVE: f64 = 4.0;
 /// How far from the best, as factors, rules still explain a record alike: half of the steps, and 95 in 100.
 pub(crate) const ALIKE: [f64; 2] = [2.0, 4.0];

@@ -142,7 +142,7 @@ impl Subject {
             Alteration::Damped { factor, when: When::Turned, .. } => {
                 base(from, h).map(|(q, omega)| (q, omega * factor))
             }
-            // The spin's own equation has no other term: one so many times as strong acts so much longer.
+            // The spin's own equation has no other term: a multiple of it acts for that multiple of the time.
             Alteration::Term(times) => Some(with(base(from, h * times)?.1)),
             Alteration::Turned(_) => Some((turned(&start, &from.omega, h), base(from, h)?.1)),
             Alteration::Capped(most) => {

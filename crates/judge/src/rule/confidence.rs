@@ -89,7 +89,7 @@ pub(super) fn confidence_in(
     } else if closely && best.fits(floor) {
         Confidence::ToRounding
     } else if closely && is_most(subject, pairs, &best.rule, floor) {
-        // Of so many rules any may fit a few digits.
+        // Among many rules, one may fit a few digits by chance.
         let many = floor.few && (is_exact || ranked.alike.len() > RULES_NAMED);
         if many { Confidence::FewDigits } else { Confidence::MostSteps }
     } else if best.median < NEAR && !is_exact && ratio >= NEAR_RATIO && much(ERROR_ABOVE[1]) {

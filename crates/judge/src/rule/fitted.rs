@@ -20,7 +20,8 @@ pub(crate) fn momentum_for_spin(subject: &Subject, pairs: &[Pair]) -> Option<Rul
     (mass.is_finite() && mass > 0.0).then_some(Rule::plain(Base::MomentumForSpin(mass)))
 }
 
-/// This number of steps, from all of them, not each so many rows apart: steps may be of two kinds in turn.
+/// This number of steps, spread unevenly over all: of steps of two alternating kinds, every Nth would be of
+/// one kind.
 pub(super) fn some(pairs: &[Pair], count: usize) -> Vec<Pair> {
     let place = |i: usize| i * count.min(pairs.len()) / pairs.len();
     (0..pairs.len()).filter(|&i| place(i) != place(i + 1)).map(|i| pairs[i]).collect()

@@ -52,8 +52,8 @@ pub fn bound(moments: &Vector3<Interval>, omega: &Vector3<Interval>, t: Interval
 /// By which share of itself each number of [`bound_of_all`] may differ.
 pub const SHARE: f64 = 1e-12;
 
-/// The same for all bodies and spins that differ from these by that [`SHARE`] at most in each number, at all
-/// times from 0 to so many times that between the flips of these.
+/// [`bound`] for all bodies and spins that differ from these by [`SHARE`] at most in each number, at all
+/// times from 0 to `flips` times the time between flips of the body given.
 ///
 /// # Errors
 /// As [`bound`].

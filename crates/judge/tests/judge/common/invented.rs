@@ -52,7 +52,7 @@ enum Fault {
     Damped(f64, When),
     Term(f64),
     Turned(Turn),
-    /// Of the body with these moments, about axes turned by so many degrees from the record's.
+    /// Of the body with these moments, about axes turned from the record's by this angle in degrees.
     Other(Vector3<f64>, f64),
     Hits(usize),
     Rest,
