@@ -149,8 +149,8 @@ fn a_body_of_any_shape_fills_the_height_or_the_width_that_it_has() {
     }
 }
 
-/// Of each thing of a drawing but its clock: its look, and of a path the box around it, since rounding decides
-/// which points a path drops.
+/// Of each thing of a drawing but its clock: its look, and of a path the box around it, since rounding
+/// decides which points a path drops.
 fn timeless(svg: &str) -> Vec<(String, [f64; 4])> {
     let path = |line: &str| {
         let (points, look) = line.strip_prefix("<path d=\"")?.split_once('"')?;
