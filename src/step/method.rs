@@ -19,7 +19,7 @@ use nalgebra::Vector3;
 /// torques, [`Gauss6`](Self::Gauss6); for an error tolerance instead of a step,
 /// [`Stepper::adaptive`](crate::step::Stepper::adaptive). Free motion needs no steps: see
 /// [`exact`](crate::exact). The rules of physics engines, from [`ConstantSpin`](Self::ConstantSpin) on, are
-/// here to be compared with.
+/// here to be compared with; which engine goes by which says `PHYSICS_ENGINES` of the crate `tumbling-judge`.
 ///
 /// [Order](crate::step::MethodInfo::order) and conserved quantities are those of free motion. Under a torque,
 /// the methods that apply it as half kicks before and after the free step (Buss, SPIRAL, rotation splitting,
@@ -66,35 +66,31 @@ pub enum Method {
     MoserVeselov8,
     /// Moser and Veselov's algorithm with the moments preprocessed to order 10.
     MoserVeselov10,
-    /// No gyroscopic term: the spin is carried unchanged in the world and turns the attitude. PhysX and with
-    /// it Unity by default, Jolt with its flag off, Godot Physics, Brax. Energy and `|L|` stay, but the spin
-    /// never flips or precesses, and the momentum wanders in the world with the body; at any step, so that
-    /// its order is 0.
+    /// No gyroscopic term: the spin is carried unchanged in the world and turns the attitude. Energy and
+    /// `|L|` stay, but the spin never flips or precesses, and the momentum wanders in the world with the body;
+    /// at any step, so that its order is 0.
     ConstantSpin,
-    /// An explicit gyroscopic step of the momentum, then a turn by the new spin: MuJoCo's Euler, Bullet's
-    /// multibody. It gains energy, in time without bound: a stable spin is lost.
+    /// An explicit gyroscopic step of the momentum, then a turn by the new spin. It gains energy, in time
+    /// without bound: a stable spin is lost.
     SemiImplicitEuler,
-    /// An explicit gyroscopic step, with the momentum brought back to its length before the turn: Jolt with
-    /// its flag on, Avian. It keeps `|L|` and turns a body that spins stably about its largest moment toward
-    /// the middle one.
+    /// An explicit gyroscopic step, with the momentum brought back to its length before the turn. It keeps
+    /// `|L|` and turns a body that spins stably about its largest moment toward the middle one.
     Rescaled,
-    /// [`Rescaled`](Self::Rescaled), with the attitude moved straight along its rate and normalised: Rapier,
-    /// in four parts a step.
+    /// [`Rescaled`](Self::Rescaled), with the attitude moved straight along its rate and normalised.
     RescaledLinearAttitude,
     /// One Newton step of implicit Euler for the gyroscopic term, the torques applied apart from it
-    /// [Cat15](crate::references): Bullet's rigid body, Box3D. It takes energy and momentum from most bodies
-    /// that tumble; of a step that turns by a radian or more it can multiply the energy.
+    /// [Cat15](crate::references). It takes energy and momentum from most bodies that tumble; a step that
+    /// turns by a radian or more can multiply the energy.
     ImplicitOneNewton,
     /// Implicit Euler linearised at the start, with the torques inside and of them the derivative of the
-    /// damping: MuJoCo's implicit and implicitfast. For a free body the same as
-    /// [`ImplicitOneNewton`](Self::ImplicitOneNewton).
+    /// damping. For a free body the same as [`ImplicitOneNewton`](Self::ImplicitOneNewton).
     LinearisedImplicit,
-    /// Runge-Kutta 4 for the spin, one turn by the mean of its four spins: MuJoCo's former RK4. The spin is
-    /// right to the fourth order, the attitude to the second.
+    /// Runge-Kutta 4 for the spin, one turn by the mean of its four spins. The spin is right to the fourth
+    /// order, the attitude to the second.
     MeanSpinRungeKutta4,
     /// Runge-Kutta 4 with each of the four spins corrected to the rate of the turn since the step's start, as
-    /// [MK98](crate::references): MuJoCo's RK4. Unlike [`MuntheKaas4`](Self::MuntheKaas4) it steps the
-    /// momentum in body axes.
+    /// [MK98](crate::references). Unlike [`MuntheKaas4`](Self::MuntheKaas4) it steps the momentum in body
+    /// axes.
     TurnedRungeKutta4,
 }
 

@@ -9,6 +9,7 @@ use std::f64::consts::TAU;
 use tumbling::PrincipalMoments;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, PositionStage, State, System};
+use tumbling_judge::PHYSICS_ENGINES;
 
 /// How long the body is followed, turns.
 const TURNS: u32 = 10;
@@ -23,20 +24,24 @@ const ANGLE: f64 = 0.1;
 /// More frames a turn are not tried.
 const MOST: u32 = 4096;
 
-/// A rule, and where it is at work.
-enum Rule {
-    Method(Method),
-    PositionStage,
-}
-
-const RULES: [(&str, Rule); 6] = [
-    ("constant spin (PhysX, Unity, Godot)", Rule::Method(Method::ConstantSpin)),
-    ("semi-implicit Euler (MuJoCo’s Euler, Bullet’s multibody)", Rule::Method(Method::SemiImplicitEuler)),
-    ("the same, rescaled (Jolt, Avian)", Rule::Method(Method::Rescaled)),
-    ("one Newton step (Bullet’s rigid body, Box3D)", Rule::Method(Method::ImplicitOneNewton)),
-    ("Runge-Kutta 4", Rule::Method(Method::RungeKutta4)),
-    ("the position stage of this library", Rule::PositionStage),
+/// Methods of the library; none is its position stage.
+const RULES: [(&str, Option<Method>); 6] = [
+    ("constant spin", Some(Method::ConstantSpin)),
+    ("semi-implicit Euler", Some(Method::SemiImplicitEuler)),
+    ("the same, rescaled", Some(Method::Rescaled)),
+    ("one Newton step", Some(Method::ImplicitOneNewton)),
+    ("Runge-Kutta 4", Some(Method::RungeKutta4)),
+    ("the position stage of this library", None),
 ];
+
+/// Some engines that go by a method in one of their settings.
+fn engines(method: Method) -> String {
+    let rows = PHYSICS_ENGINES.iter().filter(|engine| engine.method == method);
+    let mut names: Vec<_> = rows.map(|engine| engine.name).collect();
+    names.dedup();
+    names.truncate(3);
+    if names.is_empty() { String::new() } else { format!(" ({})", names.join(", ")) }
+}
 
 /// Errors over the run.
 #[derive(Debug, Clone, Copy, Default)]
@@ -58,7 +63,7 @@ fn start(subject: &Subject<'_>) -> Vector3<f64> {
 }
 
 /// None where the rule breaks down.
-fn run(rule: &Rule, subject: &Subject<'_>, frames: u32) -> Result<Option<Errors>, Box<dyn Error>> {
+fn run(rule: Option<Method>, subject: &Subject<'_>, frames: u32) -> Result<Option<Errors>, Box<dyn Error>> {
     // In units of the largest moment and of the spin: errors know of neither, and none overflows.
     let moments = subject.moments.vector();
     let moments = PrincipalMoments::try_from(moments / moments.z)?;
@@ -73,11 +78,11 @@ fn run(rule: &Rule, subject: &Subject<'_>, frames: u32) -> Result<Option<Errors>
     let mut spin = omega; // in world axes
     for _ in 0..TURNS * frames {
         match rule {
-            Rule::Method(method) => match method.step(&system, &state, h) {
+            Some(method) => match method.step(&system, &state, h) {
                 Ok(next) => state = next,
                 Err(_) => return Ok(None),
             },
-            Rule::PositionStage => {
+            None => {
                 let end = stage.step(&state.attitude, &spin, h);
                 spin = end.omega;
                 let in_body = UnitQuaternion::new_normalize(end.attitude).inverse() * spin;
@@ -99,16 +104,12 @@ fn run(rule: &Rule, subject: &Subject<'_>, frames: u32) -> Result<Option<Errors>
 
 /// The fewest frames a turn, of 4, 6, 8, 12, 16, ..., that keep energy, momentum and attitude; none up to
 /// [`MOST`].
-fn needed(rule: &Rule, subject: &Subject<'_>) -> Result<Option<u32>, Box<dyn Error>> {
-    let mut frames = 4;
-    while frames <= MOST {
-        for each in [frames, frames + frames / 2].into_iter().filter(|&each| each <= MOST) {
-            let errors = run(rule, subject, each)?;
-            if errors.is_some_and(|e| e.energy.max(e.momentum) <= ALLOWED && e.attitude <= ANGLE) {
-                return Ok(Some(each));
-            }
+fn needed(rule: Option<Method>, subject: &Subject<'_>) -> Result<Option<u32>, Box<dyn Error>> {
+    for frames in (2..12).flat_map(|k| [1 << k, 3 << (k - 1)]).chain([MOST]) {
+        let errors = run(rule, subject, frames)?;
+        if errors.is_some_and(|e| e.energy.max(e.momentum) <= ALLOWED && e.attitude <= ANGLE) {
+            return Ok(Some(frames));
         }
-        frames *= 2;
     }
     Ok(None)
 }
@@ -135,7 +136,7 @@ pub(super) fn section(subject: &Subject<'_>) -> Result<String, Box<dyn Error>> {
         },
         ANGLE.to_degrees()
     );
-    for (name, rule) in &RULES {
+    for (name, rule) in RULES {
         let cells = match run(rule, subject, FRAMES)? {
             Some(errors) => {
                 let needed = needed(rule, subject)?;
@@ -145,7 +146,7 @@ pub(super) fn section(subject: &Subject<'_>) -> Result<String, Box<dyn Error>> {
             }
             None => ["breaks down", "breaks down", "", ""].map(String::from),
         };
-        out += &row(name, &cells);
+        out += &row(&format!("{name}{}", rule.map_or_else(String::new, engines)), &cells);
     }
     out += "</table>\n</section>\n";
     Ok(out)
@@ -174,13 +175,13 @@ mod tests {
     fn the_position_stage_keeps_both_laws_and_a_constant_spin_does_not() {
         let phone = BodyModel::load("phone").unwrap();
         let subject = Subject::new(&phone).unwrap();
-        let errors = |rule: &Rule| run(rule, &subject, FRAMES).unwrap().unwrap();
-        let stage = errors(&Rule::PositionStage);
+        let errors = |rule: Option<Method>| run(rule, &subject, FRAMES).unwrap().unwrap();
+        let stage = errors(None);
         assert!(stage.energy < 1e-12 && stage.momentum < 1e-12, "{stage:?}");
-        let constant = errors(&Rule::Method(Method::ConstantSpin));
+        let constant = errors(Some(Method::ConstantSpin));
         assert!(constant.energy < 1e-12 && constant.momentum > 0.01, "{constant:?}");
         // A method of order 4: with twice the frames the attitude is near 16 times better.
-        let fourth = |frames| run(&Rule::Method(Method::RungeKutta4), &subject, frames).unwrap().unwrap();
+        let fourth = |frames| run(Some(Method::RungeKutta4), &subject, frames).unwrap().unwrap();
         let gain = fourth(240).attitude / fourth(480).attitude;
         assert!((12.0..20.0).contains(&gain), "{gain}");
     }
