@@ -67,8 +67,8 @@ pub enum Method {
     /// Moser and Veselov's algorithm with the moments preprocessed to order 10.
     MoserVeselov10,
     /// No gyroscopic term: the spin is carried unchanged in the world and turns the attitude. Energy and
-    /// `|L|` stay, but the spin never flips or precesses, and the momentum wanders in the world with the body;
-    /// at any step, so that its order is 0.
+    /// `|L|` stay, but the spin never flips or precesses, and the momentum wanders in the world with the
+    /// body; at any step, so that its order is 0.
     ConstantSpin,
     /// An explicit gyroscopic step of the momentum, then a turn by the new spin. It gains energy, in time
     /// without bound: a stable spin is lost.
