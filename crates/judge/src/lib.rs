@@ -10,6 +10,7 @@
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 #![recursion_limit = "256"]
 
+mod compared;
 mod error;
 mod gyroscope;
 mod judge;
@@ -24,6 +25,7 @@ mod rule;
 mod thresholds;
 mod verdict;
 
+pub use compared::{Comparison, Motion, Off, compare};
 pub use error::Error;
 pub use gyroscope::{FittedInertia, fit_inertia};
 pub use judge::judge;

@@ -3,10 +3,10 @@
 use clap::Parser;
 use nalgebra::Vector3;
 use std::fs::File;
-use std::io::{BufReader, ErrorKind, Write as _};
+use std::io::{BufRead, BufReader, ErrorKind, Write as _};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use tumbling_judge::{Error, LawName, Options, Outcome, Verdict, judge};
+use tumbling_judge::{Error, LawName, Motion, Options, Outcome, compare, judge};
 
 /// Judges an engine by its record of a free body
 #[derive(Debug, Parser)]
@@ -14,6 +14,9 @@ use tumbling_judge::{Error, LawName, Options, Outcome, Verdict, judge};
 struct Arguments {
     /// The record, comma-separated values; - for the standard input
     file: PathBuf,
+    /// More records of the same object, described otherwise: are all one motion?
+    #[arg(conflicts_with_all = ["threshold", "fit", "json"])]
+    others: Vec<PathBuf>,
     /// Principal moments about the body's x, y and z, kg m2, where the record names none
     #[arg(long, value_name = "A,B,C", value_parser = moments, allow_hyphen_values = true)]
     inertia: Option<Vector3<f64>>,
@@ -50,7 +53,11 @@ missing, sign_changes, rounding, diagnosis (confidence: to rounding, most steps,
 small, too few steps, accurate, altered, interpolated or none fits; best, alike, second, ratio, steps, share, error,
 jumps, would_decide, advice, chapter), curve (the run in at most 256 points), report (in words), and what was read.
 
-Exit code: 0 if the record passes, 1 if it fails or there is nothing or too little to judge, 2 if it cannot be read.";
+Several records are compared: one object as a single body, with fixed children, with its origin off the centre, with
+its axes turned, must be one motion. They need attitudes, and may have positions (x,y,z) in the world.
+
+Exit code: 0 if the record passes, or all are one motion, 1 if it fails or there is
+nothing or too little to judge, 2 if it cannot be read.";
 
 /// The largest error allowed of one law, or of all.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -100,18 +107,34 @@ impl Arguments {
             Some(law) => options.with(law, limit.value),
         })
     }
+
+    /// What is to be printed, and whether the record passes.
+    fn judged(&self) -> Result<(String, bool), String> {
+        let verdict = open(&self.file)
+            .and_then(|source| judge(source, &self.options()))
+            .map_err(|wrong| format!("{}: {wrong}{}", self.file.display(), option_for(&wrong)))?;
+        let json = self.json.then(|| format!("{:#}\n", verdict.json()));
+        Ok((json.unwrap_or_else(|| format!("{verdict}\n")), verdict.outcome == Outcome::Passed))
+    }
+
+    /// What is to be printed, and whether all records are one motion.
+    fn compared(&self) -> Result<(String, bool), String> {
+        let mut all = Vec::new();
+        for file in [&self.file].into_iter().chain(&self.others) {
+            let read = open(file).and_then(|source| Motion::read(source, &self.options()));
+            let name = file.display().to_string();
+            all.push((name.clone(), read.map_err(|wrong| format!("{name}: {wrong}{}", option_for(&wrong)))?));
+        }
+        let comparison = compare(&all).map_err(|wrong| wrong.to_string())?;
+        Ok((comparison.to_string(), comparison.others.is_empty()))
+    }
 }
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    let printed = judged(&arguments.file, &arguments.options())
-        .map_err(|wrong| format!("{}: {wrong}{}", arguments.file.display(), option_for(&wrong)))
-        .and_then(|verdict| {
-            let json = arguments.json.then(|| format!("{:#}\n", verdict.json()));
-            print(&json.unwrap_or_else(|| format!("{verdict}\n"))).map(|()| verdict.outcome)
-        });
-    match printed {
-        Ok(Outcome::Passed) => ExitCode::SUCCESS,
+    let printed = if arguments.others.is_empty() { arguments.judged() } else { arguments.compared() };
+    match printed.and_then(|(text, holds)| print(&text).map(|()| holds)) {
+        Ok(true) => ExitCode::SUCCESS,
         Ok(_) => ExitCode::FAILURE,
         Err(wrong) => {
             let _ = writeln!(std::io::stderr().lock(), "error: {wrong}");
@@ -139,12 +162,12 @@ fn print(text: &str) -> Result<(), String> {
     }
 }
 
-fn judged(file: &Path, options: &Options) -> Result<Verdict, Error> {
+fn open(file: &Path) -> Result<Box<dyn BufRead>, Error> {
     if file == Path::new("-") {
-        return judge(std::io::stdin().lock(), options);
+        return Ok(Box::new(std::io::stdin().lock()));
     }
     let opened = File::open(file).map_err(|source| Error::Read { line: 0, source })?;
-    judge(BufReader::with_capacity(1 << 16, opened), options)
+    Ok(Box::new(BufReader::with_capacity(1 << 16, opened)))
 }
 
 #[cfg(test)]

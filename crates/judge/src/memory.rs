@@ -181,6 +181,7 @@ impl<T: Precision, I: Iterator<Item = Row<T>>> Source for Memory<I> {
             t: row.time,
             attitude,
             vector: spin,
+            position: Vector3::zeros(),
             printed: Printed::default(),
             exact: [&row.attitude.map_or(Vec::new(), Vec::from)[..], &row.spin[..]].map(|numbers| Exact {
                 digits: MOST_DIGITS,

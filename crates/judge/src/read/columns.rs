@@ -13,6 +13,8 @@ pub(crate) struct Columns {
     pub attitude: Option<[usize; 4]>,
     /// None where attitudes are all there is.
     pub vector: Option<[usize; 3]>,
+    /// Of the body's origin in the world, where positions are asked for.
+    pub position: Option<[usize; 3]>,
     pub kind: Kind,
     /// What a spin is to be multiplied by for rad/s, by the unit in its names.
     pub unit: f64,
@@ -161,6 +163,8 @@ const VECTORS: [(Kind, &str); 4] = [
     (Kind::MomentumBody, "l* l*b l*body"),
     (Kind::MomentumWorld, "l*w l*world"),
 ];
+/// Before the letter of the axis.
+const POSITIONS: [&str; 4] = ["", "p", "pos", "position"];
 /// Three names of a spin that have no axes' letters.
 const SPIN_NAMES: [&str; 3] = ["p", "q", "r"];
 
@@ -351,7 +355,18 @@ impl Columns {
         }
         let unit = vector.map_or(Ok(1.0), |places| names.unit_of(kind, &places))?;
         let per_second = names.per_second(clock)?;
-        Ok(Self { names: names.raw, separator, clock, attitude, vector, kind, unit, per_second })
+        let position = None;
+        Ok(Self { names: names.raw, separator, clock, attitude, vector, position, kind, unit, per_second })
+    }
+
+    /// Reads positions too, where there are any.
+    pub(crate) fn take_positions(&mut self) {
+        let plain: Vec<String> = self.names.iter().map(|name| plain(name).0).collect();
+        let at = |prefix: &str| {
+            let at = |axis: &str| plain.iter().position(|name| *name == format!("{prefix}{axis}"));
+            Some([at("x")?, at("y")?, at("z")?])
+        };
+        self.position = POSITIONS.iter().find_map(|prefix| at(prefix));
     }
 
     /// The names of the columns that are not read.
@@ -365,5 +380,6 @@ impl Columns {
         self.clock.place() == Some(i)
             || self.attitude.is_some_and(|places| places.contains(&i))
             || self.vector.is_some_and(|places| places.contains(&i))
+            || self.position.is_some_and(|places| places.contains(&i))
     }
 }

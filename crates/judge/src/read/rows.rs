@@ -150,7 +150,7 @@ fn numbers(
         }
         if columns.clock.place() == Some(i) {
             printed = Printed::of(field, value);
-        } else {
+        } else if columns.position.is_none_or(|places| !places.contains(&i)) {
             let of_attitude = columns.attitude.is_some_and(|places| places.contains(&i));
             exact[usize::from(!of_attitude)].take(field, value);
         }
@@ -185,13 +185,15 @@ fn read(
         },
         TimeColumn::Steps(_) | TimeColumn::Rows => Printed::default(),
     };
-    let vector =
-        Vector3::from(columns.vector.map_or([0.0; 3], |places| places.map(|i| fields[i]))) * columns.unit;
+    let three = |places: Option<[usize; 3]>| {
+        Vector3::from(places.map_or([0.0; 3], |places| places.map(|i| fields[i])))
+    };
+    let (vector, position) = (three(columns.vector) * columns.unit, three(columns.position));
     let attitude = columns.attitude.map(|places| {
         let [w, x, y, z] = places.map(|i| fields[i]);
         Quaternion::new(w, x, y, z)
     });
-    Ok(Raw { line, t, attitude, vector, printed, exact })
+    Ok(Raw { line, t, attitude, vector, position, printed, exact })
 }
 
 /// A field as an error shows it: not all of a long one.

@@ -33,6 +33,8 @@ pub(crate) struct Raw {
     pub attitude: Option<Quaternion<f64>>,
     /// As [`Kind`] says; in radians.
     pub vector: Vector3<f64>,
+    /// In the world; zero where it is not read.
+    pub position: Vector3<f64>,
     /// How its time is printed.
     pub printed: Printed,
     /// How exact the numbers of the attitude are, and those of the vector.

@@ -5,6 +5,7 @@ mod accurate;
 mod attitudes;
 mod command;
 mod common;
+mod compared;
 mod engines_fate;
 mod engines_judged;
 mod engines_recorded;

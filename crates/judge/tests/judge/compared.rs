@@ -1,0 +1,131 @@
+//! One object, described to an engine in several ways: whether the records are one motion.
+
+use nalgebra::{UnitQuaternion, Vector3};
+use std::fmt::Write as _;
+use tumbling::exact::FreeMotion;
+use tumbling::{Body, Inertia};
+use tumbling_judge::{Comparison, Motion, Options, compare};
+
+/// A body whose own axes and origin lie as its description has them.
+struct Description {
+    /// From the described axes to the room, at the start.
+    start: UnitQuaternion<f64>,
+    /// From the centre of mass, in the described axes.
+    origin: Vector3<f64>,
+    /// By how much its tensor is turned from where it belongs, rad.
+    wrong: f64,
+    /// What a moment is multiplied by.
+    heavier: f64,
+    velocity: Vector3<f64>,
+}
+
+fn described(turn: [f64; 3], origin: [f64; 3]) -> Description {
+    let (start, origin) = (UnitQuaternion::from_euler_angles(turn[0], turn[1], turn[2]), origin.into());
+    Description { start, origin, wrong: 0.0, heavier: 1.0, velocity: Vector3::new(0.3, -0.2, 0.1) }
+}
+
+impl Description {
+    /// A record of the exact motion of one body, whose spin in the room is always the same at the start.
+    fn record(&self) -> String {
+        let tilt = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), self.wrong);
+        let tensor = Inertia::from_moments(1.0, 2.0, 2.6 * self.heavier).unwrap();
+        let tensor = tensor.turned(self.start.inverse() * tilt).unwrap();
+        let omega = self.start.inverse() * Vector3::new(0.4, 2.0, 0.3);
+        let body = Body::spinning(tensor, self.start, &omega).unwrap();
+        let motion = FreeMotion::of(&body).unwrap();
+        let mut text = String::from("t,x,y,z,qw,qx,qy,qz,wx,wy,wz\n");
+        for i in 0..600 {
+            let t = f64::from(i) / 60.0;
+            let now = motion.at(t).unwrap();
+            let (q, w) = (now.attitude, now.omega);
+            let p = self.velocity * t + q * self.origin;
+            writeln!(
+                text,
+                "{t},{},{},{},{},{},{},{},{},{},{}",
+                p.x, p.y, p.z, q.w, q.i, q.j, q.k, w.x, w.y, w.z
+            )
+            .unwrap();
+        }
+        text
+    }
+}
+
+fn compared(all: &[Description]) -> Comparison {
+    let read = |record: String| Motion::read(record.as_bytes(), &Options::default()).unwrap();
+    let name = |k: usize| ["one", "fixed children", "off the origin", "turned frame"][k].to_owned();
+    compare(&all.iter().enumerate().map(|(k, one)| (name(k), read(one.record()))).collect::<Vec<_>>())
+        .unwrap()
+}
+
+fn four() -> [Description; 4] {
+    [
+        described([0.0, 0.0, 0.0], [0.0, 0.0, 0.0]),
+        described([0.3, -1.2, 0.4], [0.0, 0.0, 0.0]),
+        described([0.0, 0.0, 0.0], [0.1, -0.3, 0.2]),
+        described([1.3, 0.2, -2.4], [0.5, 0.0, 0.1]),
+    ]
+}
+
+#[test]
+fn four_descriptions_of_one_object_are_one_motion() {
+    let found = compared(&four());
+    assert_eq!((found.alike.len(), found.others.len()), (4, 0), "{found}");
+    assert!(found.to_string().starts_with("PASSED: one, fixed children, off the origin, turned frame are"));
+}
+
+#[test]
+fn a_tensor_about_wrong_axes_is_found_with_the_angle() {
+    let mut all = four();
+    all[3].wrong = 0.02;
+    let found = compared(&all);
+    assert_eq!(found.alike, [0, 1, 2]);
+    let [spin, attitude, position] = found.others[0].1;
+    assert!(spin.since.is_some() && attitude.since.is_some() && position.since.is_some(), "{found}");
+    let text = found.to_string();
+    assert!(text.contains("It starts alike") && text.contains("turned by up to 1.1°"), "{text}"); // 0.02 rad
+}
+
+#[test]
+fn a_wrong_moment_is_found_with_its_ratio() {
+    let mut all = four();
+    all[1].heavier = 1.01;
+    let text = compared(&all).to_string();
+    assert!(text.contains("1.0000 : 2.0000 : 2.6260") && text.contains("1.0000 : 2.0000 : 2.6000"), "{text}");
+}
+
+#[test]
+fn a_centre_of_mass_elsewhere_and_a_start_otherwise_are_distinguished() {
+    let mut all = four();
+    all[2].velocity.x += 1e-3;
+    let found = compared(&all);
+    let [spin, attitude, position] = found.others[0].1;
+    assert!(spin.since.is_none() && attitude.since.is_none() && position.since.is_some(), "{found}");
+    assert!(found.to_string().contains("It turns alike"), "{found}");
+
+    let [one, mut other] =
+        [0, 1].map(|k| Motion::read(four()[k].record().as_bytes(), &Options::default()).unwrap());
+    let late = four()[0].record().lines().enumerate().filter(|(i, _)| *i != 1).fold(
+        String::new(),
+        |mut all, (_, line)| {
+            all += line;
+            all.push('\n');
+            all
+        },
+    );
+    other.clone_from(&Motion::read(late.as_bytes(), &Options::default()).unwrap());
+    let wrong = compare(&[("a".into(), one), ("b".into(), other)]).unwrap_err().to_string();
+    assert!(wrong.contains("row 1: its time is"), "{wrong}");
+}
+
+#[test]
+fn a_record_that_cannot_be_compared_says_why() {
+    for (record, why) in [
+        ("t,wx,wy,wz\n0,1,2,3\n1,1,2,3\n", "by their attitudes"),
+        ("t,qw,qx,qy,qz\n0,0,0,0,0\n1,1,0,0,0\n", "line 2"),
+        ("t,qw,qx,qy,qz\n0,1,0,0,0\n", "one row"),
+        ("t,qw,qx,qy,qz,lx,ly,lz\n0,1,0,0,0,1,2,3\n1,1,0,0,0,1,2,3\n", "moments"),
+    ] {
+        let wrong = Motion::read(record.as_bytes(), &Options::default()).unwrap_err().to_string();
+        assert!(wrong.contains(why), "{record}: {wrong}");
+    }
+}
