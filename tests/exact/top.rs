@@ -443,3 +443,22 @@ proptest! {
         }
     }
 }
+
+/// Its height is stationary nowhere but at the lowest place, and the rate at which it goes round, `n/(1 + cos)`
+/// or `-n/(1 - cos)`, has one sign.
+#[test]
+fn an_axis_that_passes_exactly_through_the_vertical_has_neither_cusps_nor_loops() {
+    let through = |upright: bool, across: f64, spin: f64| {
+        let attitude = if upright { Quaternion::identity() } else { Quaternion::new(0.0, 1.0, 0.0, 0.0) };
+        let moments = PrincipalMoments::new(1.0, 1.0, 0.7).unwrap();
+        let omega = Vector3::new(across, 0.3 * across, spin);
+        let attitude = UnitQuaternion::new_unchecked(attitude);
+        LagrangeTop::new(moments, attitude, &omega, &Vector3::z(), 2.0).unwrap()
+    };
+    // Fast enough to sleep, too slow, and past the lowest place.
+    for (upright, across, spin) in
+        [(true, 0.8, 9.0), (true, 0.8, -1.5), (false, 1.1, 3.0), (false, 0.2, -4.0)]
+    {
+        assert_eq!(through(upright, across, spin).regime(), TopRegime::Nutation, "{upright} {across} {spin}");
+    }
+}

@@ -20,6 +20,7 @@ use super::integrals::Integrals;
 /// assert_eq!(regime(0.5, [0.0, 0.0, 9.0])?, TopRegime::Cusped);
 /// assert_eq!(regime(0.5, [0.0, 0.1, 9.0])?, TopRegime::Nutation);
 /// assert_eq!(regime(0.5, [0.0, -0.9, 9.0])?, TopRegime::Looping);
+/// assert_eq!(regime(0.0, [0.3, 0.0, 9.0])?, TopRegime::Nutation); // through the upright
 /// assert_eq!(regime(0.5, [0.1, 0.3, 0.0])?, TopRegime::Pendulum);
 /// // Steady at 0.5 rad, where 1 x cos(0.5) x rate² - 0.5 x 9 x rate + 2 is zero.
 /// let rate = 4.0 / (4.5 + (4.5_f64.powi(2) - 8.0 * 0.5_f64.cos()).sqrt());
@@ -47,7 +48,7 @@ pub enum TopRegime {
     /// oscillation that these roundings leave. A [`Body`](crate::Body) keeps its momentum in world axes: that
     /// rounds by more than this if the body spins much faster than it precesses.
     SteadyPrecession,
-    /// It rises and sinks, and always goes round the same way.
+    /// It rises and sinks, and always goes round the same way, or passes exactly through the vertical.
     Nutation,
     /// It rises and sinks, and stands still at each highest place, as a top that was let go without a push.
     Cusped,
@@ -82,7 +83,10 @@ impl TopRegime {
         let same = low.hi() * high.hi();
         // Next to a cusp it is a rounding of its parts, or of the spin that the start was made from.
         let rounding = 1e-15 * about.hi().abs().max(spin.abs().min(1e12 * low.hi().abs()));
-        if high.hi().abs() <= rounding {
+        // A path through the vertical itself has neither cusps nor loops.
+        if integrals.bottoms[0].hi() == 0.0 || integrals.tops[1].hi() == 0.0 {
+            Self::Nutation
+        } else if high.hi().abs() <= rounding {
             Self::Cusped
         } else if same > 0.0 {
             Self::Nutation
