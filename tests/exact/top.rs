@@ -444,8 +444,7 @@ proptest! {
     }
 }
 
-/// Its height is stationary nowhere but at the lowest place, and the rate at which it goes round, `n/(1 + cos)`
-/// or `-n/(1 - cos)`, has one sign.
+/// The rate at which it goes round is `n/(1 + cos)` or `-n/(1 - cos)`, of one sign.
 #[test]
 fn an_axis_that_passes_exactly_through_the_vertical_has_neither_cusps_nor_loops() {
     let through = |upright: bool, across: f64, spin: f64| {
