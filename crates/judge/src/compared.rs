@@ -61,6 +61,9 @@ impl Motion {
                 raws.push(raw);
             }
         }
+        if let Some(ended) = rows.ended.take() {
+            return Err(ended);
+        }
         if all.len() < 2 {
             return Err(if all.is_empty() { Error::NoRows } else { Error::OneRow });
         }
@@ -87,6 +90,11 @@ impl Motion {
             if both[0] {
                 off[0].take(here.t, (here.spin[1] - there.spin[1]).norm() / fastest);
             }
+        }
+        let [few, many] = [self.rows.len().min(other.rows.len()), self.rows.len().max(other.rows.len())];
+        if few < many {
+            let problem = format!("one record ends before it, and another has {many} rows");
+            return Err(Error::Row { row: few + 1, problem });
         }
         if both[1] {
             let way = self

@@ -119,10 +119,17 @@ fn a_centre_of_mass_elsewhere_and_a_start_otherwise_are_distinguished() {
 
 #[test]
 fn a_record_that_cannot_be_compared_says_why() {
+    let rows = |n: usize| {
+        let rows = (0..n).map(|i| format!("{i},1,0,0,0\n")).collect::<String>();
+        Motion::read(format!("t,qw,qx,qy,qz\n{rows}").as_bytes(), &Options::default()).unwrap()
+    };
+    let wrong = compare(&[("a".into(), rows(3)), ("b".into(), rows(5))]).unwrap_err().to_string();
+    assert!(wrong.contains("row 4: one record ends before it, and another has 5 rows"), "{wrong}");
     for (record, why) in [
         ("t,wx,wy,wz\n0,1,2,3\n1,1,2,3\n", "by their attitudes"),
         ("t,qw,qx,qy,qz\n0,0,0,0,0\n1,1,0,0,0\n", "line 2"),
         ("t,qw,qx,qy,qz\n0,1,0,0,0\n", "one row"),
+        ("t,qw,qx,qy,qz\n0,1,0,0,0\n1,1,0,0,0\n2,1,0,0,0\n3,nan,0,0,0\n", "nan"),
         ("t,qw,qx,qy,qz,lx,ly,lz\n0,1,0,0,0,1,2,3\n1,1,0,0,0,1,2,3\n", "moments"),
     ] {
         let wrong = Motion::read(record.as_bytes(), &Options::default()).unwrap_err().to_string();
