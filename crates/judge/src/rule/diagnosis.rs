@@ -257,13 +257,17 @@ fn settled(
 fn is_biased(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> bool {
     let is_damped = matches!(rule.alteration, Some(Alteration::Damped { .. }));
     let undamped = is_damped.then(|| Rule::plain(rule.base));
-    let root = (pairs.len() as f64).sqrt();
-    let [random, each, kept] = BIASED.map(|roundings| roundings * floor.size * root);
-    // What is rounded where it is written does not add up; the engine's own rounding may.
+    let (count, root) = (pairs.len() as f64, (pairs.len() as f64).sqrt());
+    let turned: f64 = pairs.iter().map(|pair| pair.from.omega.norm() * pair.h).sum();
+    let follow = |two: &&[Pair]| two[0].to.line == two[1].from.line;
+    let parts = (pairs.len() - pairs.windows(2).filter(follow).count()) as f64;
+    let [ends, turns, each, kept] = BIASED.map(|roundings| roundings * floor.size);
+    // What is rounded where it is written is in two steps, with opposite signs but for the turn; the engine's
+    // own rounding may add up.
     let [allowed, kept] = match floor.is_of_writing() {
-        true => [random, kept],
-        false if floor.size > FITS_FEW_FROM => [each * root, kept],
-        false => [floor.limits()[1] * root * root; 2],
+        true => [ends * parts.sqrt() + turns * turned / root, kept * root],
+        false if floor.size > FITS_FEW_FROM => [each * count, kept * root],
+        false => [floor.limits()[1] * count; 2],
     };
     let holds = |own: f64, seen: f64| own.abs() > kept && seen.abs() < KEPT_OF_CHANGED * own.abs();
     std::iter::once(*rule).chain(undamped).any(|this| {
