@@ -21,9 +21,6 @@ pub(crate) const ENOUGH_CHANGE: f64 = 0.1;
 /// Uncertainty of the angle turned in all, rad, beyond which an `f64` does not say where in its motion the
 /// body should be.
 pub(crate) const UNTRACEABLE: f64 = 0.1;
-/// The greatest difference in the number of flips found and of the exact motion's: one more or less is
-/// rounding of the start.
-pub(crate) const FLIPS_APART: u64 = 1;
 
 // How much is kept of a record of any length.
 

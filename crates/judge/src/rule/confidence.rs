@@ -4,9 +4,7 @@ use crate::read::{Floor, Known, Pair};
 use crate::rule::diagnosis::{Jump, Ranked, jumps};
 use crate::rule::tried::explained;
 use crate::rule::{Alteration, Explanation, PHYSICS_ENGINES, Rule, Subject, Turn};
-use crate::thresholds::{
-    ERROR_ABOVE, FITS_EXACT, NEAR, NEAR_RATIO, SPIN_ABOVE, TRIED_SHARE,
-};
+use crate::thresholds::{ERROR_ABOVE, FITS_EXACT, NEAR, NEAR_RATIO, SPIN_ABOVE, TRIED_SHARE};
 
 /// How sure a diagnosis is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

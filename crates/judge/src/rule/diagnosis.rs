@@ -100,8 +100,6 @@ pub(crate) struct Whole {
     pub broken: Vec<LawName>,
     /// Those that it does not keep to rounding.
     pub unkept: Vec<LawName>,
-    /// Whether flips are missing, or too many.
-    pub miscounted: bool,
     /// Whether it fails, whatever its rule.
     pub fails: bool,
     /// Whether all is kept to rounding; energy and momentum at least.
@@ -199,45 +197,31 @@ impl Ranked {
         }
         self
     }
-
-    /// Without the rules that change energy and momentum in the mean otherwise than the record, unless all
-    /// do; and how sure that is.
-    fn unbiased(mut self, subject: &Subject, pairs: &[Pair], floor: Floor) -> (Self, Confidence) {
-        let all = std::iter::once(self.best.rule).chain(self.alike.iter().copied());
-        let like: Vec<Rule> = all.filter(|rule| !is_biased(subject, pairs, rule, floor)).collect();
-        if like.len() > self.alike.len() && self.best.rule != Rule::EXACT {
-            return (self, Confidence::ToRounding);
-        }
-        if let [first, others @ ..] = &like[..] {
-            self.best = explained(subject, pairs, *first).unwrap_or(self.best);
-            self.alike = others.to_vec();
-        }
-        (self, if like.is_empty() { Confidence::NoneFits } else { Confidence::FewDigits })
-    }
 }
 
-impl Whole {
-    /// Whether a record of few digits fails: of such digits a wrong rule may fit each step, and what the
-    /// whole record does is held against it too.
-    fn is_astray(&self, best: &Rule, floor: Floor) -> bool {
-        let fails = self.miscounted || !self.broken.is_empty();
-        floor.few && fails || (floor.few || floor.single) && self.fails && *best == Rule::EXACT
-    }
-}
-
-/// A rule that fits every step, held against what the whole record shows.
+/// Rules that fit every step, held against what the whole record shows.
 fn settled(
     subject: &Subject,
     pairs: &[Pair],
-    ranked: Ranked,
+    mut ranked: Ranked,
     whole: &Whole,
     floor: Floor,
 ) -> (Ranked, Confidence) {
-    let (few, best) = (floor.single || floor.few, ranked.best.rule);
-    let sought = pairs.iter().any(|pair| pair.to.ahead.is_some());
-    if whole.is_astray(&best, floor) || is_biased(subject, pairs, &best, floor) {
-        return ranked.unbiased(subject, pairs, floor);
+    let few = floor.single || floor.few;
+    // Of few digits the exact motion may fit each step of a record that fails.
+    let astray = |rule: &Rule| few && whole.fails && *rule == Rule::EXACT;
+    let is_one = |rule: &Rule| !astray(rule) && !is_biased(subject, pairs, rule, floor);
+    ranked.alike.retain(is_one);
+    let best = ranked.best.rule;
+    if !is_one(&best) {
+        if ranked.alike.is_empty() {
+            return (ranked, if astray(&best) { Confidence::FewDigits } else { Confidence::NoneFits });
+        }
+        let first = ranked.alike.remove(0);
+        ranked.best = explained(subject, pairs, first).unwrap_or(ranked.best);
+        return (ranked, Confidence::FewDigits);
     }
+    let sought = pairs.iter().any(|pair| pair.to.ahead.is_some());
     // What such a rule does to energy and momentum is below the rounding of few digits: others do less.
     let first = best.method().is_some_and(|rule| rule.0.info().order == 1);
     // A rule that keeps a law does not make every step of a record that breaks it.

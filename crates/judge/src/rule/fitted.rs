@@ -4,7 +4,8 @@ use crate::law::LawName;
 use crate::read::{Pair, least, median, normal, ordered, slopes};
 use crate::rule::{Alteration, Base, Rule, Subject, Turn, When};
 use crate::thresholds::{
-    BEYOND, CAPPED_ROWS, DAMPED, DAMPED_ROUNDINGS, FITTED_STEPS, JOLT, NEAR_A_TERM, OTHER_BODY, RATE_APART, ROUND_RATE, UNKNOWN_BODY,
+    BEYOND, CAPPED_ROWS, DAMPED, DAMPED_ROUNDINGS, FITTED_STEPS, JOLT, NEAR_A_TERM, OTHER_BODY, RATE_APART,
+    ROUND_RATE, UNKNOWN_BODY,
 };
 use nalgebra::{Matrix3, Rotation3, SVector, UnitQuaternion, Vector3};
 use tumbling::PrincipalMoments;

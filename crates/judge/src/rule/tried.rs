@@ -17,7 +17,8 @@ pub(super) fn explained(subject: &Subject, pairs: &[Pair], rule: Rule) -> Option
 /// Whether a rule is within rounding of the best, in the median as in the 95th percentile.
 pub(super) fn alike_to_best(found: &[Explanation], floor: Floor) -> impl Fn(&Explanation) -> bool + use<> {
     let least = found.iter().map(|x| x.median).fold(f64::INFINITY, f64::min);
-    let [half, nearly_all] = if floor.few { ALIKE_FEW } else { ALIKE_ROUNDINGS }.map(|units| units * floor.size);
+    let [half, nearly_all] =
+        if floor.few { ALIKE_FEW } else { ALIKE_ROUNDINGS }.map(|units| units * floor.size);
     let near = move |x: &Explanation| x.median <= (ALIKE[0] * least).max(half);
     let best_most = found.iter().filter(|x| near(x)).map(|x| x.percentile_95).fold(f64::INFINITY, f64::min);
     move |x| near(x) && x.percentile_95 <= (ALIKE[1] * best_most).max(nearly_all)

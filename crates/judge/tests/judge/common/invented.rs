@@ -609,19 +609,22 @@ impl Invented {
     /// Whether the place in the step where damping acts is named rightly, not, or wrongly.
     fn places(&self, verdict: &Verdict) -> [u64; 3] {
         let found = verdict.diagnosis.as_ref().map(|found| (found.confidence, found.best.rule.alteration));
-        let (Fault::Damped(_, place), Some((sure, Some(Alteration::Damped { when, .. })))) = (self.fault, found)
+        let (Fault::Damped(_, place), Some((sure, Some(Alteration::Damped { when, .. })))) =
+            (self.fault, found)
         else {
             return [0; 3];
         };
         let named = sure.names_a_rule() || sure == Confidence::Altered;
-        [when == place, when == When::Open, ![place, When::Open].contains(&when)].map(|x| u64::from(named && x))
+        [when == place, when == When::Open, ![place, When::Open].contains(&when)]
+            .map(|x| u64::from(named && x))
     }
 
     /// What is made of a rule that the judge does not know.
     fn outside(&self, found: &Diagnosis, rounding: f64) -> Named {
+        // Less than the rounding of the first row and the last.
+        let is_equal = || self.off(&found.best.rule).is_some_and(|off| off < 2.0 * rounding);
         match found.confidence.names_a_rule() && !found.is_exact() {
-            // Of the first row and the last.
-            true if self.off(&found.best.rule).is_some_and(|off| off < 2.0 * rounding) => Named::AmongEquals,
+            true if is_equal() => Named::AmongEquals,
             true => Named::Wrongly,
             false => Named::Not,
         }
@@ -661,10 +664,10 @@ pub fn counted(first: u64, count: u64, is_known: bool, out: &mut impl io::Write)
         counts[6..].iter_mut().zip(record.places(&verdict)).for_each(|(count, here)| *count += here);
         if count == 1 {
             writeln!(out, "{}\n{}\n{named:?}\n{verdict}", record.text, record.what)?;
-        } else if std::env::var_os("ALL").is_some() || named == Named::Wrongly || named == Named::Not && is_known || praise.is_some() {
+        } else if named == Named::Wrongly || named == Named::Not && is_known || praise.is_some() {
             writeln!(out, "{seed} {named:?} {praise:?}: {}", record.what)?;
             let found =
-                verdict.diagnosis.map(|found| (found.confidence, found.best.rule.name(), found.alike.len(), found.best.median, found.best.percentile_95, found.jumps.len(), verdict.record.rounding));
+                verdict.diagnosis.map(|found| (found.confidence, found.best.rule.name(), found.alike.len()));
             writeln!(out, "    {found:?}")?;
         }
     }
