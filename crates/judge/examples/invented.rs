@@ -12,6 +12,7 @@ fn main() -> std::io::Result<()> {
     let (count, first) = (numbers.next().unwrap_or(1000), numbers.next().unwrap_or(0));
     let is_known = !words.iter().any(|word| word == "outside");
     let counts = invented::counted(first, count, is_known, &mut std::io::stdout().lock())?;
-    println!("rightly, among equals, not, wrongly, praised beside a failure, refused: {counts:?}");
+    println!("rightly, among equals, not, wrongly, praised although failed, refused: {:?}", &counts[..6]);
+    println!("place of damping rightly, not, wrongly: {:?}", &counts[6..]);
     Ok(())
 }

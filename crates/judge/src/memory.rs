@@ -28,29 +28,23 @@ pub trait Precision: sealed::Sealed + Copy {
     fn get(self) -> f64;
 }
 
-impl Precision for f64 {
-    const ROUNDING: f64 = Self::EPSILON / 2.0;
+macro_rules! precise {
+    ($($number:ty)+) => {$(
+        impl Precision for $number {
+            const ROUNDING: f64 = Self::EPSILON as f64 / 2.0;
 
-    fn of(x: f64) -> Self {
-        x
-    }
+            fn of(x: f64) -> Self {
+                x as Self
+            }
 
-    fn get(self) -> f64 {
-        self
-    }
+            fn get(self) -> f64 {
+                self.into()
+            }
+        }
+    )+};
 }
 
-impl Precision for f32 {
-    const ROUNDING: f64 = Self::EPSILON as f64 / 2.0;
-
-    fn of(x: f64) -> Self {
-        x as Self
-    }
-
-    fn get(self) -> f64 {
-        f64::from(self)
-    }
-}
+precise!(f32 f64);
 
 /// A body at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -80,37 +80,11 @@ impl Separator {
         [';', '\t', ','].into_iter().find(|&c| line.contains(c)).map_or(Self::Blanks, Self::One)
     }
 
-    pub(crate) fn split(self, line: &str) -> Fields<'_> {
-        Fields { rest: Some(line), separator: self }
-    }
-}
-
-/// The fields of a line, without the blanks around them.
-pub(crate) struct Fields<'a> {
-    rest: Option<&'a str>,
-    separator: Separator,
-}
-
-impl<'a> Iterator for Fields<'a> {
-    type Item = &'a str;
-
-    fn next(&mut self) -> Option<&'a str> {
-        let rest = self.rest?;
-        let (field, left) = match self.separator {
-            Separator::One(c) => match rest.split_once(c) {
-                Some((field, left)) => (field, Some(left)),
-                None => (rest, None),
-            },
-            Separator::Blanks => {
-                let rest = rest.trim_start();
-                match rest.split_once(char::is_whitespace) {
-                    Some((field, left)) => (field, Some(left.trim_start()).filter(|left| !left.is_empty())),
-                    None => (rest, None),
-                }
-            }
-        };
-        self.rest = left;
-        Some(field.trim())
+    /// The fields of a line, without the blanks around them.
+    pub(crate) fn split(self, line: &str) -> impl Iterator<Item = &str> {
+        let (is_one, blanks) = (move |c: char| Self::One(c) == self, self == Self::Blanks);
+        let fields = line.split(move |c: char| if blanks { c.is_whitespace() } else { is_one(c) });
+        fields.map(str::trim).filter(move |field| !blanks || !field.is_empty())
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::read::{Raw, median};
 use crate::thresholds::{
-    CLOSELY, CLOSELY_SINGLE, DIGITS_OF_DOUBLE, DIGITS_OF_SINGLE, FEWEST_DIGITS, FITS, FITS_FEW,
+    BELOW_SINGLE, CLOSELY, CLOSELY_SINGLE, DIGITS_OF_DOUBLE, DIGITS_OF_SINGLE, FEWEST_DIGITS, FITS, FITS_FEW,
     FITS_FEW_FROM, FITS_SINGLE, MOST_DIGITS,
 };
 
@@ -54,36 +54,30 @@ pub(crate) struct Floor {
 }
 
 impl Floor {
-    /// One number for all digits, another for few.
-    pub(crate) const fn either<T: Copy>(self, all: T, few: T) -> T {
-        if self.few { few } else { all }
-    }
-
-    /// Whether every step is a rule's, except for rounding and what a step that multiplies it makes of it:
-    /// half of them are within `median`, 95 in 100 within `percentile_95`. A few decimal digits are off by
-    /// half a one of the last place and not more, and of what they leave open a wrong rule may be all.
-    pub(crate) fn fits(self, median: f64, percentile_95: f64) -> bool {
-        let [half, nearly_all] = self.limits();
-        median <= half && percentile_95 <= nearly_all
+    /// Whether an engine's own rounding is far below it: the digits are fewer than single precision has, or
+    /// more, and fewer than double precision has.
+    pub(crate) fn is_of_writing(self) -> bool {
+        self.few || (FITS_FEW_FROM..BELOW_SINGLE).contains(&self.size)
     }
 
     /// How far half of a rule's own steps are from the record's, and 95 in 100, where nothing multiplies the
     /// rounding.
     pub(crate) fn closely(self) -> [f64; 2] {
-        let units = match self.single {
-            true => CLOSELY_SINGLE,
-            false if self.size > FITS_FEW_FROM => FITS_FEW,
-            false => CLOSELY,
-        };
-        units.map(|units| units * self.size)
+        self.units(CLOSELY_SINGLE, CLOSELY)
     }
 
-    /// How far half of a rule's own steps may be from the record's, and how far 95 in 100.
+    /// How far half of a rule's own steps may be from the record's, and how far 95 in 100, with what a step
+    /// that multiplies the rounding makes of it. A few decimal digits are off by half a one of the last place
+    /// and not more, and of what they leave open a wrong rule may be all.
     pub(crate) fn limits(self) -> [f64; 2] {
+        self.units(FITS_SINGLE, FITS)
+    }
+
+    fn units(self, of_single: [f64; 2], of_double: [f64; 2]) -> [f64; 2] {
         let units = match self.single {
-            true => FITS_SINGLE,
+            true => of_single,
             false if self.size > FITS_FEW_FROM => FITS_FEW,
-            false => FITS,
+            false => of_double,
         };
         units.map(|units| units * self.size)
     }

@@ -139,7 +139,7 @@ impl Subject {
                 base(&Row { omega: from.omega * factor, ..*from }, h)
             }
             Alteration::Damped { factor, when: When::After, .. } => Some(with(base(from, h)?.1 * factor)),
-            Alteration::Damped { factor, when: When::Turned, .. } => {
+            Alteration::Damped { factor, when: When::Turned | When::Open, .. } => {
                 base(from, h).map(|(q, omega)| (q, omega * factor))
             }
             // The spin's own equation has no other term: a multiple of it acts for that multiple of the time.
@@ -170,6 +170,15 @@ impl Subject {
     /// it takes for that is the rule's own. In rad, relative to the angle turned.
     fn residual_of_turns(&self, rule: &Rule, pair: &Pair, ahead: &Quaternion<f64>) -> Option<f64> {
         let middle = pair.to.attitude?;
+        let ([_, omega], least) = self.spins_of_turn(rule, pair)?;
+        let turn = pair.from.omega.norm() * pair.h;
+        let (q, _) = self.after(rule, &Row { attitude: Some(middle), omega, ..pair.to }, pair.h)?;
+        let off = (angle_between(&q, ahead) + least) / turn;
+        off.is_finite().then_some(off)
+    }
+
+    /// The spins before and after with which a rule's step is the recorded turn, and what is left of it, rad.
+    pub(crate) fn spins_of_turn(&self, rule: &Rule, pair: &Pair) -> Option<([Vector3<f64>; 2], f64)> {
         let mut omega = pair.from.omega;
         let mut least = f64::INFINITY;
         let mut after = None;
@@ -180,13 +189,10 @@ impl Subject {
             if size >= least || size.is_nan() {
                 break;
             }
-            (least, after) = (size, Some(spin));
+            (least, after) = (size, Some([omega, spin]));
             omega += left / pair.h;
         }
-        let turn = pair.from.omega.norm() * pair.h;
-        let (q, _) = self.after(rule, &Row { attitude: Some(middle), omega: after?, ..pair.to }, pair.h)?;
-        let off = (angle_between(&q, ahead) + least) / turn;
-        off.is_finite().then_some(off)
+        Some((after?, least))
     }
 
     /// How far a rule's step is from the recorded one: of the spin relative to the larger of its values

@@ -1,12 +1,10 @@
 //! How sure a diagnosis is, in steps that a reader can act on.
 
 use crate::read::{Floor, Known, Pair};
-use crate::rule::diagnosis::Ranked;
+use crate::rule::diagnosis::{Jump, Ranked, jumps};
 use crate::rule::tried::explained;
 use crate::rule::{Alteration, Explanation, PHYSICS_ENGINES, Rule, Subject, Turn};
-use crate::thresholds::{
-    ERROR_ABOVE, FITS_EXACT, MOST_STEPS, NEAR, NEAR_RATIO, RULES_NAMED, SPIN_ABOVE, TRIED_SHARE,
-};
+use crate::thresholds::{ERROR_ABOVE, FITS_EXACT, NEAR, NEAR_RATIO, SPIN_ABOVE, TRIED_SHARE};
 
 /// How sure a diagnosis is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -14,8 +12,8 @@ use crate::thresholds::{
 pub enum Confidence {
     /// Every step is the rule's to rounding.
     ToRounding,
-    /// More than half of the steps are the rule's to rounding; one in twenty or more is not, or the record
-    /// breaks a law that the rule keeps.
+    /// The steps are the rule's to rounding but for a few jumps, or the record breaks a law that the rule
+    /// keeps.
     MostSteps,
     /// Nearer than any other by far, and not to rounding: such a rule, in some other form.
     Near,
@@ -72,7 +70,7 @@ pub(super) fn confidence_in(
     ranked: &Ranked,
     known: &Known,
     share: f64,
-) -> Confidence {
+) -> (Confidence, Vec<Jump>) {
     let (floor, best) = (known.floor, &ranked.best);
     let ratio = ranked.second.map_or(f64::INFINITY, |second| best.relative_to(&second));
     let is_exact = best.rule == Rule::EXACT;
@@ -82,27 +80,19 @@ pub(super) fn confidence_in(
     let fitted = usize::from(has_fitted_number(&best.rule, known.clock.per_row));
     let much = |above: f64| explains_much(subject, pairs, best, floor, above);
     let clear = is_exact || much(ERROR_ABOVE[fitted]);
-    if share < TRIED_SHARE {
+    let jumps = if closely { jumps(subject, pairs, &best.rule, floor) } else { None };
+    let confidence = if share < TRIED_SHARE {
         Confidence::FewSteps
     } else if (closely || best.fits(floor)) && !clear {
         Confidence::SmallErrors
-    } else if closely && best.fits(floor) {
-        Confidence::ToRounding
-    } else if closely && is_most(subject, pairs, &best.rule, floor) {
-        // Among many rules, one may fit a few digits by chance.
-        let many = floor.few && (is_exact || ranked.alike.len() > RULES_NAMED);
-        if many { Confidence::FewDigits } else { Confidence::MostSteps }
+    } else if let Some(jumps) = jumps.filter(|jumps| best.fits(floor) || !jumps.is_empty()) {
+        return (if jumps.is_empty() { Confidence::ToRounding } else { Confidence::MostSteps }, jumps);
     } else if best.median < NEAR && !is_exact && ratio >= NEAR_RATIO && much(ERROR_ABOVE[1]) {
         Confidence::Near
     } else {
         Confidence::NoneFits
-    }
-}
-
-/// Whether most of the steps are a rule's.
-fn is_most(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> bool {
-    let fit = pairs.iter().filter(|pair| subject.residual(rule, pair) <= floor.limits()[0]).count();
-    fit as f64 >= MOST_STEPS * pairs.len() as f64
+    };
+    (confidence, Vec::new())
 }
 
 /// Whether a number of the rule is fitted to the record: that of an alteration, or a number of parts that

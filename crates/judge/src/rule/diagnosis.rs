@@ -7,9 +7,14 @@ use crate::rule::confidence::confidence_in;
 use crate::rule::fitted::some;
 use crate::rule::tried::{alike_to_best, explained, tried};
 use crate::rule::unnamed::unnamed;
-use crate::rule::{Advice, Base, Confidence, Rule, Subject, engine_names, engines, first_named, settings};
-use crate::thresholds::{BIASED, FASTER, FITS_EXACT, JUMP_IN_LIMITS, RESETS, SAME, TRIED_TURNS};
-use nalgebra::Vector2;
+use crate::rule::{
+    Advice, Alteration, Base, Confidence, Rule, Subject, When, engine_names, engines, first_named, settings,
+};
+use crate::thresholds::{
+    BIASED, FASTER, FITS_EXACT, FITS_FEW_FROM, JUMP_EVERY, JUMP_IN_LIMITS, KEPT_OF_CHANGED, RESETS, SAME,
+    TRIED_TURNS,
+};
+use nalgebra::{Vector2, Vector3};
 use serde::Serialize;
 
 /// A rule, and how far its steps are from the record's.
@@ -26,9 +31,9 @@ pub struct Explanation {
 
 impl Explanation {
     pub(super) fn fits(self, floor: Floor) -> bool {
-        let fits = floor.fits(self.median, self.percentile_95);
-        let [half, nearly_all] = FITS_EXACT.map(|units| units * floor.size);
-        fits && (self.rule != Rule::EXACT || self.median <= half && self.percentile_95 <= nearly_all)
+        let of_exact = FITS_EXACT.map(|units| units * floor.size);
+        let within = |[half, nearly_all]: [f64; 2]| self.median <= half && self.percentile_95 <= nearly_all;
+        within(floor.limits()) && (self.rule != Rule::EXACT || within(of_exact))
     }
 
     /// By how much another is farther from the record: in the median, or in the 95th percentile.
@@ -95,8 +100,6 @@ pub(crate) struct Whole {
     pub broken: Vec<LawName>,
     /// Those that it does not keep to rounding.
     pub unkept: Vec<LawName>,
-    /// Whether flips are missing, or too many.
-    pub miscounted: bool,
     /// Whether it fails, whatever its rule.
     pub fails: bool,
     /// Whether all is kept to rounding; energy and momentum at least.
@@ -180,44 +183,45 @@ impl Ranked {
         Some(Self { best, alike, second })
     }
 
-    /// Without the rules that change energy and momentum in the mean otherwise than the record, unless all
-    /// do; and how sure that is.
-    fn unbiased(mut self, subject: &Subject, pairs: &[Pair], floor: Floor) -> (Self, Confidence) {
-        let all = std::iter::once(self.best.rule).chain(self.alike.iter().copied());
-        let like: Vec<Rule> = all.filter(|rule| !is_biased(subject, pairs, rule, floor)).collect();
-        if like.len() > self.alike.len() && self.best.rule != Rule::EXACT {
-            return (self, Confidence::ToRounding);
+    /// Without the place in the step where damping acts, if it might be another.
+    fn placed(mut self, found: &[Explanation], floor: Floor) -> Self {
+        let is_damped = |rule: &Rule| matches!(rule.alteration, Some(Alteration::Damped { .. }));
+        let best = self.best.rule;
+        let other = |rule: &Rule| rule.base == best.base && is_damped(rule);
+        let places: Vec<_> = found.iter().filter(|x| other(&x.rule)).copied().collect();
+        if let Some(Alteration::Damped { when, .. }) = &mut self.best.rule.alteration
+            && places.iter().filter(|x| alike_to_best(&places, floor)(x)).count() > 1
+        {
+            *when = When::Open;
+            self.alike.retain(|rule| !other(rule));
         }
-        if let [first, others @ ..] = &like[..] {
-            self.best = explained(subject, pairs, *first).unwrap_or(self.best);
-            self.alike = others.to_vec();
-        }
-        (self, Confidence::FewDigits)
+        self
     }
 }
 
-impl Whole {
-    /// Whether a record of few digits fails: of such digits a wrong rule may fit each step, and what the
-    /// whole record does is held against it too.
-    fn is_astray(&self, best: &Rule, floor: Floor) -> bool {
-        let fails = self.miscounted || !self.broken.is_empty();
-        floor.few && fails || (floor.few || floor.single) && self.fails && *best == Rule::EXACT
-    }
-}
-
-/// A rule that fits every step, held against what the whole record shows.
+/// Rules that fit every step, held against what the whole record shows.
 fn settled(
     subject: &Subject,
     pairs: &[Pair],
-    ranked: Ranked,
+    mut ranked: Ranked,
     whole: &Whole,
     floor: Floor,
 ) -> (Ranked, Confidence) {
-    let (few, best) = (floor.single || floor.few, ranked.best.rule);
-    let sought = pairs.iter().any(|pair| pair.to.ahead.is_some());
-    if whole.is_astray(&best, floor) || is_biased(subject, pairs, &best, floor) {
-        return ranked.unbiased(subject, pairs, floor);
+    let few = floor.single || floor.few;
+    // Of few digits the exact motion may fit each step of a record that fails.
+    let astray = |rule: &Rule| few && whole.fails && *rule == Rule::EXACT;
+    let is_one = |rule: &Rule| !astray(rule) && !is_biased(subject, pairs, rule, floor);
+    ranked.alike.retain(is_one);
+    let best = ranked.best.rule;
+    if !is_one(&best) {
+        if ranked.alike.is_empty() {
+            return (ranked, if astray(&best) { Confidence::FewDigits } else { Confidence::NoneFits });
+        }
+        let first = ranked.alike.remove(0);
+        ranked.best = explained(subject, pairs, first).unwrap_or(ranked.best);
+        return (ranked, Confidence::FewDigits);
     }
+    let sought = pairs.iter().any(|pair| pair.to.ahead.is_some());
     // What such a rule does to energy and momentum is below the rounding of few digits: others do less.
     let first = best.method().is_some_and(|rule| rule.0.info().order == 1);
     // A rule that keeps a law does not make every step of a record that breaks it.
@@ -231,20 +235,48 @@ fn settled(
     (ranked, confidence)
 }
 
-/// Whether a rule that fits each step to the rounding of few digits changes energy or momentum otherwise in
-/// the mean of them, in which rounding is much less.
+/// Whether the steps of a rule, all of which fit, change energy or momentum otherwise in their sum than the
+/// record's do: rounding is much less in a sum. Nor does a record keep what a rule changes step by step, or
+/// what the rule without its damping does.
 fn is_biased(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> bool {
-    let drift = |pair: &Pair| {
-        let end = subject.next(rule, &pair.from, pair.h).filter(|_| pair.to.ahead.is_none())?.omega;
-        let [a, b] = [end, pair.to.omega].map(|omega| (omega, subject.moments.component_mul(&omega)));
-        Some(Vector2::new((a.0.dot(&a.1) / b.0.dot(&b.1)).ln(), (a.1.norm() / b.1.norm()).ln()))
+    let is_damped = matches!(rule.alteration, Some(Alteration::Damped { .. }));
+    let undamped = is_damped.then(|| Rule::plain(rule.base));
+    let (count, root) = (pairs.len() as f64, (pairs.len() as f64).sqrt());
+    let turned: f64 = pairs.iter().map(|pair| pair.from.omega.norm() * pair.h).sum();
+    let follow = |two: &&[Pair]| two[0].to.line == two[1].from.line;
+    let parts = (pairs.len() - pairs.windows(2).filter(follow).count()) as f64;
+    let [ends, turns, each, kept] = BIASED.map(|roundings| roundings * floor.size);
+    // What is rounded where it is written is in two steps, with opposite signs but for the turn; the engine's
+    // own rounding may add up.
+    let [allowed, kept] = match floor.is_of_writing() {
+        true => [ends * parts.sqrt() + turns * turned / root, kept * root],
+        false if floor.size > FITS_FEW_FROM => [each * count, kept * root],
+        false => [floor.limits()[1] * count; 2],
     };
-    let all: Vec<_> = pairs.iter().filter_map(drift).collect();
-    let count = all.len().max(1) as f64;
-    // What is rounded where it is written does not add up; the engine's own rounding may.
-    let adds_up = if floor.few { count.sqrt() } else { 1.0 };
-    let mean = all.iter().sum::<Vector2<f64>>() / count;
-    (floor.single || floor.few) && mean.amax() > BIASED * floor.size / adds_up
+    let holds = |own: f64, seen: f64| own.abs() > kept && seen.abs() < KEPT_OF_CHANGED * own.abs();
+    std::iter::once(*rule).chain(undamped).any(|this| {
+        let [own, seen] = changes(subject, pairs, &this);
+        (own - seen).amax() > allowed && this == *rule || (0..2).any(|i| holds(own[i], seen[i]))
+    })
+}
+
+/// The logarithms by which all steps of a rule together change energy and momentum, and those of the record.
+fn changes(subject: &Subject, pairs: &[Pair], rule: &Rule) -> [Vector2<f64>; 2] {
+    let size = |omega: Vector3<f64>| {
+        let momentum = subject.moments.component_mul(&omega);
+        Vector2::new(omega.dot(&momentum).ln(), momentum.norm().ln())
+    };
+    let step = |(i, pair): (usize, &Pair)| {
+        if pair.to.ahead.is_none() {
+            return Some([pair.from.omega, subject.spin_after(rule, pair)?, pair.to.omega]);
+        }
+        // A spin made from turns is not the rule's own: that of the next turn is.
+        let next = pairs.get(i + 1).filter(|next| next.from.line == pair.to.line)?;
+        let [(own, _), (next, _)] = [subject.spins_of_turn(rule, pair)?, subject.spins_of_turn(rule, next)?];
+        Some([own[0], own[1], next[0]])
+    };
+    let steps = pairs.iter().enumerate().filter_map(step).map(|all| all.map(size));
+    steps.fold([Vector2::zeros(); 2], |[own, seen], [from, end, to]| [own + end - from, seen + to - from])
 }
 
 /// Tries every candidate on the sample.
@@ -261,7 +293,7 @@ pub(crate) fn diagnose(
     let pairs = pairs.as_slice();
     let found = tried(subject, pairs, known, sought);
     let mut ranked = Ranked::of(&found, floor)?;
-    let mut confidence = confidence_in(subject, pairs, &ranked, known, whole.share);
+    let (mut confidence, mut jumps) = confidence_in(subject, pairs, &ranked, known, whole.share);
     // A rule that keeps a law is not nearly that of a record that does not.
     if confidence == Confidence::Near && whole.unkept.iter().any(|law| ranked.best.rule.keeps(*law)) {
         confidence = Confidence::NoneFits;
@@ -270,16 +302,16 @@ pub(crate) fn diagnose(
     if confidence == Confidence::NoneFits && !sought {
         (ranked, confidence, error) = unnamed(subject, pairs, &found, ranked, whole.fails, floor);
     }
-    let jumps = match confidence {
-        Confidence::ToRounding | Confidence::MostSteps => jumps(subject, pairs, &ranked.best.rule, floor),
-        _ => Vec::new(),
-    };
-    if !jumps.is_empty() {
-        confidence = Confidence::MostSteps;
-    } else if confidence == Confidence::ToRounding {
+    if confidence == Confidence::ToRounding {
         (ranked, confidence) = settled(subject, pairs, ranked, whole, floor);
+    } else if !jumps.is_empty() {
+        let is_own = |pair: &&Pair| jumps.iter().all(|jump| jump.line != pair.to.line);
+        let own: Vec<Pair> = pairs.iter().filter(is_own).copied().collect();
+        if is_biased(subject, &own, &ranked.best.rule, floor) {
+            (confidence, jumps) = (Confidence::NoneFits, Vec::new());
+        }
     }
-    let Ranked { best, alike, second } = ranked;
+    let Ranked { best, alike, second } = ranked.placed(&found, floor);
     let header = known.said.engine.as_deref().unwrap_or_default();
     let named =
         confidence.names_a_rule() && !(confidence == Confidence::ToRounding && best.rule == Rule::EXACT);
@@ -305,15 +337,22 @@ pub(crate) fn diagnose(
     })
 }
 
-/// The steps that are not the rule's, if they are few.
-fn jumps(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> Vec<Jump> {
-    let most = JUMP_IN_LIMITS * floor.limits()[1];
+/// The steps that are not the rule's: a push is rare, far larger than the errors of the steps, and not the
+/// end of another; all other steps are the rule's. `None` where that is not so.
+pub(super) fn jumps(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> Option<Vec<Jump>> {
+    let most = floor.limits()[1];
     let jump = |pair: &Pair| {
         let size = subject.residual(rule, pair);
         (size > most).then_some(Jump { line: pair.to.line, time: pair.to.t, size })
     };
-    let all: Vec<Jump> = pairs.iter().filter_map(jump).collect();
-    if all.len() <= RESETS { all } else { Vec::new() }
+    let off: Vec<Jump> = pairs.iter().filter_map(jump).collect();
+    let far = off.iter().filter(|jump| jump.size > JUMP_IN_LIMITS * most).count();
+    if far == 0 {
+        return Some(Vec::new());
+    }
+    let rare = far == off.len() && far * JUMP_EVERY <= pairs.len() && far <= RESETS;
+    // Of attitudes alone one push is in two turns.
+    (rare && off.windows(3).all(|three| three[2].line > three[0].line + 2)).then_some(off)
 }
 
 /// Whether two rules differ where the body is faster.

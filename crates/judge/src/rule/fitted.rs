@@ -1,10 +1,11 @@
 //! Candidates with numbers in them, each fitted to the record before it is held against it.
 
 use crate::law::LawName;
-use crate::read::{Pair, least, median, ordered};
+use crate::read::{Pair, least, median, normal, ordered, slopes};
 use crate::rule::{Alteration, Base, Rule, Subject, Turn, When};
 use crate::thresholds::{
-    BEYOND, CAPPED_ROWS, DAMPED, DAMPED_ROUNDINGS, FITTED_STEPS, JOLT, NEAR_A_TERM, RATE_APART, ROUND_RATE,
+    BEYOND, CAPPED_ROWS, DAMPED, DAMPED_ROUNDINGS, FITTED_STEPS, JOLT, NEAR_A_TERM, OTHER_BODY, RATE_APART,
+    ROUND_RATE, UNKNOWN_BODY,
 };
 use nalgebra::{Matrix3, Rotation3, SVector, UnitQuaternion, Vector3};
 use tumbling::PrincipalMoments;
@@ -44,9 +45,14 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
     let term = times_the_term(subject, &few);
     let mut all = Vec::new();
     for base in Base::all() {
-        // Without attitudes it is all one whether the spin is damped before or after the turn.
-        let after = [When::After, When::Turned];
-        for whens in [&[When::Before][..], &after[..1 + usize::from(with_attitude)]] {
+        // Spins alone do not show whether they are damped before or after the turn, nor turns alone on which
+        // side of the row.
+        let whens: [&[When]; 2] = match (with_attitude, of_spin) {
+            (true, true) => [&[When::Before], &[When::After, When::Turned]],
+            (true, false) => [&[], &[When::After, When::Open]],
+            (false, _) => [&[When::Before], &[When::Open]],
+        };
+        for whens in whens.into_iter().filter(|whens| !whens.is_empty()) {
             let fitted = damped(subject, &few, base, whens[0], rounding);
             let rule = |(factor, rate)| {
                 whens.iter().map(move |&when| base.but(Alteration::Damped { factor, rate, when }))
@@ -54,7 +60,7 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
             all.extend(fitted.into_iter().flat_map(rule));
         }
         // A rule that keeps the laws goes along the exact motion's curve, at any rate that a number gives.
-        let keeps = Rule::plain(base).keeps(LawName::Separatrix);
+        let keeps = Rule::plain(base).keeps(LawName::Separatrix) || base.is_accurate();
         let far = if keeps { RATE_APART } else { NEAR_A_TERM[1] };
         let is_still = matches!(base, Base::Method(Method::ConstantSpin, _));
         if !is_still && (!keeps || base == Base::Exact) && term.is_finite() {
@@ -63,10 +69,11 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
             let other = fitted.filter(|times| (times.x - 1.0).abs() > far && times.x.abs() > NEAR_A_TERM[1]);
             all.extend(other.map(|times| rule(&times)));
         }
-        if with_attitude && of_spin {
-            all.extend([Turn::Old, Turn::Late].map(|turn| base.but(Alteration::Turned(turn))));
-        }
         all.extend(capped(pairs).map(|most| base.but(Alteration::Capped(most))));
+    }
+    if with_attitude && of_spin {
+        let turned = |base: Base| [Turn::Old, Turn::Late].map(|turn| base.but(Alteration::Turned(turn)));
+        all.extend(Base::of_one_part().into_iter().flat_map(turned));
     }
     all
 }
@@ -82,7 +89,7 @@ fn times_the_term(subject: &Subject, pairs: &[Pair]) -> f64 {
 }
 
 /// The body with which each base makes the spins of the record: a tensor of the same trace as that named.
-pub(crate) fn other_bodies(subject: &Subject, pairs: &[Pair]) -> Vec<Rule> {
+pub(crate) fn other_bodies(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<Rule> {
     let few = some(pairs, FITTED_STEPS);
     let trace = subject.moments.sum();
     let named = subject.moments / trace;
@@ -107,7 +114,14 @@ pub(crate) fn other_bodies(subject: &Subject, pairs: &[Pair]) -> Vec<Rule> {
     };
     let fitted = |base: Base| {
         let misses = |numbers: &SVector<f64, 5>| misses(subject, &few, &rule(base, numbers)?);
-        rule(base, &least(start, misses, inside)?)
+        let found = least(start, misses, inside)?;
+        // What the record does not determine is not the engine's body, nor is what hardly differs.
+        let here = misses(&found)?;
+        let left = (here.iter().map(Vector3::norm_squared).sum::<f64>() / here.len() as f64).sqrt();
+        let errors = normal::<5>(&slopes(&found, &here, misses)?).cholesky()?.inverse().diagonal();
+        let unknown = errors.amax().sqrt() * left.max(rounding);
+        let moved = (tensor(&found) - Matrix3::from_diagonal(&named)).norm();
+        rule(base, &found).filter(|_| unknown < UNKNOWN_BODY && moved > OTHER_BODY)
     };
     Base::all().into_iter().filter_map(fitted).collect()
 }

@@ -71,11 +71,12 @@ impl Alteration {
             Self::Damped { factor, rate, when } => {
                 let (lost, rate) = (1.0 - factor, readable(*rate));
                 let when = match when {
-                    When::Before => "before the gyroscopic term",
-                    When::After => "after the gyroscopic term",
-                    When::Turned => "after the turn",
+                    When::Before => ", before the gyroscopic term",
+                    When::After => ", after the gyroscopic term",
+                    When::Turned => ", after the turn",
+                    When::Open => "",
                 };
-                format!("damping left on ({rate}/s: {lost:.3e} of the spin each step, {when})")
+                format!("damping left on ({rate}/s: {lost:.3e} of the spin each step{when})")
             }
             Self::Term(times) => match TERMS.iter().find(|term| (term.0 - times).abs() < NEAR_A_TERM[0]) {
                 Some((_, words)) => (*words).into(),

@@ -2,7 +2,7 @@
 
 use crate::law::LawName;
 use crate::read::Pair;
-use crate::rule::{Limits, PHYSICS_ENGINES, PhysicsEngine};
+use crate::rule::{Limits, PHYSICS_ENGINES, PhysicsEngine, Subject};
 use crate::thresholds::{BEYOND, MORE_PARTS, PARTS};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use tumbling::attitude;
@@ -90,6 +90,8 @@ pub enum When {
     After,
     /// After the turn.
     Turned,
+    /// The record does not show where; as after the turn.
+    Open,
 }
 
 impl Rule {
@@ -205,6 +207,16 @@ impl Base {
         distinct(all)
     }
 
+    /// These, and every other rule in one part.
+    pub(crate) fn of_one_part() -> Vec<Self> {
+        distinct(Self::all().into_iter().chain(Self::every()).collect())
+    }
+
+    /// Whether its steps are those of the motion but for a small share.
+    pub(crate) fn is_accurate(&self) -> bool {
+        matches!(self, Self::Method(method, _) if method.info().order > 2)
+    }
+
     /// With this alteration.
     pub(crate) const fn but(self, alteration: Alteration) -> Rule {
         Rule { base: self, alteration: Some(alteration) }
@@ -274,7 +286,7 @@ pub(crate) fn of_parts(parts: u32) -> Vec<Rule> {
 }
 
 /// The tensor frozen as it stood at the record's first attitude, where that is another than the identity.
-pub(crate) fn frozen_at(pairs: &[Pair]) -> Vec<Rule> {
+pub(crate) fn frozen_at(_: &Subject, pairs: &[Pair], _: f64) -> Vec<Rule> {
     let first = pairs.first().and_then(|pair| pair.from.attitude);
     let first = first.map(|q| q / q.norm()).filter(|q| q.imag().norm() > 0.0 && q.norm().is_finite());
     let both = |q| [Steps::First, Steps::Fourth].map(|steps| Rule::plain(Base::FrozenTensor(q, steps)));

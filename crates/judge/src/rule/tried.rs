@@ -6,7 +6,8 @@ use crate::rule::{
     Alteration, Base, Explanation, Rule, Subject, Turn, compound, frozen_at, in_parts, momentum_for_spin,
     of_parts, other_bodies, plain,
 };
-use crate::thresholds::{ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, AS_EXACT, CLEAR, TRIED_IN_PARTS};
+use crate::thresholds::{ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, AS_EXACT, CLEAR, PARTS, TRIED_IN_PARTS};
+use tumbling::step::Method;
 
 pub(super) fn explained(subject: &Subject, pairs: &[Pair], rule: Rule) -> Option<Explanation> {
     let residuals = pairs.iter().map(|pair| subject.residual(&rule, pair)).collect();
@@ -16,7 +17,8 @@ pub(super) fn explained(subject: &Subject, pairs: &[Pair], rule: Rule) -> Option
 /// Whether a rule is within rounding of the best, in the median as in the 95th percentile.
 pub(super) fn alike_to_best(found: &[Explanation], floor: Floor) -> impl Fn(&Explanation) -> bool + use<> {
     let least = found.iter().map(|x| x.median).fold(f64::INFINITY, f64::min);
-    let [half, nearly_all] = floor.either(ALIKE_ROUNDINGS, ALIKE_FEW).map(|units| units * floor.size);
+    let [half, nearly_all] =
+        if floor.few { ALIKE_FEW } else { ALIKE_ROUNDINGS }.map(|units| units * floor.size);
     let near = move |x: &Explanation| x.median <= (ALIKE[0] * least).max(half);
     let best_most = found.iter().filter(|x| near(x)).map(|x| x.percentile_95).fold(f64::INFINITY, f64::min);
     move |x| near(x) && x.percentile_95 <= (ALIKE[1] * best_most).max(nearly_all)
@@ -46,14 +48,12 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
         }
         found.extend(in_parts);
     }
-    if free && !fits(&found) {
-        found.extend(frozen_at(pairs).into_iter().filter_map(explained));
-    }
-    if free && !fits(&found) {
-        found.extend(compound(subject, pairs, floor.size).into_iter().filter_map(explained));
-    }
-    if free && !fits(&found) {
-        found.extend(other_bodies(subject, pairs).into_iter().filter_map(explained));
+    found.extend(equals(&found, floor).into_iter().filter_map(explained));
+    let more: [fn(&Subject, &[Pair], f64) -> Vec<Rule>; 3] = [frozen_at, compound, other_bodies];
+    for rules in more {
+        if free && !fits(&found) {
+            found.extend(rules(subject, pairs, floor.size).into_iter().filter_map(explained));
+        }
     }
     let with_attitude = pairs.first().is_some_and(|pair| pair.from.attitude.is_some());
     if free && with_attitude && !sought && !fits(&found) {
@@ -63,6 +63,19 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
         found.extend(Base::all().into_iter().filter(of_engine).filter_map(otherwise));
     }
     found
+}
+
+/// Rules that make the steps of one that fits, though not by name: a straight turn by the new spin is one by
+/// the old where the spins are a row late, and the position stage cuts a long step by itself.
+fn equals(found: &[Explanation], floor: Floor) -> Vec<Rule> {
+    let equal = |x: &Explanation| match x.rule.base {
+        Base::Straight(Method::SemiImplicitEuler, parts) => {
+            vec![Base::Method(Method::ExplicitEuler, parts).but(Alteration::Turned(Turn::Late))]
+        }
+        Base::PositionStage(1) => PARTS.map(|parts| Rule::plain(Base::PositionStage(parts))).to_vec(),
+        _ => Vec::new(),
+    };
+    found.iter().filter(|x| x.fits(floor) && x.rule.alteration.is_none()).flat_map(equal).collect()
 }
 
 /// In how many parts the best rule found makes its steps, if no rule in another number of parts can come as

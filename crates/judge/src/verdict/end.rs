@@ -5,7 +5,7 @@ use crate::laws::{Complaint, FlipCount, Law, Trial};
 use crate::options::Options;
 use crate::read::{Fit, Kind};
 use crate::rule::{Subject, Whole, diagnose};
-use crate::thresholds::{ENOUGH_CHANGE, ENOUGH_ROWS, FLIPS_APART, LAW_ROUNDINGS, STILL};
+use crate::thresholds::{ENOUGH_CHANGE, ENOUGH_ROWS, LAW_ROUNDINGS, STILL};
 use crate::verdict::{Outcome, Recording, Verdict, spin_faults, wrong_pace, wrong_rule};
 use std::f64::consts::TAU;
 
@@ -115,7 +115,6 @@ impl End<'_> {
             broken,
             unkept: unkept.map(|law| law.name).collect(),
             fails,
-            miscounted: self.flips.is_some_and(|flips| flips.found.abs_diff(flips.exact) > FLIPS_APART),
             lengths: self.laws.iter().filter(|law| is_length(law.name)).all(|law| law.growth.rank() == 0),
             kept: !laws.untraceable() && self.laws.iter().all(|law| law.growth.rank() == 0),
             share: sample.seen() as f64 / (*pairs).max(1) as f64,

@@ -28,19 +28,17 @@ pub(crate) fn wrong_rule(diagnosis: &Diagnosis) -> Option<Complaint> {
 }
 
 /// Whether shorter steps do not lead to the motion of the body.
-const fn is_wrong(rule: &Rule) -> bool {
-    match (rule.base, rule.alteration) {
-        (Base::Exact | Base::PositionStage(_), None) => false,
-        (Base::Method(method, _) | Base::Straight(method, _), None) => {
-            matches!(method, Method::ConstantSpin)
-        }
-        // A limit on the turn of a step is out of reach of shorter ones.
-        (Base::Engine(engine), None) => {
-            engine.limits.component.is_some() || matches!(engine.method, Method::ConstantSpin)
-        }
-        (base, Some(Alteration::Turned(_))) => is_wrong(&Rule::plain(base)),
-        _ => true,
-    }
+fn is_wrong(rule: &Rule) -> bool {
+    let plain = Rule::plain(rule.base);
+    let still = plain.method().is_some_and(|(method, _)| method == Method::ConstantSpin);
+    // A limit on the turn of a step is out of reach of shorter ones, a limit on the spin is not.
+    let base = match rule.base {
+        Base::Engine(engine) => engine.limits.component.is_some(),
+        Base::Straight(method, _) => method == Method::ConstantSpin,
+        Base::FrozenTensor(..) | Base::MomentumForSpin(_) => true,
+        _ => false,
+    };
+    still || base || !matches!(rule.alteration, None | Some(Alteration::Turned(_)))
 }
 
 /// A phase that ran away, where the caller has set no limit of its own for it. So near the separatrix that

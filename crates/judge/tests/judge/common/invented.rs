@@ -92,6 +92,10 @@ struct Invented {
     fault: Fault,
     every: u32,
     layout: Layout,
+    /// The moments, the rows before they are written, and the time from row to row.
+    body: Vector3<f64>,
+    rows: Vec<Motion>,
+    between: f64,
 }
 
 /// What the judge makes of it.
@@ -390,10 +394,13 @@ impl Invented {
         if chance.below(3) == 0 {
             spin[chance.below(3)] *= 20.0;
         }
-        let mut invented = Self { text: String::new(), what: String::new(), truth, fault, every, layout };
+        let (text, what) = Default::default();
+        let (rows, between) = (Vec::new(), h * f64::from(every));
+        let mut invented = Self { text, what, truth, fault, every, layout, body: moments, rows, between };
         let start = (first, spin.normalize() * speed.min(60.0));
         let rows = invented.rows(&mut chance, step, start, h, digits);
         invented.write(&mut chance, &rows, &named, h, digits);
+        invented.rows = rows;
         invented
     }
 
@@ -510,7 +517,9 @@ impl Invented {
     fn is_as_said(&self, rule: &Rule) -> bool {
         let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-2;
         match (self.fault, rule.alteration) {
-            (Fault::Damped(wanted, _), Some(Alteration::Damped { rate, .. })) => near(rate, wanted),
+            (Fault::Damped(wanted, place), Some(Alteration::Damped { rate, when, .. })) => {
+                near(rate, wanted) && (when == When::Open || when == place)
+            }
             (Fault::Term(wanted), Some(Alteration::Term(times))) => near(times, wanted),
             (Fault::Turned(wanted), Some(Alteration::Turned(turn))) => turn == wanted,
             (Fault::Other(wanted, degrees), Some(Alteration::OtherMoments(moments, axes))) => {
@@ -564,14 +573,23 @@ impl Invented {
         let all = || std::iter::once(&found.best.rule).chain(&found.alike);
         let (first, any) = (found.leading.iter().any(|x| self.is(x)), all().any(|x| self.is(x)));
         // A spin alone leaves wrong sign, other moments and the other hand open: all are offered.
-        let mirrored = matches!(self.fault, Fault::Term(-1.0) | Fault::Other(..))
+        let sure = found.confidence.names_a_rule();
+        let is_own = |rule: &Rule| matches!(self.truth, Truth::Known(base) if self.is_base(base, rule));
+        let in_mirror = |rule: &Rule| match self.fault {
+            // The other hand's spin goes by the term with its own sign.
+            Fault::Term(-1.0) => rule.alteration.is_none() && is_own(rule),
+            // What is left of the other body, of the rule or of the motion.
+            Fault::Other(..) => matches!(rule.alteration, Some(Alteration::OtherMoments(..))),
+            _ => false,
+        };
+        let mirrored = (!sure || all().any(in_mirror))
+            && matches!(self.fault, Fault::Term(-1.0) | Fault::Other(..))
             && verdict.file_mistakes.contains(&FileMistake::LeftHandedSpin)
             && verdict.to_string().contains("wrong sign");
-        let sure = found.confidence.names_a_rule();
         // The exact motion with the fault: the rule's own error is less than what is left.
         let of_fault = found.best.rule.base == Base::Exact && self.is_as_said(&found.best.rule);
         let near = found.confidence == Confidence::Near;
-        let Truth::Known(base) = self.truth else { return self.outside(found) };
+        let Truth::Known(base) = self.truth else { return self.outside(found, verdict.record.rounding) };
         match (sure, first, any) {
             (true, true, _) if found.alike.is_empty() => Named::Rightly,
             (true, true, _) if found.leading.len() == 1 => Named::Rightly,
@@ -588,17 +606,52 @@ impl Invented {
         }
     }
 
+    /// Whether the place in the step where damping acts is named rightly, not, or wrongly.
+    fn places(&self, verdict: &Verdict) -> [u64; 3] {
+        let found = verdict.diagnosis.as_ref().map(|found| (found.confidence, found.best.rule.alteration));
+        let (Fault::Damped(_, place), Some((sure, Some(Alteration::Damped { when, .. })))) =
+            (self.fault, found)
+        else {
+            return [0; 3];
+        };
+        let named = sure.names_a_rule() || sure == Confidence::Altered;
+        [when == place, when == When::Open, ![place, When::Open].contains(&when)]
+            .map(|x| u64::from(named && x))
+    }
+
     /// What is made of a rule that the judge does not know.
-    fn outside(&self, found: &Diagnosis) -> Named {
-        if found.confidence.names_a_rule() && !found.is_exact() { Named::Wrongly } else { Named::Not }
+    fn outside(&self, found: &Diagnosis, rounding: f64) -> Named {
+        // Less than the rounding of the first row and the last.
+        let is_equal = || self.off(&found.best.rule).is_some_and(|off| off < 2.0 * rounding);
+        match found.confidence.names_a_rule() && !found.is_exact() {
+            true if is_equal() => Named::AmongEquals,
+            true => Named::Wrongly,
+            false => Named::Not,
+        }
+    }
+
+    /// How far a plain rule is from the steps that were made, before they were written: of all steps together,
+    /// relative to the spin or in rad.
+    fn off(&self, rule: &Rule) -> Option<f64> {
+        let (Base::Method(method, parts), None) = (rule.base, rule.alteration) else { return None };
+        let step = known(Base::Method(method, 1), self.body);
+        let off = |two: &[Motion]| {
+            let end = (0..parts).try_fold(two[0], |now, _| step(&now, self.between / f64::from(parts)))?;
+            let [to, q] = [end.0, two[1].0].map(UnitQuaternion::new_normalize);
+            let turn = if self.layout == Layout::Spin { 0.0 } else { to.angle_to(&q) };
+            // Less what the arithmetic of a step leaves.
+            Some(((end.1 - two[1].1).norm() / two[1].1.norm() + turn - 1e-15).max(0.0))
+        };
+        self.rows.windows(2).map(off).sum()
     }
 }
 
 /// Judges the records of this many seeds, and writes which are not named, or wrongly, or praised beside a
 /// failure; a single one in full. How many are named rightly, among equals, not and wrongly, and how many are
-/// praised and refused (an attitude that turns too far from row to row).
-pub fn counted(first: u64, count: u64, is_known: bool, out: &mut impl io::Write) -> io::Result<[u64; 6]> {
-    let mut counts = [0; 6];
+/// praised and refused (an attitude that turns too far from row to row); and of how many that are damped the
+/// place in the step is named rightly, not and wrongly.
+pub fn counted(first: u64, count: u64, is_known: bool, out: &mut impl io::Write) -> io::Result<[u64; 9]> {
+    let mut counts = [0; 9];
     for seed in first..first.saturating_add(count) {
         let record = Invented::of(seed, is_known);
         let Ok(verdict) = judge(record.text.as_bytes(), &Options::default()) else {
@@ -608,6 +661,7 @@ pub fn counted(first: u64, count: u64, is_known: bool, out: &mut impl io::Write)
         let (named, praise) = (record.named(&verdict), praise(&verdict));
         counts[named as usize] += 1;
         counts[4] += u64::from(praise.is_some());
+        counts[6..].iter_mut().zip(record.places(&verdict)).for_each(|(count, here)| *count += here);
         if count == 1 {
             writeln!(out, "{}\n{}\n{named:?}\n{verdict}", record.text, record.what)?;
         } else if named == Named::Wrongly || named == Named::Not && is_known || praise.is_some() {
