@@ -116,10 +116,9 @@ pub struct DirectPair<T = f64> {
     a_imaginary: [T; 3],
     b_along_sin: [T; 3],
     b_along_cos: [T; 3],
-    sense: T,
 }
 
-gather_fields!(DirectPair { a_real, a_imaginary, b_along_sin, b_along_cos, sense });
+gather_fields!(DirectPair { a_real, a_imaginary, b_along_sin, b_along_cos });
 
 impl<T: Series> DirectPair<T> {
     /// `2 q^(2n²) cosh 2nB` and the sine: from the nome, `exp(-2B)`, and the nome times `exp(2B)`.
@@ -163,7 +162,7 @@ impl<T: Series> DirectPair<T> {
         let along_cos =
             [(d0 + d1.clone() - d2.clone()).up_to(odd_rest), -n(2) * d1 - n(2) * d2.clone(), n(4) * d2];
         let b_along_cos = along_cos.map(|x| -sense.clone() * x);
-        Self { a_real, a_imaginary, b_along_sin, b_along_cos, sense }
+        Self { a_real, a_imaginary, b_along_sin, b_along_cos }
     }
 
     /// The real and the imaginary part of `a`, and those of `b` where the sense is 1 (otherwise `b` is `-i`
@@ -221,15 +220,8 @@ impl<T: Lane> DirectPair<T> {
     pub(crate) fn raw(&self, sin: T, cos: T) -> Pair<T> {
         let doubled = [(cos - sin) * (cos + sin), sin * 2.0 * cos];
         let [a, turned, real, imaginary] = self.sums(doubled, [sin, cos]);
-        Pair { a: [a, turned], b: in_sense(self.sense, real, imaginary) }
+        Pair { a: [a, turned], b: [real, imaginary] }
     }
-}
-
-/// `b`, whose axes follow each other one way or the other.
-#[inline(always)]
-fn in_sense<T: Lane>(sense: T, real: T, imaginary: T) -> [T; 2] {
-    let cyclic = splat::<T>(0.0).lt(sense);
-    [T::select(cyclic, real, imaginary), T::select(cyclic, imaginary, -real)]
 }
 
 /// The attitude's two theta functions in hyperbolic functions, after the imaginary transformation: sums in
@@ -249,10 +241,9 @@ pub struct ComplementaryPair<T = f64> {
     rising: [[T; 5]; 2],
     falling: [[T; 4]; 2],
     amplitude: T,
-    sense: T,
 }
 
-gather_fields!(ComplementaryPair { nome, rising, falling, amplitude, sense });
+gather_fields!(ComplementaryPair { nome, rising, falling, amplitude });
 
 impl<T: Series> ComplementaryPair<T> {
     /// Cosines and sines of the first five odd multiples, each from the two before.
@@ -278,9 +269,11 @@ impl<T: Series> ComplementaryPair<T> {
         let power = |k| powi(nome.clone(), k);
         // (C32)
         let up = [T::one(), T::one(), power(2), power(6), power(12)];
+        let [cos, sin] = waves;
+        let waves = [cos, sin.map(|x| sense.clone() * x)];
         let rising = waves.each_ref().map(|w| from_fn(|n| up[n].clone() * w[n].clone()));
         let falling = waves.each_ref().map(|w| from_fn(|n| up[n + 1].clone() * w[n].clone()));
-        Self { rising, falling, amplitude: T::one(), sense, nome }
+        Self { rising, falling, amplitude: T::one(), nome }
     }
 
     /// The real and the imaginary part of `a`, and those of `b` where the sense is 1 (otherwise `b` is `-i`
@@ -309,12 +302,11 @@ impl<T: Series> ComplementaryPair<T> {
         let [(cos_up, cos_up_alternating), (sin_up, sin_up_alternating)] = self.rising.each_ref().map(up);
         let [(cos_down, cos_down_alternating), (sin_down, sin_down_alternating)] =
             self.falling.each_ref().map(down);
-        let sense = || self.sense.clone();
         [
             (cos_up + cos_down).up_to(rest),
-            sense() * (sin_down - sin_up).up_to(rest),
+            (sin_down - sin_up).up_to(rest),
             (cos_up_alternating - cos_down_alternating).up_to(rest),
-            -sense() * (sin_up_alternating + sin_down_alternating).up_to(rest),
+            -(sin_up_alternating + sin_down_alternating).up_to(rest),
         ]
     }
 
@@ -337,7 +329,7 @@ impl<T: Series> ComplementaryPair<T> {
         };
         [false, true].map(|weigh| {
             let ([c0, c1], [s0, s1]) = (sum(0, weigh), sum(1, weigh));
-            [c0 + c1, self.sense.clone() * (s1 - s0)]
+            [c0 + c1, s1 - s0]
         })
     }
 
@@ -377,10 +369,7 @@ impl<T: Lane> ComplementaryPair<T> {
     pub(crate) fn raw(&self, e: T, rise: T, sign: T, turn: T) -> Pair<T> {
         let [a, turned, real, imaginary] = self.sums(e, self.nome * rise);
         let amplitude = turn * self.amplitude;
-        Pair {
-            a: [a, sign * turned],
-            b: in_sense(self.sense, amplitude * sign * real, amplitude * imaginary),
-        }
+        Pair { a: [a, sign * turned], b: [amplitude * sign * real, amplitude * imaginary] }
     }
 }
 

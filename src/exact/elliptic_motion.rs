@@ -179,6 +179,7 @@ impl<T: Real> EllipticMotion<T> {
     }
 
     /// Spin and turn since the start at scaled time `time`.
+    #[inline(always)]
     pub(crate) fn at(&self, time: T) -> (Vector3<T>, Quaternion<T>) {
         let (omega, turn) = match &self.form {
             Form::Direct { spin, attitude } => both(spin, attitude, spin.phase(time), time),

@@ -102,7 +102,7 @@ impl<T: Lane> DoubleDouble<T> {
         Self { lo: self.lo.up_to(rest), ..self }
     }
 
-    /// With both parts multiplied by 1 or -1.
+    /// With both parts multiplied by 1, -1 or another power of two.
     #[inline(always)]
     pub(crate) fn signed(self, sign: T) -> Self {
         Self { hi: self.hi * sign, lo: self.lo * sign }
@@ -114,18 +114,43 @@ impl<T: Lane> DoubleDouble<T> {
         Self { hi: T::select(mask, yes.hi, no.hi), lo: T::select(mask, yes.lo, no.lo) }
     }
 
-    /// The nearest integer, and what is left: at most a half, in one number that has all its digits.
+    /// The nearest integer, and what is left: at most a half.
     ///
     /// Of a number too large to have a fraction, or that is not finite, nothing is left.
     #[inline(always)]
-    pub(crate) fn split(self) -> (T, T) {
+    pub(crate) fn whole_and_rest(self) -> (T, Self) {
+        if !T::all(self.hi.abs().lt(splat(LARGE))) {
+            return self.far_whole_and_rest();
+        }
         let [whole, near] = self.hi.whole_and_left();
         // The low part can carry it just past the half.
-        let [more, left] = (near + self.lo).whole_and_left();
+        let rest = quick_two_sum(near, self.lo);
+        let [more, left] = rest.hi.whole_and_left();
+        (whole + more, Self { hi: left, lo: rest.lo })
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn far_whole_and_rest(self) -> (T, Self) {
+        let whole = self.hi.round_ties_even();
+        let rest = quick_two_sum(self.hi - whole, self.lo);
+        let more = rest.hi.round_ties_even();
+        let (left, zero) = (rest.hi - more, splat::<T>(0.0));
         let finite = left.finite();
-        (T::select(finite, whole + more, splat::<T>(0.0)), T::select(finite, left, splat::<T>(0.0)))
+        let rest = Self::select(finite, Self { hi: left, lo: rest.lo }, Self::from(zero));
+        (T::select(finite, whole + more, zero), rest)
+    }
+
+    /// [`whole_and_rest`](Self::whole_and_rest) with what is left in one number that has all its digits.
+    #[inline(always)]
+    pub(crate) fn split(self) -> (T, T) {
+        let (whole, rest) = self.whole_and_rest();
+        (whole, rest.hi())
     }
 }
+
+/// 2^50: a number up to it and what its low part carries have an `f64` that counts integers above them.
+const LARGE: f64 = 1_125_899_906_842_624.0;
 
 impl<T: Lane> From<T> for DoubleDouble<T> {
     fn from(hi: T) -> Self {

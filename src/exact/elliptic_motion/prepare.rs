@@ -1,12 +1,12 @@
 //! The constants of an elliptic motion, from what stays the same in it and the spin at the start.
 
-use super::instant::Axes;
 use super::range_reduction::Reduction;
 use super::{ComplementaryAttitude, ComplementarySpin, Constants, DirectAttitude, DirectSpin};
 use super::{EllipticMotion, Form};
 use crate::dynamics::invariants::Asymmetric;
 use crate::error::{Error, Refusal, Subject};
 use crate::exact::cayley_klein::{ComplementaryPair, DirectPair, Pair, Shape};
+use crate::exact::elementary::Axes;
 use crate::exact::elliptic::{self, ComplementarySeries, DirectSeries, NOME_RATIO};
 use crate::exact::geometry::quarter_period;
 use crate::inertia::Axis;
@@ -271,14 +271,14 @@ impl<'a, T: Real> Preparation<'a, T> {
         let start = argument_at_start(values, self.scaled_complement, quarter, self.shift);
         let turn = splat(if values[1].lt(T::zero()) { -1.0 } else { 1.0 });
         // (C27)
-        let mut reduction = Reduction::new(start, rate, quarter, other, turn);
+        let reduction = Reduction::new(start, rate, quarter, other, turn);
         let Reduction { nome_root, stretch, .. } = reduction;
         let power = T::one().times_power_of_two(self.shift);
         let series = ComplementarySeries::new(nome_root * nome_root, self.scaled_complement, power);
         let pair = ComplementaryPair::of_shape(nome_root, &self.shape(shares, other * 4.0));
         let zero = T::zero();
         let (amplitudes, shift) = self.meeting_the_start(reduction.argument(zero).values(&series));
-        reduction.start = reduction.start - DoubleDouble::from(shift);
+        let (argument, reduction) = (start - DoubleDouble::from(shift), reduction.back(shift));
         let start = of_length_one(reduction.argument(zero).pair(&pair));
         let (two, turned) = (splat::<T>(2.0), rate * (stretch * pair.turning_at_saddle()));
         let drift = (self.rate_about_momentum() * splat::<T>(0.5) - turned) / (DoubleDouble::pi() * two);
@@ -287,7 +287,7 @@ impl<'a, T: Real> Preparation<'a, T> {
         let axes = Axes::new(self.axes());
         let spin = ComplementarySpin { series, reduction, amplitudes: self.in_series(amplitudes), axes };
         let attitude = ComplementaryAttitude { pair, start, drift, step };
-        Prepared { form: Form::Complementary { spin, attitude }, argument: reduction.start, amplitudes }
+        Prepared { form: Form::Complementary { spin, attitude }, argument, amplitudes }
     }
 
     /// How fast the smooth phase about the momentum runs at the saddle: as `L/I_M` but for terms that vanish
