@@ -94,9 +94,10 @@ impl<T: Real> Shape<T> {
     }
 
     /// What `b` is times, from both numbers at the saddle.
-    fn amplitude(&self, a: T, b: T) -> T {
+    fn amplitude(&self, saddle: &Pair<T>) -> T {
+        let square = |[x, y]: [T; 2]| x * x + y * y;
         // (C24)
-        let amplitude = self.tilt * a / b;
+        let amplitude = self.tilt * (square(saddle.a) / square(saddle.b)).sqrt();
         if self.forward { amplitude } else { -amplitude }
     }
 }
@@ -206,8 +207,7 @@ impl<T: Real> DirectPair<T> {
         // q exp(2B) is at most 1; where both underflow, what it multiplies is nothing.
         let rise = if q == T::zero() { T::zero() } else { (q / fall).at_most_one() };
         let mut pair = Self::new(q, [fall, less], rise, shape.sense());
-        let at_middle = pair.raw(T::one(), T::zero());
-        let amplitude = shape.amplitude(at_middle.a[0], at_middle.b[0].hypot(at_middle.b[1]));
+        let amplitude = shape.amplitude(&pair.raw(T::one(), T::zero()));
         pair.b_along_sin = pair.b_along_sin.map(|x| x * amplitude);
         pair.b_along_cos = pair.b_along_cos.map(|x| x * amplitude);
         pair
@@ -310,32 +310,22 @@ impl<T: Series> ComplementaryPair<T> {
         ]
     }
 
-    /// At the saddle, where `e = r = p`: `a`, and its change with `x`.
-    pub fn at_saddle(&self) -> [[T; 2]; 2] {
-        let (p, p2) = (|| self.nome.clone(), || self.nome.clone() * self.nome.clone());
-        let p = [T::one(), p(), p2(), p() * p2(), p2() * p2()];
-        let rest = || T::integer(16) * powi(self.nome.clone(), 25);
-        let sum = |wave: usize, weigh: bool| {
-            let weight = |n: u32| if weigh { T::integer(n) } else { T::one() };
-            let mut total = [T::zero(), T::zero()];
-            for (n, (term, power)) in (0..).zip(self.rising[wave].iter().zip(&p)) {
-                total[0] += weight(n) * term.clone() * power.clone();
-            }
-            for (n, (term, power)) in (1..).zip(self.falling[wave].iter().zip(&p[1..])) {
-                let falling = weight(n) * term.clone() * power.clone();
-                total[1] += if weigh { -falling } else { falling };
-            }
-            total.map(|x| x.up_to(rest))
-        };
-        [false, true].map(|weigh| {
-            let ([c0, c1], [s0, s1]) = (sum(0, weigh), sum(1, weigh));
-            [c0 + c1, s1 - s0]
-        })
-    }
-
-    /// How fast the angle of `a` turns with `x` at the saddle.
+    /// How fast the angle of `a` turns with `x` at the saddle, where `e = r = p`.
     pub fn turning_at_saddle(&self) -> T {
-        let [[re, im], [d_re, d_im]] = self.at_saddle();
+        let p = || self.nome.clone();
+        let [re, im, ..] = self.sums(p(), p());
+        let (mut power, mut change) = (T::one(), [T::zero(), T::zero()]);
+        for n in 1..5_u32 {
+            power *= p();
+            let terms = |wave: usize| {
+                let (rising, falling) = (&self.rising[wave][n as usize], &self.falling[wave][n as usize - 1]);
+                (rising.clone(), falling.clone())
+            };
+            let ((c, d), (s, t), weight) = (terms(0), terms(1), T::integer(n) * power.clone());
+            change[0] += weight.clone() * (c - d);
+            change[1] -= weight * (s + t);
+        }
+        let [d_re, d_im] = change.map(|x| x.up_to(|| T::integer(32) * powi(p(), 25)));
         let square = re.clone() * re.clone() + im.clone() * im.clone();
         // (C34)
         (re * d_im - im * d_re) / square
@@ -348,15 +338,13 @@ impl<T: Real> ComplementaryPair<T> {
         let (sin, cos) = shape.depth.sin_cos();
         let mut pair = Self::new(nome, Self::waves(sin, cos), shape.sense());
         let one = T::one();
-        let middle = pair.raw(nome, one, one, one);
-        let length = |x: [T; 2]| x[0].hypot(x[1]);
-        pair.amplitude = shape.amplitude(length(middle.a), length(middle.b));
+        pair.amplitude = shape.amplitude(&pair.raw(nome, one, one, one));
         pair
     }
 
     /// The angle of `a` at the saddle.
     pub(crate) fn angle_at_saddle(&self) -> T {
-        let [[re, im], _] = self.at_saddle();
+        let [re, im, ..] = self.sums(self.nome, self.nome);
         // (C33)
         im.atan2(re)
     }

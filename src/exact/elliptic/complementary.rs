@@ -22,7 +22,9 @@ impl<T: Lane> Decay<T> {
     #[inline(always)]
     pub(crate) fn new(main: T, rest: T, nome_root: T) -> Self {
         let [root, less] = main.decay(rest);
-        Self { root, square: root * root, short_of_one: -less * (less + 2.0), rising: nome_root / root }
+        // At a saddle zero, not less: what is left to it has that sign.
+        let short_of_one = T::zero() - less * (less + 2.0);
+        Self { root, square: root * root, short_of_one, rising: nome_root / root }
     }
 }
 

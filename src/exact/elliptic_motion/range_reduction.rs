@@ -56,7 +56,7 @@ impl<T: Real> Reduction<T> {
         if !quarter.hi().finite() {
             return Self { start, rate, quarter, half: quarter, stretch, nome_root: T::zero(), turn };
         }
-        let half = quarter * splat::<T>(2.0);
+        let half = quarter.signed(splat(2.0));
         // (C9)
         let nome_root = (-(pi * 0.5) / (other / quarter.hi())).exp();
         Self { start: start / half, rate: rate / half, quarter, half, stretch, nome_root, turn }
@@ -83,7 +83,7 @@ impl<T: Real> Reduction<T> {
         // large will do.
         let (run, beyond) = (self.rate * time, splat::<T>(1e300));
         let end = DoubleDouble::from(beyond * self.rate.hi().sign() * time.sign());
-        self.reduced(T::zero(), if run.hi().abs().lt(beyond) { run.plus(self.start) } else { end })
+        self.reduced([T::zero(); 2], if run.hi().abs().lt(beyond) { run.plus(self.start) } else { end })
     }
 }
 
@@ -92,12 +92,12 @@ impl<T: Lane> Reduction<T> {
     #[inline(always)]
     pub(crate) fn at(&self, time: T) -> ReducedArgument<T> {
         // (C35)
-        let (halves, rest) = (self.rate * time).plus(self.start).whole_and_rest();
-        self.reduced(halves, self.half * rest)
+        let (halves, by_four, rest) = (self.rate * time).plus(self.start).whole_and_rest();
+        self.reduced([halves, by_four], self.half * rest)
     }
 
     #[inline(always)]
-    fn reduced(&self, halves: T, u: DoubleDouble<T>) -> ReducedArgument<T> {
+    fn reduced(&self, [halves, by_four]: [T; 2], u: DoubleDouble<T>) -> ReducedArgument<T> {
         let sign = u.hi().sign();
         let from_flip = u.signed(sign);
         let near_saddle = (self.quarter.hi() * 0.5).lt(from_flip.hi());
@@ -111,7 +111,7 @@ impl<T: Lane> Reduction<T> {
             near_saddle,
             sign,
             // Two quarters each.
-            turn: (halves * 2.0).after_quarters(self.turn, self.turn).0,
+            turn: (by_four * 2.0).after_quarters(self.turn, self.turn).0,
             halves,
         }
     }
