@@ -246,18 +246,21 @@ impl FreeMotion {
             return Ok(self.first());
         }
         let (omega, turned) = self.along_principal_axes(time);
-        Ok(Instant { omega: self.in_body(omega), attitude: self.in_world(turned) })
+        let instant = Instant { omega, attitude: UnitQuaternion::new_unchecked(turned) };
+        if let Some(mount) = &self.mount {
+            return Ok(mount.instant(instant));
+        }
+        Ok(instant)
     }
 
     /// The spin along the principal axes, and their turn since the start, at a scaled time other than zero.
     #[inline(always)]
     fn along_principal_axes(&self, time: f64) -> (Vector3<f64>, Quaternion<f64>) {
-        match &self.law {
-            Motion::AtRest => (self.start, Quaternion::identity()),
-            Motion::Steady(turn) => (self.start, turn.at(time)),
-            Motion::Symmetric(precession) => (precession.omega(time), precession.attitude(time)),
-            Motion::Elliptic(motion) => motion.at(time),
+        // Most motions are: first.
+        if let Motion::Elliptic(motion) = &self.law {
+            return motion.at(time);
         }
+        (self.omega_along(time), self.turned(time).into_inner())
     }
 
     /// The start, as it was given.

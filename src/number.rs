@@ -14,7 +14,7 @@ pub(crate) mod power_of_two;
 pub(crate) mod quadrature;
 pub(crate) mod real;
 
-pub(crate) use lane::{Gather, gather_fields, splat};
+pub(crate) use lane::{Gather, INTEGERS, gather_fields, splat};
 pub use lane::{Lane, Series};
 pub(crate) use real::Real;
 

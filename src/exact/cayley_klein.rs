@@ -94,9 +94,10 @@ impl<T: Real> Shape<T> {
     }
 
     /// What `b` is times, from both numbers at the saddle.
-    fn amplitude(&self, a: T, b: T) -> T {
+    fn amplitude(&self, saddle: &Pair<T>) -> T {
+        let square = |[x, y]: [T; 2]| x * x + y * y;
         // (C24)
-        let amplitude = self.tilt * a / b;
+        let amplitude = self.tilt * (square(saddle.a) / square(saddle.b)).sqrt();
         if self.forward { amplitude } else { -amplitude }
     }
 }
@@ -116,10 +117,9 @@ pub struct DirectPair<T = f64> {
     a_imaginary: [T; 3],
     b_along_sin: [T; 3],
     b_along_cos: [T; 3],
-    sense: T,
 }
 
-gather_fields!(DirectPair { a_real, a_imaginary, b_along_sin, b_along_cos, sense });
+gather_fields!(DirectPair { a_real, a_imaginary, b_along_sin, b_along_cos });
 
 impl<T: Series> DirectPair<T> {
     /// `2 q^(2n²) cosh 2nB` and the sine: from the nome, `exp(-2B)`, and the nome times `exp(2B)`.
@@ -163,7 +163,7 @@ impl<T: Series> DirectPair<T> {
         let along_cos =
             [(d0 + d1.clone() - d2.clone()).up_to(odd_rest), -n(2) * d1 - n(2) * d2.clone(), n(4) * d2];
         let b_along_cos = along_cos.map(|x| -sense.clone() * x);
-        Self { a_real, a_imaginary, b_along_sin, b_along_cos, sense }
+        Self { a_real, a_imaginary, b_along_sin, b_along_cos }
     }
 
     /// The real and the imaginary part of `a`, and those of `b` where the sense is 1 (otherwise `b` is `-i`
@@ -207,8 +207,7 @@ impl<T: Real> DirectPair<T> {
         // q exp(2B) is at most 1; where both underflow, what it multiplies is nothing.
         let rise = if q == T::zero() { T::zero() } else { (q / fall).at_most_one() };
         let mut pair = Self::new(q, [fall, less], rise, shape.sense());
-        let at_middle = pair.raw(T::one(), T::zero());
-        let amplitude = shape.amplitude(at_middle.a[0], at_middle.b[0].hypot(at_middle.b[1]));
+        let amplitude = shape.amplitude(&pair.raw(T::one(), T::zero()));
         pair.b_along_sin = pair.b_along_sin.map(|x| x * amplitude);
         pair.b_along_cos = pair.b_along_cos.map(|x| x * amplitude);
         pair
@@ -221,15 +220,8 @@ impl<T: Lane> DirectPair<T> {
     pub(crate) fn raw(&self, sin: T, cos: T) -> Pair<T> {
         let doubled = [(cos - sin) * (cos + sin), sin * 2.0 * cos];
         let [a, turned, real, imaginary] = self.sums(doubled, [sin, cos]);
-        Pair { a: [a, turned], b: in_sense(self.sense, real, imaginary) }
+        Pair { a: [a, turned], b: [real, imaginary] }
     }
-}
-
-/// `b`, whose axes follow each other one way or the other.
-#[inline(always)]
-fn in_sense<T: Lane>(sense: T, real: T, imaginary: T) -> [T; 2] {
-    let cyclic = splat::<T>(0.0).lt(sense);
-    [T::select(cyclic, real, imaginary), T::select(cyclic, imaginary, -real)]
 }
 
 /// The attitude's two theta functions in hyperbolic functions, after the imaginary transformation: sums in
@@ -249,10 +241,9 @@ pub struct ComplementaryPair<T = f64> {
     rising: [[T; 5]; 2],
     falling: [[T; 4]; 2],
     amplitude: T,
-    sense: T,
 }
 
-gather_fields!(ComplementaryPair { nome, rising, falling, amplitude, sense });
+gather_fields!(ComplementaryPair { nome, rising, falling, amplitude });
 
 impl<T: Series> ComplementaryPair<T> {
     /// Cosines and sines of the first five odd multiples, each from the two before.
@@ -278,9 +269,11 @@ impl<T: Series> ComplementaryPair<T> {
         let power = |k| powi(nome.clone(), k);
         // (C32)
         let up = [T::one(), T::one(), power(2), power(6), power(12)];
+        let [cos, sin] = waves;
+        let waves = [cos, sin.map(|x| sense.clone() * x)];
         let rising = waves.each_ref().map(|w| from_fn(|n| up[n].clone() * w[n].clone()));
         let falling = waves.each_ref().map(|w| from_fn(|n| up[n + 1].clone() * w[n].clone()));
-        Self { rising, falling, amplitude: T::one(), sense, nome }
+        Self { rising, falling, amplitude: T::one(), nome }
     }
 
     /// The real and the imaginary part of `a`, and those of `b` where the sense is 1 (otherwise `b` is `-i`
@@ -309,41 +302,30 @@ impl<T: Series> ComplementaryPair<T> {
         let [(cos_up, cos_up_alternating), (sin_up, sin_up_alternating)] = self.rising.each_ref().map(up);
         let [(cos_down, cos_down_alternating), (sin_down, sin_down_alternating)] =
             self.falling.each_ref().map(down);
-        let sense = || self.sense.clone();
         [
             (cos_up + cos_down).up_to(rest),
-            sense() * (sin_down - sin_up).up_to(rest),
+            (sin_down - sin_up).up_to(rest),
             (cos_up_alternating - cos_down_alternating).up_to(rest),
-            -sense() * (sin_up_alternating + sin_down_alternating).up_to(rest),
+            -(sin_up_alternating + sin_down_alternating).up_to(rest),
         ]
     }
 
-    /// At the saddle, where `e = r = p`: `a`, and its change with `x`.
-    pub fn at_saddle(&self) -> [[T; 2]; 2] {
-        let (p, p2) = (|| self.nome.clone(), || self.nome.clone() * self.nome.clone());
-        let p = [T::one(), p(), p2(), p() * p2(), p2() * p2()];
-        let rest = || T::integer(16) * powi(self.nome.clone(), 25);
-        let sum = |wave: usize, weigh: bool| {
-            let weight = |n: u32| if weigh { T::integer(n) } else { T::one() };
-            let mut total = [T::zero(), T::zero()];
-            for (n, (term, power)) in (0..).zip(self.rising[wave].iter().zip(&p)) {
-                total[0] += weight(n) * term.clone() * power.clone();
-            }
-            for (n, (term, power)) in (1..).zip(self.falling[wave].iter().zip(&p[1..])) {
-                let falling = weight(n) * term.clone() * power.clone();
-                total[1] += if weigh { -falling } else { falling };
-            }
-            total.map(|x| x.up_to(rest))
-        };
-        [false, true].map(|weigh| {
-            let ([c0, c1], [s0, s1]) = (sum(0, weigh), sum(1, weigh));
-            [c0 + c1, self.sense.clone() * (s1 - s0)]
-        })
-    }
-
-    /// How fast the angle of `a` turns with `x` at the saddle.
+    /// How fast the angle of `a` turns with `x` at the saddle, where `e = r = p`.
     pub fn turning_at_saddle(&self) -> T {
-        let [[re, im], [d_re, d_im]] = self.at_saddle();
+        let p = || self.nome.clone();
+        let [re, im, ..] = self.sums(p(), p());
+        let (mut power, mut change) = (T::one(), [T::zero(), T::zero()]);
+        for n in 1..5_u32 {
+            power *= p();
+            let terms = |wave: usize| {
+                let (rising, falling) = (&self.rising[wave][n as usize], &self.falling[wave][n as usize - 1]);
+                (rising.clone(), falling.clone())
+            };
+            let ((c, d), (s, t), weight) = (terms(0), terms(1), T::integer(n) * power.clone());
+            change[0] += weight.clone() * (c - d);
+            change[1] -= weight * (s + t);
+        }
+        let [d_re, d_im] = change.map(|x| x.up_to(|| T::integer(32) * powi(p(), 25)));
         let square = re.clone() * re.clone() + im.clone() * im.clone();
         // (C34)
         (re * d_im - im * d_re) / square
@@ -356,15 +338,13 @@ impl<T: Real> ComplementaryPair<T> {
         let (sin, cos) = shape.depth.sin_cos();
         let mut pair = Self::new(nome, Self::waves(sin, cos), shape.sense());
         let one = T::one();
-        let middle = pair.raw(nome, one, one, one);
-        let length = |x: [T; 2]| x[0].hypot(x[1]);
-        pair.amplitude = shape.amplitude(length(middle.a), length(middle.b));
+        pair.amplitude = shape.amplitude(&pair.raw(nome, one, one, one));
         pair
     }
 
     /// The angle of `a` at the saddle.
     pub(crate) fn angle_at_saddle(&self) -> T {
-        let [[re, im], _] = self.at_saddle();
+        let [re, im, ..] = self.sums(self.nome, self.nome);
         // (C33)
         im.atan2(re)
     }
@@ -377,10 +357,7 @@ impl<T: Lane> ComplementaryPair<T> {
     pub(crate) fn raw(&self, e: T, rise: T, sign: T, turn: T) -> Pair<T> {
         let [a, turned, real, imaginary] = self.sums(e, self.nome * rise);
         let amplitude = turn * self.amplitude;
-        Pair {
-            a: [a, sign * turned],
-            b: in_sense(self.sense, amplitude * sign * real, amplitude * imaginary),
-        }
+        Pair { a: [a, sign * turned], b: [amplitude * sign * real, amplitude * imaginary] }
     }
 }
 

@@ -6,7 +6,7 @@ use crate::exact::elliptic::sin_cos_of_turns;
 use crate::number::double_double::DoubleDouble;
 use crate::number::functions::hypot;
 use crate::number::power_of_two::{exponent, times_power_of_two};
-use crate::number::{Gather, Lane, gather_fields, splat};
+use crate::number::{Gather, INTEGERS, Lane, gather_fields, splat};
 use core::f64::consts::PI;
 use nalgebra::{Quaternion, Vector3};
 
@@ -28,34 +28,39 @@ pub(super) trait Kernel<T: Lane> {
     fn turn(&self, attitude: &Self::Attitude, phase: &Self::Phase, time: T) -> Quaternion<T>;
 }
 
-/// Which principal axis is taken first, which differs from body to body: the other two follow in cyclic
-/// order.
+/// Which principal axis each of three components belongs to, which differs from body to body.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct FirstAxis<T = f64> {
-    index: T,
+pub(super) struct Axes<T = f64> {
+    places: [T; 3],
+    /// 1 where they follow each other in cyclic order, otherwise -1.
+    pub(super) sense: T,
 }
 
-gather_fields!(FirstAxis { index });
+gather_fields!(Axes { places, sense });
 
-impl<T: Lane> FirstAxis<T> {
-    pub(super) fn new(axis: usize) -> Self {
-        Self { index: splat([0.0, 1.0, 2.0][axis % 3]) }
+impl<T: Lane> Axes<T> {
+    pub(super) fn new(axes: [usize; 3]) -> Self {
+        let cyclic = (axes[0] + 1) % 3 == axes[1];
+        let places = axes.map(|axis| splat([0.0, 1.0, 2.0][axis % 3]));
+        Self { places, sense: splat(if cyclic { 1.0 } else { -1.0 }) }
     }
 
-    /// Components given from the first axis on, in the order of the body.
+    /// The three components in the order of the body.
     #[inline(always)]
-    pub(super) fn arranged(&self, [first, second, third]: [T; 3]) -> [T; 3] {
-        let (is_x, is_z) = (self.index.lt(splat::<T>(0.5)), splat::<T>(1.5).lt(self.index));
+    pub(super) fn arranged(&self, parts: [T; 3]) -> [T; 3] {
         if T::WIDTH == 1 {
-            // One branch is less than six selections.
-            return match (T::any(is_x), T::any(is_z)) {
-                (true, _) => [first, second, third],
-                (_, true) => [second, third, first],
-                _ => [third, first, second],
-            };
+            // Put into memory they are where they belong: less than six selections.
+            let mut placed = [parts[0]; 4];
+            for (place, part) in self.places.iter().zip(parts) {
+                placed[(place.lane(0) + INTEGERS).to_bits() as usize % 4] = part;
+            }
+            return [placed[0], placed[1], placed[2]];
         }
-        let one_of = |if_x, if_y, if_z| T::select(is_x, if_x, T::select(is_z, if_z, if_y));
-        [one_of(first, third, second), one_of(second, first, third), one_of(third, second, first)]
+        let [first, second, _] = self.places;
+        [0.0, 1.0, 2.0].map(|axis| {
+            let here = |place: T| (place - axis).abs().lt(splat::<T>(0.5));
+            T::select(here(first), parts[0], T::select(here(second), parts[1], parts[2]))
+        })
     }
 }
 
@@ -125,14 +130,14 @@ impl<T: Lane> Kernel<T> for Vector3<T> {
 /// The spin of a body with two equal moments: it circles the third axis evenly.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct TopSpin<T = f64> {
-    axis: FirstAxis<T>,
+    axes: Axes<T>,
     /// Along that axis and the next two, at the start.
     omega: [T; 3],
     /// Turns about it per unit of scaled time.
     pub(super) nutation: DoubleDouble<T>,
 }
 
-gather_fields!(TopSpin { axis, omega, nutation });
+gather_fields!(TopSpin { axes, omega, nutation });
 
 impl<T: Lane> Kernel<T> for TopSpin<T> {
     /// The turn about the momentum.
@@ -149,14 +154,14 @@ impl<T: Lane> Kernel<T> for TopSpin<T> {
     fn omega(&self, &time: &T) -> Vector3<T> {
         let (sin, cos) = sin_cos_of_turns(self.nutation * time);
         let [along, first, second] = self.omega;
-        self.axis.arranged([along, first * cos - second * sin, second * cos + first * sin]).into()
+        self.axes.arranged([along, first * cos - second * sin, second * cos + first * sin]).into()
     }
 
     #[inline(always)]
     fn turn(&self, about_momentum: &Turn<T>, _: &T, time: T) -> Quaternion<T> {
         let (sin, cos) = sin_cos_of_turns(self.nutation * (time * 0.5));
         let zero = splat::<T>(0.0);
-        let [x, y, z] = self.axis.arranged([-sin, zero, zero]);
+        let [x, y, z] = self.axes.arranged([-sin, zero, zero]);
         unit(product(&about_momentum.at(time), &Quaternion::new(cos, x, y, z)))
     }
 }
@@ -189,7 +194,8 @@ impl Precession {
         let (length, along) = (about_momentum.rate(), w[axis].abs());
         let smooth = (twice_energy + length * along) / (length + moments[axis] / equal * along);
         let omega = [0, 1, 2].map(|k| omega[(axis + k) % 3]);
-        let spin = TopSpin { axis: FirstAxis::new(axis), omega, nutation };
+        let spin =
+            TopSpin { axes: Axes::new([axis, axis + 1, axis + 2].map(|axis| axis % 3)), omega, nutation };
         Self { axis, spin, about_momentum, smooth }
     }
 

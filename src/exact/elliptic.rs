@@ -27,23 +27,13 @@ pub(crate) const NOME_RATIO: f64 = 0.775;
 /// Sine and cosine of an angle of `turns` whole turns: no division by the circle's constant, in which digits
 /// would be lost.
 ///
-/// Whole and quarter turns are taken off first, exactly, so that a phase of 1e9 turns costs what a small one
-/// does, and what is left keeps all its digits.
+/// Quarter turns are taken off first, exactly, so that a phase of 1e9 turns costs what a small one does, and
+/// what is left keeps all its digits.
 #[inline(always)]
 pub(crate) fn sin_cos_of_turns<T: Lane>(turns: DoubleDouble<T>) -> (T, T) {
-    let (_, part) = turns.split();
-    let [quarters, left] = (part * 4.0).whole_and_left();
-    let (sin, cos) = (left * 0.25).sin_cos_of_part();
-    // Quarters from -2 to 2: an odd one exchanges the two, and each then has its half of the circle below
-    // zero.
-    let size = quarters.abs();
-    let odd = (size - 1.0).abs().lt(splat::<T>(0.5));
-    let (s, c) = (T::select(odd, cos, sin), T::select(odd, sin, cos));
-    let opposite = splat::<T>(1.5).lt(size);
-    let sin_sign = T::select(quarters.lt(splat::<T>(-0.5)), splat::<T>(-1.0), splat::<T>(1.0));
-    let cos_sign = T::select(splat::<T>(0.5).lt(quarters), splat::<T>(-1.0), splat::<T>(1.0));
-    let signed = |sign, x| T::select(opposite, splat(-1.0), sign) * x;
-    (signed(sin_sign, s), signed(cos_sign, c))
+    let (_, quarters, left) = turns.signed(splat(4.0)).whole_and_rest();
+    let (sin, cos) = left.hi().sin_cos_of_quarter();
+    quarters.after_quarters(sin, cos)
 }
 
 #[cfg(test)]

@@ -91,7 +91,8 @@ impl EllipticMotion {
             return Clock::Once(-argument / rate);
         }
         // (C36)
-        Clock::Evenly { offset: argument / (quarter * 2.0), rate: rate / (quarter * 2.0) }
+        let half = quarter.signed(2.0);
+        Clock::Evenly { offset: argument / half, rate: rate / half }
     }
 
     /// Least and greatest angle between a principal axis and the momentum.
@@ -150,14 +151,14 @@ impl<T: Real> EllipticMotion<T> {
     /// Half the spin's period, in scaled time, where the motion returns.
     pub(crate) fn span_of_half_period(&self) -> T {
         let Constants { rate, quarter, .. } = self.constants;
-        (quarter * splat::<T>(2.0) / rate.abs()).hi()
+        (quarter.signed(splat(2.0)) / rate.abs()).hi()
     }
 
     /// Half periods until scaled time `time`, from the flip nearest to the start, where the motion returns.
     pub(crate) fn half_periods_since_flip(&self, time: T) -> T {
         let Constants { rate, quarter, argument, .. } = self.constants;
         // (C36)
-        ((rate * time).plus(argument) / (quarter * splat::<T>(2.0))).hi()
+        ((rate * time).plus(argument) / (quarter.signed(splat(2.0)))).hi()
     }
 
     /// The spin at scaled time `time`.
@@ -179,6 +180,7 @@ impl<T: Real> EllipticMotion<T> {
     }
 
     /// Spin and turn since the start at scaled time `time`.
+    #[inline(always)]
     pub(crate) fn at(&self, time: T) -> (Vector3<T>, Quaternion<T>) {
         let (omega, turn) = match &self.form {
             Form::Direct { spin, attitude } => both(spin, attitude, spin.phase(time), time),

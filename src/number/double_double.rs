@@ -102,7 +102,7 @@ impl<T: Lane> DoubleDouble<T> {
         Self { lo: self.lo.up_to(rest), ..self }
     }
 
-    /// With both parts multiplied by 1 or -1.
+    /// With both parts multiplied by 1, -1 or another power of two.
     #[inline(always)]
     pub(crate) fn signed(self, sign: T) -> Self {
         Self { hi: self.hi * sign, lo: self.lo * sign }
@@ -114,18 +114,45 @@ impl<T: Lane> DoubleDouble<T> {
         Self { hi: T::select(mask, yes.hi, no.hi), lo: T::select(mask, yes.lo, no.lo) }
     }
 
-    /// The nearest integer, and what is left: at most a half, in one number that has all its digits.
+    /// The nearest integer, one below 2^50 that differs from it by a multiple of four, and what is left: at
+    /// most a half.
     ///
     /// Of a number too large to have a fraction, or that is not finite, nothing is left.
     #[inline(always)]
-    pub(crate) fn split(self) -> (T, T) {
+    pub(crate) fn whole_and_rest(self) -> (T, T, Self) {
+        if !T::all(self.hi.abs().lt(splat(LARGE))) {
+            return self.far_whole_and_rest();
+        }
         let [whole, near] = self.hi.whole_and_left();
         // The low part can carry it just past the half.
-        let [more, left] = (near + self.lo).whole_and_left();
+        let rest = quick_two_sum(near, self.lo);
+        let [more, left] = rest.hi.whole_and_left();
+        (whole + more, whole + more, Self { hi: left, lo: rest.lo })
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn far_whole_and_rest(self) -> (T, T, Self) {
+        let whole = self.hi.round_ties_even();
+        let rest = quick_two_sum(self.hi - whole, self.lo);
+        let more = rest.hi.round_ties_even();
+        let (left, zero) = (rest.hi - more, splat::<T>(0.0));
         let finite = left.finite();
-        (T::select(finite, whole + more, splat::<T>(0.0)), T::select(finite, left, splat::<T>(0.0)))
+        let whole = T::select(finite, whole + more, zero);
+        let rest = Self { hi: T::select(finite, left, zero), lo: T::select(finite, rest.lo, zero) };
+        (whole, whole - (whole * 0.25).round_ties_even() * 4.0, rest)
+    }
+
+    /// [`whole_and_rest`](Self::whole_and_rest) with what is left in one number that has all its digits.
+    #[inline(always)]
+    pub(crate) fn split(self) -> (T, T) {
+        let (whole, _, rest) = self.whole_and_rest();
+        (whole, rest.hi())
     }
 }
+
+/// 2^49: twice a number below it is one for [`Lane::nearest`].
+const LARGE: f64 = 562_949_953_421_312.0;
 
 impl<T: Lane> From<T> for DoubleDouble<T> {
     fn from(hi: T) -> Self {

@@ -1,7 +1,7 @@
 //! Several numbers worked on at once, and numbers known between bounds.
 
 use super::Field;
-use core::f64::consts::TAU;
+use core::f64::consts::FRAC_PI_2;
 use core::fmt::Debug;
 use core::ops::{Add, Mul, Sub};
 use nalgebra::{Quaternion, SVector};
@@ -88,10 +88,22 @@ pub trait Lane:
     /// The nearest integer, the even one of two equally near.
     fn round_ties_even(self) -> Self;
 
-    /// The nearest integer and what is left, which is exact.
+    /// Whether the mask holds in every lane.
+    #[inline(always)]
+    fn all(mask: Self::Mask) -> bool {
+        !Self::any(splat::<Self>(0.0).lt(Self::select(mask, splat(0.0), splat(1.0))))
+    }
+
+    /// [`round_ties_even`](Self::round_ties_even) of a number below 2^51, where zero may come with either sign.
+    #[inline(always)]
+    fn nearest(self) -> Self {
+        (self + INTEGERS) - INTEGERS
+    }
+
+    /// This nearest integer, and what is left, which is exact.
     #[inline(always)]
     fn whole_and_left(self) -> [Self; 2] {
-        let whole = self.round_ties_even();
+        let whole = self.nearest();
         [whole, self - whole]
     }
 
@@ -152,11 +164,25 @@ pub trait Lane:
         Self::select(zero.lt(self), self, zero)
     }
 
-    /// Sine and cosine of this part of a turn, at most an eighth.
+    /// Sine and cosine of this part of a quarter turn, a half at most (or a hair more).
     #[inline(always)]
-    fn sin_cos_of_part(self) -> (Self, Self) {
-        // Twice the circle's constant is larger by less than that.
-        crate::number::functions::sin_cos_near_zero((self * TAU).up_to(|| self * 2.45e-16))
+    fn sin_cos_of_quarter(self) -> (Self, Self) {
+        // Half the circle's constant is larger by less than that.
+        crate::number::functions::sin_cos_near_zero((self * FRAC_PI_2).up_to(|| self * 6.13e-17))
+    }
+
+    /// Sine and cosine of an angle of this whole number of quarter turns and a rest, from those of the rest.
+    #[inline(always)]
+    fn after_quarters(self, sin: Self, cos: Self) -> (Self, Self) {
+        // The last bits of a number that large count the quarters: odd ones exchange the two, and each has
+        // its half of the circle below zero.
+        let turned = |k: usize, more: u64, this: &Self, other: &Self| {
+            let quarters = (self.lane(k) + INTEGERS).to_bits();
+            let (this, other) = (this.lane(k).to_bits(), other.lane(k).to_bits());
+            let exchanged = this ^ (this ^ other) & (quarters & 1).wrapping_neg();
+            f64::from_bits(exchanged ^ (quarters + more) >> 1 << 63)
+        };
+        (Self::from_lanes(|k| turned(k, 0, &sin, &cos)), Self::from_lanes(|k| turned(k, 1, &cos, &sin)))
     }
 
     /// `exp(-x)` and `exp(-x) - 1` of `x = self + rest >= 0`.
@@ -165,6 +191,9 @@ pub trait Lane:
         crate::number::functions::decay(self, rest)
     }
 }
+
+/// Three times 2^51: the last place of what it is added to counts integers.
+pub(crate) const INTEGERS: f64 = 6_755_399_441_055_744.0;
 
 /// One number in every lane.
 #[inline(always)]

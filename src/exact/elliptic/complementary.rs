@@ -22,7 +22,9 @@ impl<T: Lane> Decay<T> {
     #[inline(always)]
     pub(crate) fn new(main: T, rest: T, nome_root: T) -> Self {
         let [root, less] = main.decay(rest);
-        Self { root, square: root * root, short_of_one: -less * (less + 2.0), rising: nome_root / root }
+        // At a saddle zero, not less: what is left to it has that sign.
+        let short_of_one = T::zero() - less * (less + 2.0);
+        Self { root, square: root * root, short_of_one, rising: nome_root / root }
     }
 }
 
@@ -36,14 +38,17 @@ impl<T: Lane> Decay<T> {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ComplementarySeries<T = f64> {
-    /// Powers of `p`: the second, the fourth, the first.
-    powers: [T; 3],
+    nome: T,
+    /// As polynomials in the sum of the growing and the falling exponential: `theta_3, theta_4 = even ± odd`.
+    outer: [T; 4],
+    /// `theta_2` and `theta_1` without `cosh x` and `sinh x`, likewise.
+    inner: [T; 3],
     /// What makes `sn`, `cn` and `dn` of the quotients: up to half the quarter period, and beyond.
     pub(super) near_flip: [T; 3],
     pub(super) near_saddle: [T; 3],
 }
 
-gather_fields!(ComplementarySeries { powers, near_flip, near_saddle });
+gather_fields!(ComplementarySeries { nome, outer, inner, near_flip, near_saddle });
 
 impl<T: Series> ComplementarySeries<T> {
     /// `theta_2` without its first factor, `theta_3` and `theta_4` where the argument is zero.
@@ -61,10 +66,14 @@ impl<T: Series> ComplementarySeries<T> {
     /// that, and `cn` and `dn` come out so too.
     pub fn new(p: T, complement: T, stretch: T) -> Self {
         let [second, third, fourth] = Self::constants(p.clone());
-        let p2 = p.clone() * p.clone();
+        let n = T::integer;
+        let power = |k| powi(p.clone(), k);
         let sine = third.clone() / fourth.clone();
         Self {
-            powers: [p2.clone(), p2.clone() * p2, p],
+            // (C28), with twice the nome times cosh 2x for the variable.
+            outer: [n(1) - n(2) * power(4), power(2), n(1) - n(3) * power(8), power(6)],
+            inner: [n(1) - power(2) - power(6), power(4), p.clone() - power(5)],
+            nome: p,
             // (C29)
             near_flip: [
                 sine.clone(),
@@ -85,32 +94,21 @@ impl<T: Series> ComplementarySeries<T> {
     /// 1 less it, and `growing = p/e`.
     #[inline(always)]
     pub fn sums(&self, e: T, short_of_one: T, growing: T) -> [T; 4] {
-        let [p2, p4, p] = [0, 1, 2].map(|k| move || self.powers[k].clone());
-        let (square, one) = (e.clone() * e.clone(), T::one);
-        // exp(-x) times twice sinh and cosh of 3x is exp(2x) (1 ∓ E³), of 5x is exp(4x) (1 ∓ E⁵); differences
-        // by 1 - E, which has all its digits where they are small.
-        let (b, c) = (p() * growing.clone(), p4() * growing.clone() * growing.clone());
-        let (cube, fourth) = (e.clone() * square.clone(), square.clone() * square.clone());
-        let quotient = e.clone() + one() + square.clone();
-        let longer = quotient.clone() + (cube.clone() + fourth.clone());
-        // The next are exp(6x) (1 ∓ E⁷), times the nome to the twelfth.
-        let next = || T::integer(2) * powi(growing.clone(), 3) * powi(p(), 9);
-        let seventh = || longer.clone() + fourth.clone() * (e.clone() + square.clone());
-        // (C28)
-        let sine = short_of_one.clone() - b.clone() * short_of_one.clone() * quotient
-            + c.clone() * short_of_one.clone() * longer.clone();
-        let sine = sine.up_to(|| next() * short_of_one * seventh());
-        let cosine =
-            (e.clone() + one()) + b * (cube.clone() + one()) + c * (e.clone() * fourth.clone() + one());
-        let cosine = cosine.up_to(|| next() * (one() + cube.clone() * fourth.clone()));
-        // p cosh 2x = growing (1 + E²)/2 and so on; p⁴ cosh 4x, p⁹ cosh 6x; the next is p¹⁶ cosh 8x.
-        let first = growing.clone() + p() * e;
-        let second = p2() * (growing.clone() * growing.clone() + p2() * square);
-        let third = growing.clone() * growing.clone() * growing.clone() + p2() * p() * cube;
-        let third = p4() * p2() * third;
-        let (even, odd) = (second + one(), first + third);
-        let even = even.up_to(|| T::integer(2) * powi(p(), 12) * (powi(growing, 4) + p4() * fourth));
-        [sine, cosine, even.clone() - odd.clone(), even + odd]
+        let p = || self.nome.clone();
+        let g = growing + p() * e.clone();
+        let square = g.clone() * g.clone();
+        let ([a, b, c, d], [f, h, k]) = (self.outer.clone(), self.inner.clone());
+        // The next are 2 p¹⁶ cosh 8x, and p¹² sinh 7x and cosh 7x over sinh x and cosh x.
+        let even = (a + b * square.clone()).up_to(|| T::integer(2) * powi(p(), 12) * powi(g.clone(), 4));
+        let odd = g.clone() * (c + d * square.clone());
+        let inner = (f + h * square).up_to(|| T::integer(3) * powi(p(), 9) * powi(g.clone(), 3));
+        let inner_odd = g.clone() * k;
+        [
+            short_of_one * (inner.clone() - inner_odd.clone()),
+            (e + T::one()) * (inner + inner_odd),
+            even.clone() - odd.clone(),
+            even + odd,
+        ]
     }
 
     /// What `sn`, `cn` and `dn` are made of, from `exp(-x)` and those sums: nearer to the flip, where `x` is
@@ -175,6 +173,9 @@ impl<T: Lane> ComplementarySeries<T> {
     #[inline(always)]
     pub(crate) fn values(&self, x: &Decay<T>, saddle: T::Mask) -> [T; 3] {
         let [flip, at_saddle] = self.parts(x.root, self.sums_of(x));
+        if T::WIDTH == 1 {
+            return if T::any(saddle) { at_saddle } else { flip }.quotients();
+        }
         let one = |yes: T, no: T| T::select(saddle, yes, no);
         let three = |yes: [T; 3], no: [T; 3]| [0, 1, 2].map(|n| T::select(saddle, yes[n], no[n]));
         Parts {

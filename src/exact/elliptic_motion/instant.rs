@@ -4,10 +4,10 @@
 use super::range_reduction::{ReducedArgument, Reduction};
 use crate::attitude::unit;
 use crate::exact::cayley_klein::{ComplementaryPair, DirectPair, Pair, phase_factor};
-use crate::exact::elementary::{FirstAxis, Kernel};
+use crate::exact::elementary::{Axes, Kernel};
 use crate::exact::elliptic::{ComplementarySeries, DirectSeries, sin_cos_of_turns};
 use crate::number::double_double::DoubleDouble;
-use crate::number::{Gather, Lane, gather_fields, splat};
+use crate::number::{Gather, Lane, gather_fields};
 use nalgebra::{Quaternion, Vector3};
 
 /// The constants of the spin by the series of the nome, in sines and cosines.
@@ -102,42 +102,26 @@ impl<T: Lane> Kernel<T> for ComplementarySpin<T> {
         time: T,
     ) -> Quaternion<T> {
         let steps = DoubleDouble::product(argument.halves, attitude.step);
-        let turned = argument.pair(&attitude.pair).turned(phase_factor(attitude.drift * time + steps));
+        let turned = argument.pair(&attitude.pair).turned(phase_factor((attitude.drift * time).plus(steps)));
         self.axes.turn(turned.since(&attitude.start))
     }
 }
 
-/// The places of the circled axis, the middle one and the one across.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Axes<T = f64> {
-    circled: FirstAxis<T>,
-    /// Above zero where across, middle and circled follow each other in cyclic order.
-    sense: T,
-}
-
-gather_fields!(Axes { circled, sense });
-
 impl<T: Lane> Axes<T> {
-    /// Of the indices across, middle, circled.
-    pub(super) fn new([across, middle, circled]: [usize; 3]) -> Self {
-        let cyclic = (across + 1) % 3 == middle;
-        Self { circled: FirstAxis::new(circled), sense: splat(if cyclic { 1.0 } else { -1.0 }) }
-    }
-
     /// The spin from its amplitudes (across, middle, circled) and Jacobi's functions.
     #[inline(always)]
     pub(super) fn spin(&self, amplitudes: &[T; 3], [sn, cn, dn]: [T; 3]) -> Vector3<T> {
         // (C7)
-        let (across, middle) = (amplitudes[0] * cn, amplitudes[1] * sn);
-        let cyclic = splat::<T>(0.0).lt(self.sense);
-        let (next, last) = (T::select(cyclic, across, middle), T::select(cyclic, middle, across));
-        self.circled.arranged([amplitudes[2] * dn, next, last]).into()
+        self.arranged([amplitudes[0] * cn, amplitudes[1] * sn, amplitudes[2] * dn]).into()
     }
 
-    /// The turn since the start, from its real part and those along the circled axis and the next two.
+    /// The turn since the start, from its real part and those along the circled axis and the two that `b`
+    /// takes for the next: where across, middle and circled are not in cyclic order, the last and the
+    /// opposite of the next.
     #[inline(always)]
-    pub(super) fn turn(&self, [real, i, j, k]: [T; 4]) -> Quaternion<T> {
-        let [x, y, z] = self.circled.arranged([i, j, k]);
-        unit(Quaternion::new(real, x, y, z))
+    pub(super) fn turn(&self, [real, circled, across, middle]: [T; 4]) -> Quaternion<T> {
+        let unit = unit(Quaternion::new(real, self.sense * across, middle, circled)).coords;
+        let [x, y, z] = self.arranged([unit.x, unit.y, unit.z]);
+        Quaternion::new(unit.w, x, y, z)
     }
 }

@@ -1,12 +1,12 @@
 //! The constants of an elliptic motion, from what stays the same in it and the spin at the start.
 
-use super::instant::Axes;
 use super::range_reduction::Reduction;
 use super::{ComplementaryAttitude, ComplementarySpin, Constants, DirectAttitude, DirectSpin};
 use super::{EllipticMotion, Form};
 use crate::dynamics::invariants::Asymmetric;
 use crate::error::{Error, Refusal, Subject};
 use crate::exact::cayley_klein::{ComplementaryPair, DirectPair, Pair, Shape};
+use crate::exact::elementary::Axes;
 use crate::exact::elliptic::{self, ComplementarySeries, DirectSeries, NOME_RATIO};
 use crate::exact::geometry::quarter_period;
 use crate::inertia::Axis;
@@ -134,7 +134,7 @@ impl<'a, T: Real> Preparation<'a, T> {
             amplitudes: motion.amplitudes(lift),
             omega: spin,
             // (C6), with its sign
-            rate: motion.rate() * splat::<T>(direction),
+            rate: motion.rate().signed(splat(direction)),
             sign: splat(sign),
             cyclic,
             // (C1)
@@ -240,7 +240,7 @@ impl<'a, T: Real> Preparation<'a, T> {
         let series = DirectSeries::new(nome);
         let pair = DirectPair::of_shape(nome, &self.shape(shares, quarter));
         // (C13)
-        let turns = self.rate / (self.quarter * splat::<T>(4.0));
+        let turns = self.rate / self.quarter.signed(splat(4.0));
         let turns_per_argument = splat::<T>(0.25) / quarter;
         let [sin, cos] = phase_at_start(self.values(), self.complement, quarter);
         let (amplitudes, shift) = self.meeting_the_start(series.values(sin, cos));
@@ -252,8 +252,8 @@ impl<'a, T: Real> Preparation<'a, T> {
         // (C20)
         let about = (self.twice_energy + self.momentum * circled) / (self.momentum + circled * i_c);
         // (C25)
-        let (two, half_angle) = (splat::<T>(2.0), about * self.sign * splat::<T>(0.5));
-        let drift = half_angle / (DoubleDouble::pi() * two) - turns * pair.turning_at_zero();
+        let circle = DoubleDouble::pi().signed(splat(4.0));
+        let drift = about.signed(self.sign) / circle - turns * pair.turning_at_zero();
         let amplitudes_in_series = self.in_series(amplitudes);
         let axes = Axes::new(self.axes());
         let spin = DirectSpin { series, start, turns, amplitudes: amplitudes_in_series, axes };
@@ -271,23 +271,24 @@ impl<'a, T: Real> Preparation<'a, T> {
         let start = argument_at_start(values, self.scaled_complement, quarter, self.shift);
         let turn = splat(if values[1].lt(T::zero()) { -1.0 } else { 1.0 });
         // (C27)
-        let mut reduction = Reduction::new(start, rate, quarter, other, turn);
+        let reduction = Reduction::new(start, rate, quarter, other, turn);
         let Reduction { nome_root, stretch, .. } = reduction;
         let power = T::one().times_power_of_two(self.shift);
         let series = ComplementarySeries::new(nome_root * nome_root, self.scaled_complement, power);
         let pair = ComplementaryPair::of_shape(nome_root, &self.shape(shares, other * 4.0));
         let zero = T::zero();
         let (amplitudes, shift) = self.meeting_the_start(reduction.argument(zero).values(&series));
-        reduction.start = reduction.start - DoubleDouble::from(shift);
+        let (argument, reduction) = (start - DoubleDouble::from(shift), reduction.back(shift));
         let start = of_length_one(reduction.argument(zero).pair(&pair));
-        let (two, turned) = (splat::<T>(2.0), rate * (stretch * pair.turning_at_saddle()));
-        let drift = (self.rate_about_momentum() * splat::<T>(0.5) - turned) / (DoubleDouble::pi() * two);
+        let (turned, half) = (rate * (stretch * pair.turning_at_saddle()), splat(0.5));
+        let circle = DoubleDouble::pi().signed(splat(2.0));
+        let drift = (self.rate_about_momentum().signed(half) - turned) / circle;
         // (C33)
         let step = pair.angle_at_saddle() * 2.0 / (pi::<T>() * 2.0);
         let axes = Axes::new(self.axes());
         let spin = ComplementarySpin { series, reduction, amplitudes: self.in_series(amplitudes), axes };
         let attitude = ComplementaryAttitude { pair, start, drift, step };
-        Prepared { form: Form::Complementary { spin, attitude }, argument: reduction.start, amplitudes }
+        Prepared { form: Form::Complementary { spin, attitude }, argument, amplitudes }
     }
 
     /// How fast the smooth phase about the momentum runs at the saddle: as `L/I_M` but for terms that vanish
@@ -301,7 +302,7 @@ impl<'a, T: Real> Preparation<'a, T> {
         let signed_distance = sign * self.motion.distance_from_separatrix();
         let l = self.momentum.hi();
         let rest = -(signed_distance + l * slow * (i_c - i_m)) / (i_m * (l + i_c * slow));
-        (lead + DoubleDouble::from(rest)) * self.sign
+        (lead + DoubleDouble::from(rest)).signed(self.sign)
     }
 
     /// The amplitudes scaled, and Jacobi's argument at the start shifted back, by roundings, so that the

@@ -12,9 +12,9 @@ use crate::number::{Gather, Lane, Real, gather_fields, splat};
 /// How Jacobi's argument runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Reduction<T = f64> {
-    /// The argument at the start, from the nearest flip.
+    /// Half periods at the start, from the nearest flip; on the separatrix, which has none, the argument itself.
     pub(crate) start: DoubleDouble<T>,
-    /// Half periods per unit of time; on the separatrix, which has none, the argument itself.
+    /// Half periods per unit of time, or the argument, likewise.
     pub(crate) rate: DoubleDouble<T>,
     /// From flip to saddle, and from flip to flip: infinite on the separatrix.
     pub(crate) quarter: DoubleDouble<T>,
@@ -56,10 +56,17 @@ impl<T: Real> Reduction<T> {
         if !quarter.hi().finite() {
             return Self { start, rate, quarter, half: quarter, stretch, nome_root: T::zero(), turn };
         }
-        let half = quarter * splat::<T>(2.0);
+        let half = quarter.signed(splat(2.0));
         // (C9)
         let nome_root = (-(pi * 0.5) / (other / quarter.hi())).exp();
-        Self { start, rate: rate / half, quarter, half, stretch, nome_root, turn }
+        Self { start: start / half, rate: rate / half, quarter, half, stretch, nome_root, turn }
+    }
+
+    /// From an argument at the start that is less by this much.
+    pub(crate) fn back(self, shift: T) -> Self {
+        let returns = self.half.hi().finite();
+        let shift = if returns { shift / self.half.hi() } else { shift };
+        Self { start: self.start - DoubleDouble::from(shift), ..self }
     }
 
     /// At a time, on the separatrix too.
@@ -76,7 +83,7 @@ impl<T: Real> Reduction<T> {
         // large will do.
         let (run, beyond) = (self.rate * time, splat::<T>(1e300));
         let end = DoubleDouble::from(beyond * self.rate.hi().sign() * time.sign());
-        self.reduced(T::zero(), if run.hi().abs().lt(beyond) { run.plus(self.start) } else { end })
+        self.reduced([T::zero(); 2], if run.hi().abs().lt(beyond) { run.plus(self.start) } else { end })
     }
 }
 
@@ -85,25 +92,17 @@ impl<T: Lane> Reduction<T> {
     #[inline(always)]
     pub(crate) fn at(&self, time: T) -> ReducedArgument<T> {
         // (C35)
-        let (halves, left) = (self.rate * time).split();
-        self.reduced(halves, (self.half * left).plus(self.start))
+        let (halves, by_four, rest) = (self.rate * time).plus(self.start).whole_and_rest();
+        self.reduced([halves, by_four], self.half * rest)
     }
 
     #[inline(always)]
-    fn reduced(&self, mut halves: T, mut u: DoubleDouble<T>) -> ReducedArgument<T> {
-        let beyond = self.quarter.hi().lt(u.hi().abs());
-        if T::any(beyond) {
-            let sign = u.hi().sign();
-            u = DoubleDouble::select(beyond, u.plus(self.half.signed(-sign)), u);
-            halves = T::select(beyond, halves + sign, halves);
-        }
+    fn reduced(&self, [halves, by_four]: [T; 2], u: DoubleDouble<T>) -> ReducedArgument<T> {
         let sign = u.hi().sign();
         let from_flip = u.signed(sign);
         let near_saddle = (self.quarter.hi() * 0.5).lt(from_flip.hi());
         let from_saddle = self.quarter.plus(from_flip.signed(splat::<T>(-1.0)));
         let distance = DoubleDouble::select(near_saddle, from_saddle, from_flip);
-        let zero = splat::<T>(0.0);
-        let odd = zero.lt((halves - (halves * 0.5).round_ties_even() * 2.0).abs());
         // Rounding may leave it a hair beyond the saddle.
         let main = distance.hi();
         let x = main.not_below_zero() * self.stretch;
@@ -111,7 +110,8 @@ impl<T: Lane> Reduction<T> {
             decay: Decay::new(x, distance.lo() * self.stretch, self.nome_root),
             near_saddle,
             sign,
-            turn: T::select(odd, -self.turn, self.turn),
+            // Two quarters each.
+            turn: (by_four * 2.0).after_quarters(self.turn, self.turn).0,
             halves,
         }
     }

@@ -200,7 +200,7 @@ impl Integrals {
             let nome = reduction.nome_root * reduction.nome_root;
             let mut factors =
                 shapes.map(|shape| Complementary::new(nome, reduction.stretch, rate, &exponentials, &shape));
-            let lowest = -reduction.start.hi() / rate.hi();
+            let lowest = -start.hi() / rate.hi();
             let half_periods = (!separatrix).then_some(reduction.rate);
             self.join(&shapes, factors.each_mut().map(|f| &mut f.carrier), lowest, half_periods, turn);
             Form::Complementary { reduction, nome, factors }

@@ -48,7 +48,7 @@ const FARTHEST: f64 = 700.0;
 /// `exp(x + rest) = power (1 + change)` with a power of two and `|change| <= 0.42`, for `|x| <= 700`.
 #[inline(always)]
 fn exp_parts<T: Lane>(x: T, rest: T) -> (T, T) {
-    let twos = (x * core::f64::consts::LOG2_E).round_ties_even();
+    let twos = (x * core::f64::consts::LOG2_E).nearest();
     // The two parts of the logarithm lack less than that.
     let r = (x - twos * LN_2_HIGH) + (rest - twos * LN_2_LOW).up_to(|| twos * 2e-26);
     // The series of exp(r) - 1 - r, over r²: what is left out and what the coefficients lack is below

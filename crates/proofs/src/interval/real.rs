@@ -7,6 +7,7 @@
 use super::Interval;
 use super::arithmetic::{product, safe};
 use num_traits::Zero;
+use std::ops::Neg;
 use tumbling::laws::Real;
 use tumbling::number::{Lane, Series};
 
@@ -104,6 +105,16 @@ impl Enclosed {
     }
 }
 
+/// Sine and cosine of an angle to which this number of quarter turns is added.
+pub(super) fn turned<T: Neg<Output = T>>(quarters: f64, sin: T, cos: T) -> (T, T) {
+    match quarters.rem_euclid(4.0) as u8 {
+        0 => (sin, cos),
+        1 => (cos, -sin),
+        2 => (-sin, -cos),
+        _ => (-cos, sin),
+    }
+}
+
 impl Series for Enclosed {
     fn up_to(self, rest: impl FnOnce() -> Self) -> Self {
         let rest = rest().0.abs();
@@ -174,8 +185,14 @@ impl Lane for Enclosed {
     fn not_below_zero(self) -> Self {
         self
     }
-    fn sin_cos_of_part(self) -> (Self, Self) {
-        (Self(Interval::PI) * 2.0 * self).sin_cos()
+    fn nearest(self) -> Self {
+        self.round_ties_even()
+    }
+    fn sin_cos_of_quarter(self) -> (Self, Self) {
+        (Self(Interval::PI) * 0.5 * self).sin_cos()
+    }
+    fn after_quarters(self, sin: Self, cos: Self) -> (Self, Self) {
+        turned(self.middle(), sin, cos)
     }
     fn decay(self, rest: Self) -> [Self; 2] {
         (-(self + rest)).exp_and_exp_m1().into()

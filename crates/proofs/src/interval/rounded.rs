@@ -8,7 +8,7 @@
 use super::Interval;
 use super::arithmetic::safe;
 use super::paths::choose;
-use super::real::field;
+use super::real::{field, turned};
 use num_traits::Zero;
 use std::cmp::Ordering;
 use tumbling::laws::Real;
@@ -193,6 +193,12 @@ impl Lane for Rounded {
             return exact(low + choose((high - low) as usize + 1) as f64);
         }
         Self::given(Interval { low, high })
+    }
+    fn nearest(self) -> Self {
+        self.round_ties_even()
+    }
+    fn after_quarters(self, sin: Self, cos: Self) -> (Self, Self) {
+        turned(self.at.point().unwrap_or_else(|| choose(4) as f64), sin, cos)
     }
     fn whole_and_left(self) -> [Self; 2] {
         let whole = self.round_ties_even();
@@ -391,10 +397,9 @@ mod tests {
             prop_assert!(agree(x.hypot(y), a.hypot(b), (p.square() + q.square()).sqrt()));
             prop_assert!(agree(Real::exp(-x), (-a).exp(), (-p).exp_and_exp_m1().0));
             prop_assert!(agree(Real::exp_and_exp_m1(-x).1, (-a).exp_m1(), (-p).exp_and_exp_m1().1));
-            let turn = Interval::PI * exact(2.0).at;
-            let (sine, cosine) = (exact(0.15) * x).sin_cos_of_part();
-            let (s, c) = (0.15 * a).sin_cos_of_part();
-            let angle = turn * exact(0.15).at * p;
+            let (sine, cosine) = (exact(0.6) * x).sin_cos_of_quarter();
+            let (s, c) = (0.6 * a).sin_cos_of_quarter();
+            let angle = Interval::PI * exact(0.3).at * p;
             prop_assert!(agree(sine, s, angle.sin_cos().0) && agree(cosine, c, angle.sin_cos().1));
             let [power, less] = (x * 9.0).decay(exact(1e-20));
             let [f, g] = (a * 9.0).decay(1e-20);
