@@ -131,6 +131,11 @@ impl Language {
         if wrong.is_empty() { Ok(out + &text[end..]) } else { Err(wrong.join("\n")) }
     }
 
+    /// The paragraphs of a page, to be taken one by one.
+    pub(crate) fn paragraphs(&self, page: &str) -> Paragraphs<'_> {
+        Paragraphs { own: self, left: self.page.get(page).cloned().unwrap_or_default(), wrong: Vec::new() }
+    }
+
     /// A label in this language: known as a whole, or part by part; with its words that are not known.
     pub(crate) fn label(&self, text: &str) -> (String, Vec<String>) {
         let own = text.trim();
@@ -214,6 +219,30 @@ impl Language {
             "<div lang=\"{code}\">\n\n{out}\n\n<script>\nvar tumblingWords = {words};\n{script}</script>\n</div>\n"
         );
         if wrong.is_empty() { Ok(page) } else { Err(wrong.join("\n")) }
+    }
+}
+
+/// Those of a page that are not taken yet.
+pub(crate) struct Paragraphs<'a> {
+    own: &'a Language,
+    left: Words,
+    wrong: Vec<String>,
+}
+
+impl Paragraphs<'_> {
+    /// What it is in this language.
+    pub(crate) fn take(&mut self, original: &str) -> String {
+        self.left.remove(original).unwrap_or_else(|| {
+            self.wrong.push(self.own.fault(original, "not there"));
+            String::new()
+        })
+    }
+
+    /// # Errors
+    /// What had no translation, and translations of what is said no more.
+    pub(crate) fn done(mut self) -> Result<(), String> {
+        self.wrong.extend(self.left.keys().map(|key| self.own.fault(key, "the page says it no more")));
+        if self.wrong.is_empty() { Ok(()) } else { Err(self.wrong.join("\n")) }
     }
 }
 

@@ -1,6 +1,7 @@
 // What scripts write in English stands here in the page's language, with a decimal comma: tumblingWords has the words.
 (function language(page) {
     if (/\/print\.html$/.test(location.pathname)) return;
+    document.documentElement.lang = page.lang;
     const escaped = (words) => words.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
     const parts = Object.keys(tumblingWords).sort((a, b) => b.length - a.length).map(escaped);
     const known = new RegExp(`(?<!\\p{L})(?:${parts.join("|")})(?!\\p{L})`, "gu");

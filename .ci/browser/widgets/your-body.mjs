@@ -16,7 +16,8 @@ export async function yourBody(page, wants) {
   }
   const rate = Math.sqrt((3 * 5) / (13 * 5));
   const growth = await tell("growth");
-  wants(`a push on the box grows e-fold in 1/(2π ${rate}) turns: ${growth}`, growth.includes(`e-fold in ${Number((1 / (2 * Math.PI * rate)).toPrecision(3))} turns`));
+  const tenfold = Number((Math.log(10) / (2 * Math.PI * rate)).toPrecision(3));
+  wants(`a push on the box grows tenfold in ${tenfold} turns: ${growth}`, growth.includes(`ten times in ${tenfold} turns`));
   const flips = await page.locator(".your-body-flips td").allTextContents();
   const steps = flips.slice(1).map((text, k) => Number(text) - Number(flips[k]));
   const step = Math.log(100) / rate / 2 / Math.PI;
@@ -26,6 +27,9 @@ export async function yourBody(page, wants) {
   wants(`the widest gap is ${gap}: ${await tell("gap")}`, Math.abs(parseFloat(await tell("gap")) - gap) < 0.06);
   await page.waitForFunction(() => location.hash.startsWith("#your-body?kind=box&m=1&a=2&b=1&c=3"), null, { timeout: 60000 }).catch(() => {});
   wants(`the address keeps the box: ${page.url()}`, page.url().endsWith("#your-body?kind=box&m=1&a=2&b=1&c=3"));
+
+  await typing(page, wants, { tell, fill, choose, wrong });
+  await fill({ a: 2000, b: 1000, c: 3000, m: 1000 });
 
   // It tumbles: in the turned axes the momentum stands in the room, the energy is kept, and the flips are those that the table foretells.
   const motion = () => page.locator("#live-your-body [data-drawing=body]").evaluate((svg) => svg.shows);
@@ -89,6 +93,40 @@ export async function yourBody(page, wants) {
   wants("every part of the drawings has a place", !/NaN|Infinity|undefined/.test(await page.locator("#live-your-body .live-stage").innerHTML()));
 }
 
+/** Numbers with comma, point and unit, and what is none; a mass that no solid has; a tube in place of a box, and the box again; the sheet. */
+async function typing(page, wants, { tell, fill, choose, wrong }) {
+  const middle = async () => parseFloat(await tell("axis-2"));
+  await fill({ a: 77, b: 12.5, c: 160, m: 200 });
+  const plain = await middle();
+  for (const values of [{ b: "12,5" }, { b: "1.25 cm" }, { m: "0,2 kg", c: "16cm" }]) {
+    await fill(values);
+    wants(`${Object.values(values)} is read with comma and unit: ${await middle()}, not ${plain}`, (await middle()) === plain && !(await page.isVisible(wrong)));
+  }
+  for (const [text, says] of [["1,125", "It may be 1125 or 1.125"], ["5 in", "not read as a number for the side along y"], ["5 kg", "mm, cm or m"], ["", "Type a number for the side along y"]]) {
+    await fill({ b: text });
+    wants(`“${text}” is refused: ${await page.textContent(wrong)}`, (await page.isVisible(wrong)) && (await page.textContent(wrong)).includes(says));
+  }
+  for (const [m, says] of [["0.2", "so light. Is the mass in kg?"], ["200 kg", "so heavy. Is the mass in g?"], ["200", ""]]) {
+    await fill({ b: 7.8, m });
+    const asks = await tell("asks");
+    wants(`a phone of ${m}: ${asks}`, says === "" ? asks === "" : asks.includes(says));
+  }
+  await choose("tube");
+  const sizes = () => Promise.all(["a", "b", "c"].map(async (name) => Number(await page.inputValue(`#your-body-${name}`))));
+  wants(`a tube as large as the box, its hole smaller than itself: ${await sizes()}`, (await sizes())[0] < (await sizes())[1] && (await sizes())[2] === 160 && !(await page.isVisible(wrong)));
+  const round = await page.locator("#live-your-body [data-drawing=body] .your-body-face").count();
+  wants(`a tube is drawn as a tube, of ${round} faces`, round > 24);
+  await choose("box");
+  wants(`the box is as before: ${await sizes()}`, (await sizes()).join() === "77,7.8,160");
+  await fill({ name: "Handy <3>" });
+  await page.emulateMedia({ media: "print" });
+  const sheet = await page.evaluate(() => document.querySelector("main").innerText);
+  const controls = await page.locator("main :is(button, input, select, summary, textarea, code):visible").count();
+  await page.emulateMedia({ media: "screen" });
+  wants(`the sheet has title, sizes and mass, and ${controls} controls: ${sheet.slice(0, 300)}`, controls === 0 && sheet.includes("How Handy <3> turns") && sheet.includes("box, 200 g, 77 × 7.8 × 160 mm"));
+  await fill({ name: "your body" });
+}
+
 /** Two boxes, the second added by keyboard: moments as the parallel-axis theorem has them, the address, the file, and a part removed. */
 async function ofParts(page, wants, { tell, fill, choose }) {
   const boxes = [{ m: 2, sides: [0.1, 0.2, 0.4], at: [0, 0, 0] }, { m: 3, sides: [0.3, 0.1, 0.2], at: [0.5, 0, -0.05] }]; // kg, m
@@ -112,6 +150,8 @@ async function ofParts(page, wants, { tell, fill, choose }) {
   const moments = [(xx + zz) / 2 - root, (xx + zz) / 2 + root, yy].sort((a, b) => a - b);
   const told = await Promise.all([1, 2, 3].map(async (k) => parseFloat(await tell(`axis-${k}`))));
   wants(`the moments of two boxes are ${moments}: ${told}`, moments.every((x, k) => Math.abs(told[k] / x - 1) < 6e-4));
+  // A box shows three of its faces.
+  wants("both parts are drawn", (await page.locator("#live-your-body [data-drawing=body] .your-body-face").count()) === 6);
   const coming = page.waitForEvent("download", { timeout: 60000 });
   await page.click("#live-your-body [data-save=file]");
   const text = await readFile(await (await coming).path(), "utf8");

@@ -22,7 +22,7 @@ pub(super) const CHAPTERS: &[(&str, &[Law])] = &[
         LINEARISED_TWICE, WOBBLE, SWING, GROWTH]),
     ("why-the-middle-one", &[DIFFERENCE_OF_MOMENTS, WOBBLE]),
     ("three-pitfalls", &[FROZEN_TENSOR, MOMENTUM_FOR_SPIN]),
-    ("dzhanibekov", &[ENERGY_ELLIPSOID, MOMENTUM_ELLIPSOID]),
+    ("dzhanibekov", &[ENERGY_ELLIPSOID, MOMENTUM_ELLIPSOID, WOBBLE]),
     ("coin", &[COIN_1, COIN_2, COIN_RATE, COIN_COSINE, COIN_SINE, COIN_SPIN, COIN_AXIS]),
     ("exact-motion", &[JACOBI_SN, JACOBI_CN, JACOBI_DN, JACOBI_1, JACOBI_2, JACOBI_3, JACOBI_RATE,
         JACOBI_PARAMETER, JACOBI_A1, JACOBI_A2, JACOBI_A3]),

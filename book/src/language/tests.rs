@@ -15,16 +15,16 @@ fn faults(said: &str, altered: &str) -> String {
 fn a_number_a_unit_a_number_word_or_a_link_that_is_altered_is_noticed() {
     for (said, altered) in [
         ("*0,64 s*", "*0,65 s*"),
-        ("alle 1,08 s", "alle 1,80 s"),
+        ("es alle 1,08 s", "es alle 1,80 s"),
         ("ein Taschenbuch von 129", "ein Taschenbuch von 127"),
         ("Taschenbuch von 129 × 198", "Taschenbuch von 129 × 189"),
         ("20 mm und 0,340", "20 cm und 0,340"),
         ("0,340 kg", "0,34 kg"),
         ("hat drei Achsen", "hat vier Achsen"),
-        ("zwei Umdrehungen in der Sekunde um", "drei Umdrehungen in der Sekunde um"),
+        ("zwei Umdrehungen pro Sekunde um", "drei Umdrehungen pro Sekunde um"),
         ("Versehen ein Zwanzigstel", "Versehen ein Zehntel"),
         ("die dritte ist es nicht", "die zweite ist es nicht"),
-        ("um 0,02 rad zur Seite", "um 0,2 rad zur Seite"),
+        ("mit 0,02 rad Abweichung", "mit 0,2 rad Abweichung"),
         ("](../../figures/three-tosses.svg)\"\n\"*", "](../../figures/coin.svg)\"\n\"*"),
     ] {
         let wrong = faults(said, altered);
@@ -46,16 +46,17 @@ fn a_page_that_has_fallen_behind_says_where() {
         page.contains("## Wie schnell es geschieht {#how-fast-it-happens}\n\n> **Predict.** Du"),
         "{page}"
     );
-    assert!(page.contains("> *0,64 s*: ein kleiner") && page.contains("\"0.64 s\""));
+    assert!(page.contains("> *0,64 s*: Ein kleiner") && page.contains("\"0.64 s\""));
 }
 
 #[test]
 fn a_label_is_known_as_a_whole_or_by_its_parts() {
     let german = Language::read("de").unwrap();
-    let (said, wrong) = german.markup("<text>the book, 1 turn/s, push 1.50 %</text><style>spin</style>");
+    let (said, wrong) =
+        german.markup("<text>the book, 1 turn/s, 1.50 % of that across</text><style>spin</style>");
     assert_eq!(
         (said.as_str(), wrong.len()),
-        ("<text>das Buch, 1 Umdrehung/s, Störung 1,50 %</text><style>spin</style>", 0)
+        ("<text>das Buch, 1 Umdrehung/s, 1,50 % davon quer dazu</text><style>spin</style>", 0)
     );
     let (said, wrong) = german.markup("<p aria-label=\"Again\">t = 2.5 s</p><p>spinning</p>");
     assert_eq!(said, "<p aria-label=\"Noch einmal\">t = 2,5 s</p><p>spinning</p>");

@@ -4,8 +4,8 @@ use super::pages::Paper;
 use super::sheet::{self, Size};
 use super::tree::{Element, Node, each, rewritten, xml};
 use crate::language::Language;
-use crate::site::goals;
 use crate::site::places::escaped;
+use crate::site::{goals, home};
 use std::collections::BTreeSet;
 
 /// The handout of a chapter as HTML, set this closely, in the language of its page.
@@ -32,7 +32,7 @@ pub(super) fn sheet(paper: &Paper, name: &str, size: Size, fit: usize) -> Result
     };
     let body = format!(
         "<header><p>{}</p>\n{}\n</header>\n<div class=\"goals\"><p>{}</p><ul>{goals}</ul></div>\n<div class=\"columns\">\n{}\n\
-         {sources}\n</div>\n<footer><p>{} {}: {}, CC BY 4.0.</p></footer>",
+         {sources}\n</div>\n<footer><p>{} {}: {}, CC BY 4.0{}.</p></footer>",
         escaped(&say(&format!("{}, chapter {number}", paper.about.title))),
         heading(&page.body),
         say("After this chapter you can"),
@@ -40,16 +40,12 @@ pub(super) fn sheet(paper: &Paper, name: &str, size: Size, fit: usize) -> Result
         say("The book has the programs that check these numbers, the exercises and the answers."),
         say("Text and figures"),
         escaped(&say(&paper.about.authors.join(", "))),
+        home::address().map_or(String::new(), |address| format!(", {}", escaped(address))),
     );
     let title = format!("{}: {}", page.title, say("handout"));
     let class = format!("handout fit-{fit}");
-    let html = sheet::document(paper, &title, &class, size, "@page { margin: 11mm 12mm 13mm; }", &body)?;
     let code = language.map_or(paper.about.language.clone(), |own| own.code);
-    Ok(html.replacen(
-        &format!("<html lang=\"{}\"", paper.about.language),
-        &format!("<html lang=\"{code}\""),
-        1,
-    ))
+    sheet::document(paper, [&code, &title], &class, size, "@page { margin: 11mm 12mm 13mm; }", &body)
 }
 
 fn heading(body: &[Node]) -> String {
@@ -88,7 +84,8 @@ fn sources(paper: &Paper, body: &[Node]) -> Vec<Node> {
 }
 
 fn on_sheet(element: Element) -> Vec<Node> {
-    let dropped = ["program", "to-end", "still", "question"].iter().any(|class| element.has_class(class));
+    let dropped =
+        ["program", "to-end", "still", "question", "aside"].iter().any(|class| element.has_class(class));
     match element.name.as_str() {
         "h1" => Vec::new(),
         _ if dropped => Vec::new(),

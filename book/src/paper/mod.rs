@@ -77,15 +77,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
             })
         }),
         What::Problems { chapters } => each(&paper, chapters, |name| {
-            // What is translated has no problems of its own.
-            let translated = paper.translated.iter().any(|page| page.name == name);
-            if translated && !chapters.is_empty() {
-                return Err(format!(
-                    "`{name}` is translated and has no problems of its own: print those of its original"
-                ));
-            }
-            let sheets = if translated { &[][..] } else { &["problems", "answers"] };
-            sheets.iter().try_for_each(|sheet| {
+            ["problems", "answers"].iter().try_for_each(|sheet| {
                 printed(&folder.join(format!("{name}-{sheet}")), &paper.about, |fit| {
                     problems::sheet(&paper, name, arguments.paper, fit, *sheet == "answers")
                 })

@@ -4,6 +4,8 @@ use super::page::Page;
 use super::pages::Paper;
 use super::sheet::{self, Size, after};
 use super::tree::{Element, Node, rewritten, xml};
+use crate::language::Language;
+use crate::site::home;
 use crate::site::places::escaped;
 
 /// The page with the problems; its sections have the names of the chapters.
@@ -15,10 +17,14 @@ struct Problem {
     answer: Vec<Node>,
 }
 
-/// The problems of a chapter as HTML, or their answers, set this closely.
+/// Pages of a sheet are counted from the first, and each says how many there are.
+const COUNTED: &str =
+    "@page, @page :first { @bottom-center { content: counter(page) \" / \" counter(pages); } }";
+
+/// The problems of a chapter as HTML, or their answers, set this closely, in the language of its page.
 ///
 /// # Errors
-/// There is no such chapter, or an answer is missing.
+/// There is no such chapter, or an answer or a translation is missing.
 pub(super) fn sheet(
     paper: &Paper,
     name: &str,
@@ -27,31 +33,65 @@ pub(super) fn sheet(
     answers: bool,
 ) -> Result<String, String> {
     let page = sheet::chapter(paper, name)?;
-    let problems = written(paper, name)?;
+    let language = Language::of(name)?;
+    let problems = match &language {
+        Some((own, original)) => translated(written(paper, original)?, own)?,
+        None => written(paper, name)?,
+    };
+    let say = |words: &str| language.as_ref().map_or(words.to_owned(), |(own, _)| own.label(words).0);
     let class = if answers { "answers" } else { "problems" };
     let list = |from: usize, to: usize| {
         let items = problems[from..to].iter().map(|problem| {
             let nodes = if answers { &problem.answer } else { &problem.asked };
-            format!("<li class=\"problem\">{}</li>\n", xml(&sheet::within(nodes, class)))
+            // What takes longer to answer has more room.
+            let room =
+                1 + problem.answer.iter().filter_map(Node::element).map(|e| e.text().len()).sum::<usize>()
+                    / 90;
+            let words = xml(&sheet::within(nodes, class));
+            format!("<li class=\"problem\" style=\"flex-grow: {room}\">{words}</li>\n")
         });
         format!("<ol start=\"{}\">{}</ol>\n", from + 1, items.collect::<String>())
     };
-    let (title, of) = (escaped(&page.title), format!("From {}, CC BY 4.0.", escaped(&paper.about.title)));
-    let (head, count) = (format!("<h1>{title}: {class}</h1>\n"), problems.len());
+    let title = format!("{}: {}", page.title, say(class));
+    let address = home::address().map_or(String::new(), |address| format!(" ({address})"));
+    let of = escaped(&format!("{} {}{address}, CC BY 4.0.", say("From the book"), paper.about.title));
+    let (head, count) = (format!("<h1>{}</h1>\n", escaped(&title)), problems.len());
     let body = if answers {
         let all = list(0, count);
         format!(
-            "{head}{all}<p class=\"for\">{of} The numbers are computed and checked by the book&#8217;s tests.</p>"
+            "{head}{all}<p class=\"for\">{of} {}</p>",
+            say("The numbers are computed and checked by the book’s tests.")
         )
     } else {
         // More than three go on both sides of the sheet, with the rest of the paper to work on.
         let front = if count > 3 { count.div_ceil(2) } else { count };
-        let head = format!("{head}<p class=\"for\">Paper and pencil. Give numbers with their units.</p>\n");
+        let [name, date] = ["Name", "Date"].map(say);
+        let head = format!(
+            "<p class=\"whose\"><span>{name}</span><span>{date}</span></p>{head}<p class=\"for\">{}</p>\n",
+            say("Paper and pencil. Give numbers with their units.")
+        );
         let turned = format!("</section>\n<section class=\"side\">{}", list(front, count));
         let back = if front < count { turned } else { String::new() };
         format!("<section class=\"side\">{head}{}{back}<p class=\"for\">{of}</p></section>", list(0, front))
     };
-    sheet::document(paper, &format!("{}: {class}", page.title), &format!("sheet fit-{fit}"), size, "", &body)
+    let code = language.map_or(paper.about.language.clone(), |(own, _)| own.code);
+    sheet::document(paper, [&code, &title], &format!("sheet fit-{fit}"), size, COUNTED, &body)
+}
+
+/// The problems in another language, paragraph by paragraph.
+fn translated(problems: Vec<Problem>, own: &Language) -> Result<Vec<Problem>, String> {
+    let mut said = own.paragraphs(PAGE);
+    let mut say = |nodes: Vec<Node>| {
+        rewritten(nodes, &mut |mut element| {
+            if ["p", "h2"].contains(&element.name.as_str()) {
+                element.children = vec![Node::Text(said.take(&element.text()))];
+            }
+            vec![element.into()]
+        })
+    };
+    let problems =
+        problems.into_iter().map(|one| Problem { asked: say(one.asked), answer: say(one.answer) }).collect();
+    said.done().map(|()| problems)
 }
 
 /// The problems of this chapter in the page of problems.

@@ -48,7 +48,7 @@ pub(super) fn book(
             xml(&within(&page.body, &page.name))
         );
     }
-    document(paper, &paper.about.title, "book", size, &rules, &body)
+    document(paper, [&paper.about.language, &paper.about.title], "book", size, &rules, &body)
 }
 
 fn contents(paper: &Paper, numbers: &dyn Fn(&str) -> Option<usize>) -> String {
@@ -144,13 +144,13 @@ pub(crate) fn fonts() -> Result<String, String> {
     all.into_iter().map(of).collect()
 }
 
-/// A document of this class of sheets, see `book/paper/print.css`.
+/// A document in a language, with a title, of this class of sheets, see `book/paper/print.css`.
 ///
 /// # Errors
 /// A font that cannot be read.
 pub(super) fn document(
     paper: &Paper,
-    title: &str,
+    [language, title]: [&str; 2],
     class: &str,
     size: Size,
     rules: &str,
@@ -159,10 +159,9 @@ pub(super) fn document(
     let fonts = fonts()?;
     let paper_size = if size == Size::A4 { "A4" } else { "letter" };
     Ok(format!(
-        "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n<title>{}</title>\n<meta name=\"author\" \
+        "<!DOCTYPE html>\n<html lang=\"{language}\">\n<head>\n<meta charset=\"utf-8\">\n<title>{}</title>\n<meta name=\"author\" \
          content=\"{}\">\n<style>\n{}\n@page {{ size: {paper_size}; }}\n{rules}{fonts}</style>\n</head>\n<body class=\"{class}\">\n\
          <main>\n{body}\n</main>\n</body>\n</html>\n",
-        paper.about.language,
         escaped(title),
         escaped(&paper.about.authors.join(", ")),
         include_str!("../../paper/print.css"),

@@ -24,6 +24,12 @@ pub(crate) fn line() -> String {
     listed(CITATION).join(" · ") + " · [Licences](about.md#whose-it-is)"
 }
 
+/// Where the book is to be found, once it is set.
+pub(crate) fn address() -> Option<&'static str> {
+    let of = |key: &str| CITATION.lines().find_map(|line| line.strip_prefix(key));
+    of("url: ").or_else(|| of("repository-code: ")).map(|address| address.trim_matches('"'))
+}
+
 fn listed(citation: &str) -> Vec<String> {
     let value = |key: &str| citation.lines().find_map(|line| line.strip_prefix(key));
     let shown = |value: &str| if value.starts_with("http") { format!("<{value}>") } else { value.to_owned() };

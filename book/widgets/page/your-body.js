@@ -3,8 +3,9 @@
 
 tumblingLive.widget("your-body", async (stage, from) => {
     const { load, module, fixed, short, raised, draw, arrow, drawing, sayer } = tumblingLive;
-    const [body, exact] = await Promise.all([...["your-body", "tumble"].map(module), load(`${from}live.bodies.js`), load(`${from}your-body.saves.js`)]);
+    const [body, exact] = await Promise.all([...["your-body", "tumble"].map(module), load(`${from}live.bodies.js`), load(`${from}your-body.saves.js`), load(`${from}your-body.shapes.js`)]);
     const { rows, clock } = tumblingLive.bodies;
+    const { typed, refused, exactly, around, within, question, faces, seen, robot } = tumblingLive.yourBodyShapes;
     const field = (id) => stage.querySelector(`#your-body-${id}`);
     const shown = (what) => stage.querySelector(`[data-shows=${what}]`);
     const say = sayer(stage);
@@ -25,26 +26,26 @@ tumblingLive.widget("your-body", async (stage, from) => {
     const PLACE = ["x", "y", "z"];
     const MOST_PARTS = 20;
 
-    /** Sizes and mass are typed in mm and g; asked, and kept in the address, in m and kg. */
-    const UNIT = (name) => (TENSOR.includes(name) ? 1 : 1000);
-    const exactly = (x) => Number(x.toPrecision(15));
+    /** Sizes and mass are typed in mm and g, or with a unit; asked, and kept in the address, in m and kg. */
+    const UNIT = (name) => (TENSOR.includes(name) ? null : name === "m" ? "g" : "mm");
+    const fill = (name, value) => { field(name).value = value === "" ? "" : exactly(value * (UNIT(name) ? 1000 : 1)); };
+    const names = (kind) => (KINDS[kind].length > 0 ? ["m", ...SIZES.slice(0, KINDS[kind].length)] : ["m", ...TENSOR]);
+    const asked = (name) => [name, field(name).value.trim() === "" ? "" : String(typed(field(name).value, UNIT(name)))];
     /** What is asked now, by the fields: names and values. */
-    function given() {
-        const names = KINDS[kind.value].length > 0 ? ["m", ...SIZES.slice(0, KINDS[kind.value].length)] : ["m", ...TENSOR];
-        return names.map((name) => [name, field(name).value === "" ? "" : String(exactly(field(name).value / UNIT(name)))]);
-    }
+    const given = () => names(kind.value).map(asked);
 
     /** What is wrong with what is typed, before the module looks at it; or null. */
     function lacks(known) {
-        const empty = known.find(([, value]) => value === "");
-        return empty ? `Type a number for ${field(empty[0]).getAttribute("aria-label") ?? empty[0]}.` : null;
+        const bad = known.find(([, value]) => value === "" || value === "NaN")?.[0];
+        return bad ? refused(field(bad).value, field(bad).getAttribute("aria-label") ?? bad, UNIT(bad)) : null;
     }
     const together = (parts) => body.answer(5, parts.length, ...parts.flatMap(({ kind, numbers, at }) => [Object.keys(KINDS).indexOf(kind), ...numbers, ...Array(7 - numbers.length).fill(0), ...at]));
     /** A part in words, in mm and g. */
     function named({ kind: of, numbers: [mass, ...sizes], at }) {
         const mm = (lengths) => lengths.map((x) => String(exactly(x * 1000)).replace("-", "−"));
-        const size = of === "moments" ? "" : `, ${mm(sizes).join(" × ")} mm`;
-        return `${of}, ${exactly(mass * 1000)} g${size}, at (${mm(at).join(", ")}) mm`;
+        const size = of === "moments" ? "" : `, ${of === "box" || of === "plate" ? mm(sizes).join(" × ") : mm(sizes).map((x, k) => `${KINDS[of][k]} ${x}`).join(", ")} mm`;
+        const place = parts.length > 0 || at.some((x) => x !== 0) ? `, at (${mm(at).join(", ")}) mm` : "";
+        return `${of}, ${exactly(mass * 1000)} g${size}${place}`;
     }
     function list() {
         stage.querySelector("[data-of-parts]").hidden = parts.length === 0;
@@ -62,8 +63,8 @@ tumblingLive.widget("your-body", async (stage, from) => {
         }));
     }
     function add() {
-        const at = PLACE.map((name) => [name, field(name).value]);
-        const part = { kind: kind.value, numbers: given().map(([, value]) => Number(value)), at: at.map(([, value]) => exactly(value / 1000)) };
+        const at = PLACE.map(asked);
+        const part = { kind: kind.value, numbers: given().map(([, value]) => Number(value)), at: at.map(([, value]) => Number(value)) };
         const why = parts.length === MOST_PARTS ? `There is room for ${MOST_PARTS} parts.` : lacks([...given(), ...at]) ?? (together([...parts, part]) ? null : `${body.words()}.`);
         if (why === null) parts.push(part);
         shown("added").textContent = why ?? `Part ${parts.length} is added.`;
@@ -84,18 +85,24 @@ tumblingLive.widget("your-body", async (stage, from) => {
     function ask() {
         const values = given();
         if (parts.length === 0) {
-            const why = lacks(kind.value === "moments" ? values.slice(1) : values);
+            const why = lacks(kind.value === "moments" && values[0][1] === "" ? values.slice(1) : values);
             if (why) return why;
-            if (Number(field("m").value) < 0) return "The mass must be above zero, or left out where it is not known.";
+            if (values[0][1] < 0) return "The mass must be above zero, or left out where it is not known.";
         }
         const answer = parts.length > 0 ? together(parts) : body.answer(0, Object.keys(KINDS).indexOf(kind.value), ...values.map(([, value]) => Number(value)));
         if (!answer) return `${body.words()}.`;
-        const drawn = parts[0] ?? { kind: kind.value, numbers: values.map(([, x]) => Number(x)) };
+        const whole = parts.length > 0 ? parts : [{ kind: kind.value, numbers: values.map(([, x]) => Number(x)), at: [0, 0, 0] }];
         const part = (from, count) => Array.from(answer.slice(from, from + count));
         found = {
             tensor: part(0, 6), moments: part(6, 3), axes: [part(9, 3), part(12, 3), part(15, 3)], equal: answer[18], growth: answer[19],
-            circles: [answer[20], answer[21]], semiaxes: part(22, 3), flips: part(25, 9), edges: drawn.kind === "box" && parts.length < 2 ? drawn.numbers.slice(1) : null,
+            circles: [answer[20], answer[21]], semiaxes: part(22, 3), flips: part(25, 9), whole, single: parts.length === 0,
         };
+        const even = (numbers) => {
+            const own = body.answer(0, 9, ...numbers);
+            return { semiaxes: Array.from(own.slice(22, 25)), leads: [9, 12, 15].map((at) => Array.from(own.slice(at, at + 3))) };
+        };
+        found.faces = faces(whole, found.axes, even);
+        found.reach = [0, 1, 2].map((k) => [1, -1].map((side) => Math.max(...found.faces.flat().map((p) => side * p[k]))));
         return null;
     }
 
@@ -127,7 +134,8 @@ tumblingLive.widget("your-body", async (stage, from) => {
     function axes(svg, at, from, leads = found.axes) {
         leads.forEach((axis, k) => {
             const lead = dot(axis, eye()[2]) < -0.05 ? -1 : 1;
-            const [near, far] = [from[k], from[k] + 0.42].map((x) => at(axis.map((part) => lead * part * x)));
+            const start = from[k][lead === 1 ? 0 : 1] ?? from[k];
+            const [near, far] = [start, start + 0.42].map((x) => at(axis.map((part) => lead * part * x)));
             const tip = arrow(svg, near, far, `your-body-${k + 1}`, 3);
             const [right, down] = unit([tip[0] - near[0], tip[1] - near[1], 0]);
             draw("text", svg, { class: `your-body-${k + 1} live-strong`, x: tip[0] + 12 * right, y: tip[1] + 12 * down + 5, "text-anchor": "middle" }, String(k + 1));
@@ -148,27 +156,14 @@ tumblingLive.widget("your-body", async (stage, from) => {
     redraws.push(drawing(pictures.body, square, (width, height) => {
         if (!found) return;
         const svg = pictures.body;
-        const edges = found.edges;
-        const longest = edges ? Math.hypot(...edges) / 2 : Math.max(...found.semiaxes);
         const at = looking(width, height, 0.31 * Math.min(width, height));
-        if (edges) {
-            const half = edges.map((edge) => edge / 2 / longest);
-            const corner = (bits) => inRoom(half.map((far, i) => (bits >> i & 1 ? far : -far)));
-            const toward = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((edge) => dot(inRoom(edge), eye()[2]));
-            const farthest = toward.reduce((bits, leads, i) => bits | (leads < 0) << i, 0);
-            for (let from = 0; from < 8; from += 1) {
-                for (const bit of [1, 2, 4]) {
-                    if (from & bit) continue;
-                    const hidden = [from, from | bit].includes(farthest);
-                    path(svg, hidden ? "live-edge live-hidden" : "live-edge", [at(corner(from)), at(corner(from | bit))]);
-                }
-            }
-            axes(svg, at, found.axes.map((axis) => Math.min(...half.map((far, i) => far / Math.max(Math.abs(axis[i]), 1e-9)))), axesNow());
-        } else {
-            const semiaxes = found.semiaxes.map((x) => x / longest);
-            path(svg, "live-body", outline(semiaxes, at, axesNow()), "z");
-            axes(svg, at, semiaxes, axesNow());
+        const flat = ([right, up]) => [width / 2 + 0.31 * Math.min(width, height) * right, height / 2 - 0.31 * Math.min(width, height) * up];
+        const look = (p) => { const now = inBody(motion.turned ? motion.turned.map((row) => dot(row, p)) : p); return eye().map((side) => dot(side, now)); };
+        for (const { places, mark } of seen(found.faces, look)) {
+            path(svg, `live-body your-body-face${places.length === 4 && found.faces.length < 40 ? "" : " your-body-fine"}`, places.map(flat), "z");
+            if (mark.length > 0) path(svg, "your-body-marked", mark.map(flat), "z");
         }
+        axes(svg, at, found.reach, axesNow());
         svg.shows = { t: motion.t, spin: motion.spin, turned: motion.turned, axes: axesNow() }; // for those who test it
     }));
 
@@ -271,7 +266,9 @@ tumblingLive.widget("your-body", async (stage, from) => {
 
     /** What the address says of a body, and what it is to say. */
     const MARK = "#your-body?";
-    const words = () => `${MARK}${new URLSearchParams([["kind", kind.value], ...given(), ...parts.map(({ kind, numbers, at }) => ["part", [kind, ...numbers, ...at].join("_")])])}`;
+    const CALLED = field("name").value;
+    const called = () => field("name").value.trim() || CALLED;
+    const words = () => `${MARK}${new URLSearchParams([["kind", kind.value], ...given(), ...(called() === CALLED ? [] : [["name", called()]]), ...parts.map(({ kind, numbers, at }) => ["part", [kind, ...numbers, ...at].join("_")])])}`;
     /** A part as the address has it: `box_0.2_0.077_0.0078_0.16_0_0_0`. */
     function fromText(text) {
         const [kind, ...numbers] = text.split("_");
@@ -285,8 +282,9 @@ tumblingLive.widget("your-body", async (stage, from) => {
         if (Object.hasOwn(KINDS, said.get("kind") ?? "")) kind.value = said.get("kind");
         for (const name of ["m", ...SIZES, ...TENSOR]) {
             const value = said.get(name);
-            if (value !== null && (value === "" || Number.isFinite(Number(value)))) field(name).value = value === "" ? "" : exactly(value * UNIT(name));
+            if (value !== null && (value === "" || Number.isFinite(Number(value)))) fill(name, value);
         }
+        if (said.has("name")) field("name").value = said.get("name").slice(0, 60);
         parts = said.getAll("part").flatMap(fromText).slice(0, MOST_PARTS);
         if (parts.length > 0) field("many").open = true;
     }
@@ -304,7 +302,7 @@ tumblingLive.widget("your-body", async (stage, from) => {
         const direction = (axis) => axis.map((x) => x.toFixed(3).replace("-0.000", "0.000").replace("-", "−")).join(", ");
         moments.forEach((moment, k) => { shown(`axis-${k + 1}`).textContent = `${digits(moment, 4)} kg m², along (${direction(axes[k])})`; });
         const never = { 1: "moments 2 and 3 are equal: it never flips", 2: "moments 1 and 2 are equal: it never flips", 3: "all moments are equal: any spin stays as it is" }[equal];
-        shown("growth").textContent = never ?? `unstable, it flips: a slip grows e-fold in ${digits(1 / (growth * 2 * Math.PI))} turns, by a factor of ${digits(Math.exp(growth * 2 * Math.PI))} in each`;
+        shown("growth").textContent = never ?? `unstable, it flips: a slip becomes ${digits(Math.exp(growth * 2 * Math.PI))} times as large in each turn, ten times in ${digits(Math.log(10) / (growth * 2 * Math.PI))} turns`;
         shown("circles").textContent = equal === 3 ? "the same" : [0, 2].filter((k) => circles[k / 2] > 0).map((k) => `axis ${k + 1}: stable, circled ${turns(circles[k / 2])}`).join("; ");
         const widest = PLANES.map((plane) => Math.max(...gaps(plane)));
         shown("gap").textContent = equal === 3 ? "none in any direction" : `${digits(Math.max(...widest))}°`;
@@ -327,6 +325,12 @@ tumblingLive.widget("your-body", async (stage, from) => {
         });
         list();
         const why = ask();
+        // Of each part that no solid could be, and of a body that is drawn as what it is not, it is said.
+        const asks = why ? [] : found.whole.map(({ kind, numbers: [mass, ...sizes], ...part }) => question(kind, mass, sizes, named({ kind, numbers: [mass, ...sizes], ...part })));
+        shown("asks").textContent = asks.filter((text) => text !== "").join(" ");
+        shown("stand-in").hidden = why !== null || found.whole.every((part) => part.kind !== "moments");
+        shown("title").textContent = `How ${called()} turns`;
+        shown("what").textContent = why ? "" : `${found.whole.map((part) => (part.numbers[0] > 0 ? named(part) : "moments and products alone")).join("; ")}.`;
         pause();
         if (why === null) {
             const [count, ...times] = found.equal === 0 ? exact.answer(5, ...found.moments, 0, SPIN, SLIP * SPIN, 60, 1) ?? [0] : [0];
@@ -346,20 +350,12 @@ tumblingLive.widget("your-body", async (stage, from) => {
 
     /** The tensor of a link as URDF has it, or what is wrong with it. */
     function link(text) {
-        const found = ["text/xml", "text/html"].map((kind) => new DOMParser().parseFromString(text, kind).querySelectorAll("inertial")).find((all) => all.length > 0);
-        if (!found) return "There is no inertial element in it.";
-        if (found.length > 1) return `There are ${found.length} inertial elements in it: paste one link alone.`;
-        const [inertial] = found;
-        const number = (selector, name) => Number(inertial.querySelector(selector)?.getAttribute(name) ?? NaN);
-        const tensor = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"].map((name) => number("inertia", name));
-        const mass = number("mass", "value");
-        const turned = (inertial.querySelector("origin")?.getAttribute("rpy") ?? "0 0 0").trim().split(/\s+/).map(Number);
-        if (![...tensor, mass, ...turned].every(Number.isFinite) || turned.length !== 3) return "A number is missing: mass, the six of inertia, and the angles of origin where there are any.";
-        if (!(mass > 0)) return "The mass must be above zero.";
+        const { why, tensor, mass, turned } = robot(text);
+        if (why) return why;
         const answer = body.answer(3, ...tensor, ...turned);
         if (!answer) return `${body.words()}.`;
         kind.value = "moments";
-        field("m").value = exactly(mass * UNIT("m"));
+        fill("m", mass);
         TENSOR.forEach((name, k) => { field(name).value = answer[k]; });
         show();
         return "Read: its tensor about its centre of mass, in the link’s axes.";
@@ -381,12 +377,30 @@ tumblingLive.widget("your-body", async (stage, from) => {
             shown("copied").textContent = "It stands in the address of this page: copy it from there.";
         }
     });
-    tumblingLive.yourBodySaves({ stage, shown, wrong, kind, kinds: KINDS, given, parts: () => parts, named, found: () => found, pictures, exact });
-    addEventListener("hashchange", () => { fromAddress(); show(); });
-    kind.addEventListener("input", show);
+    tumblingLive.yourBodySaves({ stage, shown, wrong, kinds: KINDS, called, found: () => found, pictures, exact });
+    addEventListener("hashchange", () => { fromAddress(); sized(); show(); });
+    // Another kind takes over the box around the one before.
+    let [before, box] = [null, null];
+    function sized() {
+        const sizes = given().slice(1).map(([, value]) => Number(value));
+        if (around[kind.value] && sizes.every((x) => x > 0)) box = around[kind.value](...sizes);
+        before = kind.value;
+    }
+    kind.addEventListener("input", () => {
+        if (kind.value !== before && box) within[kind.value]?.(...box).forEach((value, k) => fill(SIZES[k], value));
+        before = kind.value;
+        show();
+    });
     field("add").addEventListener("click", add);
-    for (const name of ["m", ...SIZES, ...TENSOR]) field(name).addEventListener("input", show);
+    for (const name of ["m", ...SIZES, ...TENSOR]) {
+        field(name).addEventListener("input", () => {
+            sized();
+            show();
+        });
+    }
+    field("name").addEventListener("input", show);
     fromAddress();
+    sized();
     // What stands there at first is not in the address until something is changed.
     const first = location.hash;
     show();

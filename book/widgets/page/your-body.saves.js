@@ -2,8 +2,10 @@
 "use strict";
 
 /** Lets the buttons save what is `given` now, and what the module `found` of it. */
-tumblingLive.yourBodySaves = ({ stage, shown, wrong, kind, kinds, given, parts, named, found, pictures, exact }) => {
-    const { dot, cross } = tumblingLive.bodies;
+tumblingLive.yourBodySaves = ({ stage, shown, wrong, kinds, called, found, pictures, exact }) => {
+    const { cross } = tumblingLive.bodies;
+    const { seen: faced } = tumblingLive.yourBodyShapes;
+    const filed = () => called().toLowerCase().replace(/[^\p{L}\p{N}]+/gu, "-").replace(/^-|-$/g, "") || "your-body";
     function save(name, content, type) {
         Object.assign(document.createElement("a"), { download: name, href: URL.createObjectURL(new Blob([content], { type })) }).click();
         return `Saved as ${name}.`;
@@ -17,10 +19,10 @@ tumblingLive.yourBodySaves = ({ stage, shown, wrong, kind, kinds, given, parts, 
         return [`shape = "${of === "tube" ? "cylinder" : of}"`, ...(LISTS[of] ? [`${LISTS[of]} = [${numbers.join(", ")}] # m`] : names.map((name, k) => `${name} = ${numbers[k]} # m`)), ...weight];
     }
     function file() {
-        const [mass, ...numbers] = given().map(([, value]) => Number(value));
-        const whole = parts().length === 0 ? lines(kind.value, mass, numbers)
-            : parts().flatMap(({ kind, numbers: [mass, ...sizes], at }) => ["", "[[part]]", ...lines(kind, mass, sizes), `at = [${at.join(", ")}] # m`]);
-        return save("your-body.toml", `${['name = "your body"', ...whole].join("\n")}\n`, "text/plain");
+        const parts = found().whole;
+        const whole = found().single ? lines(parts[0].kind, parts[0].numbers[0], parts[0].numbers.slice(1))
+            : parts.flatMap(({ kind, numbers: [mass, ...sizes], at }) => ["", "[[part]]", ...lines(kind, mass, sizes), `at = [${at.join(", ")}] # m`]);
+        return save(`${filed()}.toml`, `${[`name = ${JSON.stringify(called())}`, ...whole].join("\n")}\n`, "text/plain");
     }
     /** The drawings with the look that they have on this page, for programs that know no style sheet. */
     function figures() {
@@ -33,32 +35,14 @@ tumblingLive.yourBodySaves = ({ stage, shown, wrong, kind, kinds, given, parts, 
             });
             copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
             copy.style.background = getComputedStyle(document.body).backgroundColor;
-            save(`your-body-${name}.svg`, new XMLSerializer().serializeToString(copy), "image/svg+xml");
+            save(`${filed()}-${name}.svg`, new XMLSerializer().serializeToString(copy), "image/svg+xml");
         }
-        return "Saved as your-body-….svg.";
+        return `Saved as ${filed()}-….svg.`;
     }
-    /** The corners of each face of the box, or of the even box of the same moments, along the principal axes. */
-    function faces() {
-        const { edges, axes, semiaxes } = found();
-        const half = edges ? edges.map((edge) => edge / 2) : semiaxes.map((x) => x * Math.sqrt(3 / 5));
-        const size = Math.hypot(...half);
-        const place = (p) => (edges ? axes.map((axis) => dot(axis, p)) : p).map((x) => x / size);
-        return [0, 1, 2].flatMap((axis) => [-1, 1].map((side) => [[-1, -1], [-1, 1], [1, 1], [1, -1]].map(([a, b]) => {
-            const p = [0, 0, 0];
-            [p[axis], p[(axis + 1) % 3], p[(axis + 2) % 3]] = [side * half[axis], a * half[(axis + 1) % 3], b * half[(axis + 2) % 3]];
-            return place(p);
-        })));
-    }
-    /** What of a face lies on the positive side of the middle axis. */
-    const marked = (corners) => corners.flatMap((a, k) => {
-        const b = corners[(k + 1) % corners.length];
-        const cut = a[1] * b[1] < 0 ? [a.map((x, i) => x + ((b[i] - x) * a[1]) / (a[1] - b[1]))] : [];
-        return a[1] >= 0 ? [a, ...cut] : cut;
-    });
     async function film() {
         const type = ["video/mp4;codecs=avc1.42E01E", "video/webm", "video/mp4"].find((type) => window.MediaRecorder?.isTypeSupported(type));
         if (!type) return "This browser records no film.";
-        const [canvas, parts, drawn, moments] = [document.createElement("canvas"), [], faces(), found().moments];
+        const [canvas, parts, drawn, moments] = [document.createElement("canvas"), [], found().faces, found().moments];
         Object.assign(canvas, { width: 1280, height: 720 });
         const pen = canvas.getContext("2d");
         const recorder = new MediaRecorder(canvas.captureStream(30), { mimeType: type, videoBitsPerSecond: 4e6 });
@@ -66,10 +50,15 @@ tumblingLive.yourBodySaves = ({ stage, shown, wrong, kind, kinds, given, parts, 
         const stopped = new Promise((done) => { recorder.addEventListener("stop", done); });
         const area = (places, color) => {
             pen.beginPath();
-            places.forEach(([x, y]) => pen.lineTo(640 + 300 * x, 360 - 300 * y));
+            places.forEach(([x, y]) => pen.lineTo(640 + 230 * x, 350 - 230 * y));
             pen.closePath();
             pen.fillStyle = color;
             pen.fill();
+            pen.stroke();
+        };
+        const line = (...places) => {
+            pen.beginPath();
+            places.forEach(([x, y]) => pen.lineTo(640 + 230 * x, 350 - 230 * y));
             pen.stroke();
         };
         recorder.start();
@@ -85,27 +74,34 @@ tumblingLive.yourBodySaves = ({ stage, shown, wrong, kind, kinds, given, parts, 
             const look = (p) => seen(turned(p));
             Object.assign(pen, { fillStyle: "#ffffff", strokeStyle: "#23211d", lineWidth: 3, lineJoin: "round" });
             pen.fillRect(0, 0, 1280, 720);
-            const depth = (corners) => corners.reduce((sum, p) => sum + look(p)[2], 0);
-            for (const corners of drawn.filter((face) => depth(face) > 0).sort((a, b) => depth(a) - depth(b))) {
-                area(corners.map(look), "#dde8ef");
-                area(marked(corners).map(look), "#c873b1");
+            const [near, far] = [found().reach[1][0], found().reach[1][0] + 0.25].map((x) => look([0, x, 0]));
+            const pin = (from) => {
+                Object.assign(pen, { strokeStyle: "#c873b1", lineWidth: 7 });
+                line(from, far);
+            };
+            pin(look([0, 0, 0]));
+            for (const { places, mark } of faced(drawn, look)) {
+                Object.assign(pen, { strokeStyle: "#23211d", lineWidth: places.length === 4 && drawn.length < 40 ? 3 : 0.7 });
+                area(places, "#dde8ef");
+                if (mark.length > 0) area(mark, "#c873b1");
             }
+            if (far[2] >= near[2]) pin(near);
+            Object.assign(pen, { fillStyle: "#23211d", font: '26px "Tumbling Sans", sans-serif' });
+            pen.fillText(`${called()}, 1 turn/s about its middle axis, slip 1 %`, 28, 692);
+            pen.fillText(`t = ${t.toFixed(1)} s`, 1120, 692);
+            pen.fillStyle = "#a04c8b";
+            pen.fillText("middle axis", 28, 44);
+            if (found().whole.some(({ kind }) => kind === "moments")) pen.fillText("drawn as an even ellipsoid of the same moments", 28, 80);
             shown("saved").textContent = `Recording: ${Math.floor(12 - t)} s.`;
             await new Promise((next) => { setTimeout(next, 1000 / 30); });
         }
         recorder.stop();
         await stopped;
-        const saved = save(`your-body.${type.slice(6, 10).replace(";", "")}`, new Blob(parts, { type }), type);
+        const saved = save(`${filed()}.${type.slice(6, 10).replace(";", "")}`, new Blob(parts, { type }), type);
         return type.includes("avc1") ? saved : `${saved} This browser records no H.264, so some slide programs will not play it; the command film makes a GIF.`;
     }
     function sheet() {
-        const head = document.createElement("p");
-        head.textContent = parts().length > 0 ? `Of parts: ${parts().map(named).join("; ")}.` : `Given by ${kind.selectedOptions[0].text}: ${given().map(([name, value]) => `${name} = ${value}`).join(", ")}, in m, kg and kg m².`;
-        stage.prepend(head);
-        document.body.classList.add("your-body-sheet");
-        print();
-        head.remove();
-        document.body.classList.remove("your-body-sheet");
+        print(); // what prints of this page is its sheet
         return "";
     }
     const SAVES = { file, figures, film, sheet };

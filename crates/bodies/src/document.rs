@@ -29,7 +29,8 @@ pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
         let (unknown, why) = reworded(error.message());
         let field = unknown.or_else(|| field_at(root.get_ref(), error.span()?.start));
         let list = field.as_deref().filter(|name| LISTS.contains(name) && why.contains("expected here"));
-        let hint = list.map(|list| format!(": each table of a list begins with `[[{list}]]`"));
+        let turn = || (field.as_deref() == Some("turn")).then(|| "; write turn = [x, y, z, degrees]".into());
+        let hint = list.map(|list| format!(": each table of a list begins with `[[{list}]]`")).or_else(turn);
         let error = at(error, why + &hint.unwrap_or_default());
         match field {
             Some(field) => error.of_field(&field),

@@ -91,7 +91,13 @@ impl<'a> Reader<'a> {
         let always = ["name", "at", "turn", "spin", "momentum", "attitude"];
         let goes = |field: &str| field == by || [with, sizes, &always].iter().any(|all| all.contains(&field));
         match reader.present.iter().find(|(field, _)| !goes(field)) {
-            Some((field, _)) => Err(reader.wrong(field, format!("it does not go with `{by}`"))),
+            Some((field, _)) => {
+                let own = [sizes, with].concat().iter().map(|name| format!("`{name}`")).collect::<Vec<_>>();
+                let of = table.shape.as_ref().map_or(by, |shape| shape.get_ref());
+                let why = format!("it does not go with `{of}`, which takes {}", own.join(", "));
+                Err(reader
+                    .wrong(field, if own.is_empty() { format!("it does not go with `{of}`") } else { why }))
+            }
             None => Ok(reader),
         }
     }
@@ -122,7 +128,9 @@ impl<'a> Reader<'a> {
         let kind = KINDS.iter().find(|(name, _)| *name == shape);
         kind.map(|(_, sizes)| *sizes).ok_or_else(|| {
             let names = KINDS.map(|(name, _)| name).join(", ");
-            self.wrong("shape", format!("no shape is called `{shape}`; there are {names}"))
+            let why =
+                format!("no shape is called `{shape}`; there are {names}; a tube is a cylinder with `inner`");
+            self.wrong("shape", why)
         })
     }
 
@@ -240,6 +248,7 @@ impl<'a> Reader<'a> {
 
     fn parts(&self) -> Result<BodyModel, Error> {
         let (mut whole, mut surfaces, mut question) = (Compound::new(), Vec::new(), None);
+        let mut places = Vec::new();
         for part in self.table.part.iter().flat_map(Spanned::get_ref) {
             let span = part.span();
             let reader = Reader::new(self.text, part.get_ref(), &span, self.files)?;
@@ -252,6 +261,8 @@ impl<'a> Reader<'a> {
             let mass = found.mass.ok_or_else(|| Error::at(self.text, &span, why))?;
             let of_part = MassProperties::new(mass, &found.centre, found.inertia);
             whole = whole.at(of_part.map_err(|error| self.wrong(self.by, error))?, &Vector3::zeros());
+            let far = found.surfaces.iter().flat_map(|s| &s.vertices).map(|p| (p - found.centre).norm());
+            places.push((found.centre, far.fold(0.0, f64::max)));
             surfaces.extend(found.surfaces);
             question = question.or(found.question);
             if surfaces.len() > MOST_PARTS {
@@ -260,6 +271,7 @@ impl<'a> Reader<'a> {
             }
         }
         let properties = whole.properties().map_err(|error| self.wrong(self.by, error))?;
+        let question = question.or_else(|| question::apart(&places));
         Ok(BodyModel { question, ..BodyModel::of(properties, surfaces) })
     }
 
@@ -376,12 +388,22 @@ mod tests {
             ("sides = [1, -2, 3]\nmass = 1", "line 1, `sides`: the edge along y is -2.0: it must be"),
             ("sides = [1, 2]\nmass = 1", "line 1, `sides`: 3 numbers are expected here, not 2"),
             ("mass = 1\nshape = 'bal'\nradius = 1", "line 2, `shape`: no shape is called `bal`; there"),
-            ("mass = 1\nshape = 'ball'\nheight = 1", "line 3, `height`: it does not go with `shape`"),
+            ("mass = 1\nshape = 'tube'\nradius = 1", "; a tube is a cylinder with `inner`"),
+            ("mass = '12.5'\nsides = [1, 2, 3]", "not `12.5`: the unit is missing"),
+            (
+                "body = 'book'\nturn = { x = 1 }",
+                "`turn`: a list is expected here, not map; write turn = [x, y",
+            ),
+            (
+                "mass = 1\nshape = 'ball'\nheight = 1",
+                "line 3, `height`: it does not go with `ball`, which takes `radius`, `inner`, `mass`, `density`",
+            ),
             ("mass = 1\nshape = 'cone'\nheight = 1", "line 2, `shape`: `radius` is missing"),
             ("mass = 1\nshape = 'ball'\nradius = 1\ninner = 2", "line 4, `inner`: the inner radius"),
             ("moments = [1, 2, 3.1]", "line 1, `moments`: no body has principal moments"),
             ("moments = [1, 2, 2]\nmass = 0", "line 2, `mass`: the mass is 0.0: it must be above zero"),
             ("moments = [1, 2, nan]", "line 1, `moments`"),
+            ("density = '7 kg'\nsides = [1, 2, 3]", "such as \"0.7 g/cm3\", not `7 kg`"),
             ("mass = 'a'", "`mass`: a number is expected here, or one with its unit such as \"200 g\""),
             ("sides = ['1 m', '2 g', 3]\nmass = 1", "line 1, `sides`: a number is expected here, or one"),
             ("shape = 'ball'\nradius = 0,07\nmass = 1", "; write 0.07"),
@@ -451,6 +473,15 @@ mod tests {
             ("radius = '33 mm'\nmass = 58", "58 kg in 33 mm: is this in g?"),
             ("radius = 33\nmass = '58 g'", "58 g in 33 m: is this in mm?"),
             (
+                "radius = '3 cm'\nmass = '300 kg'",
+                "300 kg in 3 cm: no solid is so light or so heavy. Are the numbers right?",
+            ),
+            (
+                "radius = 1\ndensity = 90000",
+                "90000 kg/m³: no solid is so light or so heavy. Are the numbers right?",
+            ),
+            ("radius = 1\ndensity = 0.7", "0.7 kg/m³: is this in g/cm3?"),
+            (
                 "radius = 1\nmass = 1e30",
                 "1e30 kg in 1 m: no solid is so light or so heavy. Are the numbers right?",
             ),
@@ -459,12 +490,19 @@ mod tests {
         }
         let one = body("sides = ['77 mm', 7.8, '160 mm']\nmass = '200 g'").unwrap().question.unwrap();
         assert_eq!(one, "200 g in 77 mm × 7.8 m × 160 mm: is this in mm, or in cm?");
-        // A satellite is light, a unit that is written is meant, and of a thin plate nothing is known.
-        for text in [
-            "sides = [2, 2, 4]\nmass = 160",
-            "sides = ['7.7 m', '0.78 m', '16 m']\nmass = 0.2",
-            "shape = 'plate'\nsides = [2, 1]\nmass = 0.001",
-        ] {
+        // A head of 3 cm on a handle of 34 cm, its place without a unit.
+        let racket = |at| {
+            body(&format!(
+                "[[part]]\nshape = 'ball'\nradius = '3 cm'\nmass = '0.1 kg'\nat = [0, 0, {at}]\n[[part]]\nsides = ['3 cm', '3 cm', '34 cm']\nmass = '0.1 kg'"
+            ))
+        };
+        assert_eq!(racket("0.2").unwrap().question, None);
+        let far = racket("-15").unwrap().question.unwrap();
+        assert_eq!(far, "a part 0.06 m large lies 15 m from the others: is its place in cm, or in mm?");
+        let wood = body("sides = [1, 2, 3]\ndensity = '0.7 g/cm3'").unwrap();
+        assert!((wood.mass.unwrap() - 4200.0).abs() < 1e-9 && wood.question.is_none());
+        // A satellite is light, and of a thin plate nothing is known.
+        for text in ["sides = [2, 2, 4]\nmass = 160", "shape = 'plate'\nsides = [2, 1]\nmass = 0.001"] {
             assert_eq!(body(text).unwrap().question, None, "{text}");
         }
     }

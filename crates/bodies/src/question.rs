@@ -4,6 +4,7 @@ use crate::document::from_toml;
 use crate::file::number;
 use crate::shape::{Weight, shaped};
 use crate::table::Table;
+use nalgebra::Vector3;
 use std::ops::Range;
 
 /// Whether a number stands without its unit.
@@ -20,7 +21,10 @@ fn with_unit(numbers: &str, unit: &str) -> String {
     numbers.split(',').map(one).collect::<Vec<_>>().join(",")
 }
 
-/// Of bare numbers that make a body lighter than a foam or heavier than any metal, or that stand beside some
+const SOLIDS: std::ops::Range<f64> = 10.0..25_000.0;
+const NONE_IS: &str = "no solid is so light or so heavy. Are the numbers right?";
+
+/// Of numbers that make a body lighter than a foam or heavier than any metal, or that stand bare beside some
 /// with a unit: whether other units were meant, all that are likely, likeliest first.
 pub(crate) fn of(
     text: &str,
@@ -28,12 +32,23 @@ pub(crate) fn of(
     name: &str,
     needed: &[&str],
 ) -> Option<String> {
+    if ["plate", "disk", "rod"].contains(&name) {
+        return None;
+    }
+    if let Some((_, span)) = present.iter().find(|(field, _)| *field == "density") {
+        let table: Table = from_toml(&format!("density = {}", &text[span.clone()])).ok()?;
+        let (density, bare) = (number(&table.density), bare(&text[span.clone()]));
+        let shown =
+            if bare { format!("{density} kg/m³") } else { text[span.clone()].replace(['"', '\''], "") };
+        let meant = if bare && SOLIDS.contains(&(1e3 * density)) { "is this in g/cm3?" } else { NONE_IS };
+        return (!SOLIDS.contains(&density)).then(|| format!("{shown}: {meant}"));
+    }
     let given = present.iter().filter(|(field, _)| needed.contains(field) || *field == "mass");
     let given: Vec<_> = given.map(|(field, span)| (*field, &text[span.clone()])).collect();
     let (&(last, mass), sizes) = given.split_last()?;
     let sizes = sizes.iter().map(|size| size.1).collect::<Vec<_>>().join(", ");
     let [in_kg, in_m] = [mass, &sizes].map(|all| all.split(',').any(bare));
-    if last != "mass" || !(in_kg || in_m) || ["plate", "disk", "rod"].contains(&name) {
+    if last != "mass" {
         return None;
     }
     // Where a solid can be so dense, how far it is from a thing in the hand, by density and mass.
@@ -46,7 +61,7 @@ pub(crate) fn of(
         let sides = table.sides.as_ref().map_or(&[][..], |sides| sides.get_ref());
         let density = number(&table.mass) / shaped(name, &table, sides, Weight::Density(1.0)).ok()?.0.mass();
         let off = |x: f64, usual: f64| (x / usual).log10().abs();
-        (10.0..25_000.0).contains(&density).then(|| off(density, 1e3) + off(number(&table.mass), 0.3))
+        SOLIDS.contains(&density).then(|| off(density, 1e3) + off(number(&table.mass), 0.3))
     };
     let mixed = [mass, &sizes].iter().any(|all| !all.split(',').all(bare));
     if !mixed && far("m", "kg").is_some() {
@@ -68,9 +83,25 @@ pub(crate) fn of(
     };
     let shown = format!("{} in {}", shown(mass, "kg"), shown(&sizes, "m").replace(',', " ×"));
     let plain = shown.replace(['[', ']', '"', '\''], "");
-    let odd = in_m && in_kg && far("m", "kg").is_none();
+    let odd = in_m == in_kg && far("m", "kg").is_none();
     match words.is_empty() {
         false => Some(format!("{plain}: is this in {words}?")),
-        true => odd.then(|| format!("{plain}: no solid is so light or so heavy. Are the numbers right?")),
+        true => odd.then(|| format!("{plain}: {NONE_IS}")),
     }
+}
+
+/// Of parts, each with its centre and its reach, m: whether one that lies ten times its own size from all
+/// others was meant to lie nearer.
+pub(crate) fn apart(parts: &[(Vector3<f64>, f64)]) -> Option<String> {
+    let gap = |at: usize| {
+        let others = parts.iter().enumerate().filter(|(other, _)| *other != at);
+        others.map(|(_, (centre, reach))| (centre - parts[at].0).norm() - reach).fold(f64::INFINITY, f64::min)
+    };
+    // What is made of more is no longer written by hand.
+    let few = if parts.len() <= 100 { parts.len() } else { 0 };
+    let sizes = (0..few).map(|at| (2.0 * parts[at].1, gap(at)));
+    let (size, gap) =
+        sizes.into_iter().find(|(size, gap)| gap.is_finite() && *size > 0.0 && *gap > 10.0 * size)?;
+    let [size, gap] = [size, gap].map(|x| format!("{x:.1e}").parse().unwrap_or(x));
+    Some(format!("a part {size} m large lies {gap} m from the others: is its place in cm, or in mm?"))
 }

@@ -35,13 +35,13 @@ table! {
         pub(crate) shape: String,
         #[serde(default, deserialize_with = "sizes")]
         pub(crate) sides: Vec<f64>,
-        #[serde(default, deserialize_with = "size::<_, false>")]
+        #[serde(default, deserialize_with = "size::<_, 0>")]
         pub(crate) radius: f64,
-        #[serde(default, deserialize_with = "size::<_, false>")]
+        #[serde(default, deserialize_with = "size::<_, 0>")]
         pub(crate) inner: f64,
-        #[serde(default, deserialize_with = "size::<_, false>")]
+        #[serde(default, deserialize_with = "size::<_, 0>")]
         pub(crate) height: f64,
-        #[serde(default, deserialize_with = "size::<_, false>")]
+        #[serde(default, deserialize_with = "size::<_, 0>")]
         pub(crate) length: f64,
         #[serde(default, deserialize_with = "three_sizes")]
         pub(crate) semiaxes: [f64; 3],
@@ -50,7 +50,7 @@ table! {
         #[serde(default, deserialize_with = "lists")]
         pub(crate) points: Vec<[f64; 4]>,
         pub(crate) mesh: String,
-        #[serde(default, deserialize_with = "size::<_, false>")]
+        #[serde(default, deserialize_with = "size::<_, 0>")]
         pub(crate) unit: f64,
         pub(crate) part: Vec<Spanned<Table>>,
         #[serde(default, deserialize_with = "list")]
@@ -69,8 +69,9 @@ table! {
         /// Of a body in a scene: body to world, a unit quaternion, scalar part first.
         #[serde(default, deserialize_with = "list")]
         pub attitude: [f64; 4],
-        #[serde(default, deserialize_with = "size::<_, true>")]
+        #[serde(default, deserialize_with = "size::<_, 1>")]
         pub(crate) mass: f64,
+        #[serde(default, deserialize_with = "size::<_, 2>")]
         pub(crate) density: f64,
         #[serde(default, deserialize_with = "three_sizes")]
         pub(crate) at: [f64; 3],
@@ -107,8 +108,8 @@ fn vertices<'de, D: Deserializer<'de>>(from: D) -> Field<[[f64; 3]; 4], D::Error
     Ok(Some(Spanned::new(span, four)))
 }
 
-/// A length or a mass: a number of m or kg, or a text with its unit.
-struct Size<const MASS: bool>(f64);
+/// A length, a mass or a density: a number of m, kg or kg/m³, or a text with its unit.
+struct Size<const OF: usize>(f64);
 
 #[derive(Deserialize)]
 #[serde(untagged, expecting = "a number is expected here, or a text with its unit such as \"77 mm\"")]
@@ -117,10 +118,14 @@ enum Given {
     Text(String),
 }
 
-/// How many of each make a metre, and a kilogram.
-const UNITS: [&[(&str, f64)]; 2] = [&[("mm", 1e3), ("cm", 1e2), ("m", 1.0)], &[("kg", 1.0), ("g", 1e3)]];
+/// How many of each make a metre, a kilogram and a kilogram in a cubic metre.
+const UNITS: [&[(&str, f64)]; 3] = [
+    &[("mm", 1e3), ("cm", 1e2), ("m", 1.0)],
+    &[("kg", 1.0), ("g", 1e3)],
+    &[("kg/m3", 1.0), ("kg/m³", 1.0), ("g/cm3", 1e-3), ("g/cm³", 1e-3)],
+];
 
-impl<'de, const MASS: bool> Deserialize<'de> for Size<MASS> {
+impl<'de, const OF: usize> Deserialize<'de> for Size<OF> {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
         let text = match Given::deserialize(from)? {
             Given::Number(number) => return Ok(Self(number)),
@@ -130,22 +135,23 @@ impl<'de, const MASS: bool> Deserialize<'de> for Size<MASS> {
             let number: f64 = text.trim().strip_suffix(unit)?.trim().parse().ok()?;
             Some(number / per).filter(|x| x.is_finite())
         };
-        UNITS[usize::from(MASS)].iter().find_map(read).map(Self).ok_or_else(|| {
-            let such = if MASS { "\"200 g\"" } else { "\"77 mm\"" };
+        UNITS[OF].iter().find_map(read).map(Self).ok_or_else(|| {
+            let such = ["77 mm", "200 g", "0.7 g/cm3"][OF];
+            let lacks = if text.trim().parse::<f64>().is_ok() { ": the unit is missing" } else { "" };
             D::Error::custom(format!(
-                "a number is expected here, or one with its unit such as {such}, not `{text}`"
+                "a number is expected here, or one with its unit such as \"{such}\", not `{text}`{lacks}"
             ))
         })
     }
 }
 
-fn size<'de, D: Deserializer<'de>, const MASS: bool>(from: D) -> Field<f64, D::Error> {
-    let found = Spanned::<Size<MASS>>::deserialize(from)?;
+fn size<'de, D: Deserializer<'de>, const OF: usize>(from: D) -> Field<f64, D::Error> {
+    let found = Spanned::<Size<OF>>::deserialize(from)?;
     Ok(Some(Spanned::new(found.span(), found.into_inner().0)))
 }
 
 fn sizes<'de, D: Deserializer<'de>>(from: D) -> Field<Vec<f64>, D::Error> {
-    let found = Spanned::<Vec<Size<false>>>::deserialize(from)?;
+    let found = Spanned::<Vec<Size<0>>>::deserialize(from)?;
     let span = found.span();
     Ok(Some(Spanned::new(span, found.into_inner().into_iter().map(|size| size.0).collect())))
 }

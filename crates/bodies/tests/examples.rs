@@ -9,6 +9,10 @@ fn model(file: &str) -> BodyModel {
 #[test]
 fn every_example_is_a_body_and_the_hammer_of_the_file_is_that_of_the_library() {
     assert_eq!(model("phone.toml").sides, Some([0.077, 0.0078, 0.16]));
+    let racket = model("racket.toml");
+    assert!(racket.question.is_none() && racket.surfaces.len() == 2);
+    assert_eq!(racket.mass.map(|mass| (1e9 * mass).round() / 1e9), Some(0.303));
+    assert_eq!(racket.principal().axis(tumbling::Axis::Middle).amax().round(), 1.0);
     assert_eq!(model("cubesat.toml").surfaces.len(), 1);
     assert_eq!(model("asteroid.toml").mass, Some(1e12));
     let (file, library) = (model("hammer.urdf#hammer"), BodyModel::load("hammer").unwrap());
