@@ -59,10 +59,10 @@ impl PositionStage {
     /// From the inverse moments along the principal axes, and the turn (w, x, y, z) from these to the body's
     /// axes. With one of zero (a locked axis), and with what no body has (a moment that is negative or not
     /// finite, ratios of moments beyond the numbers, a turn of no length), the spin stays constant.
-    pub fn new(inverse: Triple, frame: [Real; 4]) -> Self {
+    pub fn of_inverse(inverse: Triple, frame: [Real; 4]) -> Self {
         let moments = inverse.map(|x| 1.0 / x);
         let free = inverse.iter().chain(&moments).all(|x| *x > 0.0 && x.is_finite());
-        let Some(frame) = unit(frame) else { return Self::new([1.0; 3], [1.0, 0.0, 0.0, 0.0]) };
+        let Some(frame) = unit(frame) else { return Self::of_inverse([1.0; 3], [1.0, 0.0, 0.0, 0.0]) };
         let m = if free { moments } else { [1.0; 3] };
         let a = three(|i| (m[(i + 1) % 3] - m[(i + 2) % 3]) / m[i]);
         let mut order = [0, 1, 2];
@@ -113,7 +113,7 @@ impl PositionStage {
             frame: (frame != [1.0, 0.0, 0.0, 0.0]).then_some(frame),
         };
         let mut numbers = [&body.relative[..], &body.twist, &body.twist_2, &body.bound].into_iter().flatten();
-        if numbers.all(|x| x.is_finite()) { body } else { Self::new([1.0; 3], [1.0, 0.0, 0.0, 0.0]) }
+        if numbers.all(|x| x.is_finite()) { body } else { Self::of_inverse([1.0; 3], [1.0, 0.0, 0.0, 0.0]) }
     }
 
     /// The step of `h` seconds from an attitude (w, x, y, z; body to world; length 1) and a spin in world

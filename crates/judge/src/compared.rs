@@ -72,58 +72,41 @@ impl Motion {
     }
 
     /// How far `other` is from this motion.
-    fn to(&self, other: &Self) -> Result<[Off; 3], Error> {
+    fn to(&self, other: &Self) -> Option<Apart> {
         let fastest = self.rows.iter().map(|row| row.spin[1].norm()).fold(f64::MIN_POSITIVE, f64::max);
         // Rounding adds up over many steps: a third of the digits of the record that has fewer of them.
         let limit = self.rounding.max(other.rounding).cbrt();
         let both = [0, 1].map(|i| self.has[i] && other.has[i]);
-        let (a, b) = (&self.rows[0], &other.rows[0]);
         let mut off = [Off { limit, ..Off::default() }; 3];
-        for (row, (here, there)) in self.rows.iter().zip(&other.rows).enumerate() {
-            if (here.t - there.t).abs() > limit * (here.t - a.t).abs().max(self.rows[1].t - a.t) {
-                let problem = format!("its time is {} s, and {} s in another record", there.t, here.t);
-                return Err(Error::Row { row: row + 1, problem });
-            }
-            let [turn, turned] =
-                [(here, a), (there, b)].map(|(q, start)| product(&q.attitude, &start.attitude.conjugate()));
-            off[1].take(here.t, angle_between(&turn, &turned));
+        let common = self.common(other);
+        let ((a, b), _) = (*common.first()?, common.get(1)?);
+        let turns = |here: &Instant, start: &Instant| product(&here.attitude, &start.attitude.conjugate());
+        for (here, there) in &common {
+            off[1].take(here.t, angle_between(&turns(here, a), &turns(there, b)));
             if both[0] {
                 off[0].take(here.t, (here.spin[1] - there.spin[1]).norm() / fastest);
             }
         }
-        let [few, many] = [self.rows.len().min(other.rows.len()), self.rows.len().max(other.rows.len())];
-        if few < many {
-            let problem = format!("one record ends before it, and another has {many} rows");
-            return Err(Error::Row { row: few + 1, problem });
-        }
+        let mut origin = Vector3::zeros();
         if both[1] {
-            let way = self
-                .rows
-                .iter()
-                .map(|row| (row.position - a.position).norm())
-                .fold(f64::MIN_POSITIVE, f64::max);
-            let left = self.left_of_positions(other);
-            self.rows.iter().zip(left).for_each(|(row, left)| off[2].take(row.t, left / way));
+            let way = |(here, _): &(&Instant, &Instant)| (here.position - a.position).norm();
+            let way = common.iter().map(way).fold(f64::MIN_POSITIVE, f64::max);
+            let (found, left) = positions(&common);
+            origin = found;
+            common.iter().zip(left).for_each(|((here, _), left)| off[2].take(here.t, left / way));
         }
-        Ok(off)
+        Some(Apart { off, rows: common.len(), origin: both[1].then_some(origin) })
     }
 
-    /// What is left of the distance between the two positions, without that of two points of one body, and
-    /// without that of two places where it stands: a vector fixed in the body, and one in the world.
-    fn left_of_positions(&self, other: &Self) -> Vec<f64> {
-        let apart = || {
-            self.rows.iter().zip(&other.rows).map(|(a, b)| {
-                let mut along = Matrix3x6::identity();
-                along.fixed_columns_mut::<3>(3).copy_from(&rotation_matrix(&a.attitude));
-                (along, a.position - b.position)
-            })
-        };
-        let normal: Matrix6<f64> = apart().map(|(along, _)| along.tr_mul(&along)).sum();
-        let sum: Vector6<f64> = apart().map(|(along, apart)| along.tr_mul(&apart)).sum();
-        let best = normal
-            .pseudo_inverse(1e-12 * normal.amax())
-            .map_or_else(|_| Vector6::zeros(), |inverse| inverse * sum);
-        apart().map(|(along, apart)| (apart - along * best).norm()).collect()
+    /// The rows of both at the same times.
+    fn common<'a>(&'a self, other: &'a Self) -> Vec<(&'a Instant, &'a Instant)> {
+        let (mut there, mut all) = (other.rows.iter().peekable(), Vec::new());
+        for here in &self.rows {
+            let open = f64::from(f32::EPSILON) * (here.t.abs() + (self.rows[1].t - self.rows[0].t));
+            while there.next_if(|row| row.t < here.t - open).is_some() {}
+            all.extend(there.next_if(|row| row.t <= here.t + open).map(|row| (here, row)));
+        }
+        all
     }
 
     /// What its spins say of the moments, with the axes in the world at the start.
@@ -133,6 +116,26 @@ impl Motion {
         let start = rotation_matrix(&self.rows[0].attitude);
         Some(FittedInertia { axes: start * fitted.axes, ..fitted })
     }
+}
+
+/// The second origin in the axes of the first body, by the first rows, up to a turn of two radians; and how
+/// far each position is from there. A body may stand somewhere else, which takes one more vector, in the
+/// world.
+fn positions(common: &[(&Instant, &Instant)]) -> (Vector3<f64>, Vec<f64>) {
+    let apart = |(a, b): &(&Instant, &Instant)| {
+        let mut along = Matrix3x6::identity();
+        along.fixed_columns_mut::<3>(3).copy_from(&rotation_matrix(&a.attitude));
+        (along, b.position - a.position)
+    };
+    let start = common[0].0.attitude;
+    let far = common.iter().position(|(here, _)| angle_between(&start, &here.attitude) > 2.0);
+    let first = &common[..far.map_or(common.len(), |far| (far + 1).max(3).min(common.len()))];
+    let normal: Matrix6<f64> = first.iter().map(apart).map(|(along, _)| along.tr_mul(&along)).sum();
+    let sum: Vector6<f64> = first.iter().map(apart).map(|(along, apart)| along.tr_mul(&apart)).sum();
+    let inverse = normal.pseudo_inverse(1e-12 * normal.amax());
+    let best = inverse.map_or_else(|_| Vector6::zeros(), |inverse| inverse * sum);
+    let left = common.iter().map(apart).map(|(along, apart)| (apart - along * best).norm());
+    (best.fixed_rows::<3>(3).into(), left.collect())
 }
 
 /// How far two motions are apart: of the spin as a share of the fastest, of the attitude in rad, of the
@@ -156,47 +159,59 @@ impl Off {
     }
 }
 
+/// What parts two records.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Apart {
+    /// Spin, attitude and position.
+    pub off: [Off; 3],
+    /// The number of rows at the same times.
+    pub rows: usize,
+    /// Where the second origin is in the axes of the first body, in the records' unit, if both have positions.
+    pub origin: Option<Vector3<f64>>,
+}
+
+impl Apart {
+    fn is_alike(&self) -> bool {
+        self.off.iter().all(|off| off.since.is_none())
+    }
+}
+
 /// What became of records that should be one motion.
 #[derive(Debug, Clone)]
 pub struct Comparison {
     names: Vec<String>,
-    /// Those that are one motion, the most there are.
-    pub alike: Vec<usize>,
-    /// Each of the others, and how far spin, attitude and position are from that motion.
-    pub others: Vec<(usize, [Off; 3])>,
-    most: [Off; 3],
+    /// Those that are one motion, the most there are, and how far each is from the first of them.
+    pub alike: Vec<(usize, Apart)>,
+    /// Each of the others, and how far it is from that motion.
+    pub others: Vec<(usize, Apart)>,
     inertia: Vec<Option<FittedInertia>>,
     start: f64,
 }
 
-/// Compares records of one object, each with its name.
+/// Compares records of one object, each with its name, at the times that they have in common.
 ///
 /// # Errors
-/// Fewer than two records, or records of other times.
+/// No record, or two with fewer than two times in common.
 pub fn compare(records: &[(String, Motion)]) -> Result<Comparison, Error> {
-    let mut best: Option<Vec<[Off; 3]>> = None;
-    let count = |all: &[[Off; 3]]| all.iter().filter(|off| is_alike(off)).count();
-    for (_, one) in records {
-        let all = records.iter().map(|(_, other)| one.to(other)).collect::<Result<Vec<_>, _>>()?;
+    let mut best: Option<Vec<Apart>> = None;
+    let count = |all: &[Apart]| all.iter().filter(|apart| apart.is_alike()).count();
+    for (name, one) in records {
+        let apart = |(other, motion): &(String, Motion)| {
+            let problem = || format!("{name} and {other} have fewer than two times in common");
+            one.to(motion).ok_or_else(|| Error::Row { row: 1, problem: problem() })
+        };
+        let all = records.iter().map(apart).collect::<Result<Vec<_>, _>>()?;
         if best.as_ref().is_none_or(|best| count(&all) > count(best)) {
             best = Some(all);
         }
     }
     let (Some(all), Some((_, first))) = (best, records.first()) else { return Err(Error::Empty) };
-    let (alike, others): (Vec<_>, Vec<_>) = all.into_iter().enumerate().partition(|(_, off)| is_alike(off));
-    let most = alike.iter().fold([Off::default(); 3], |mut most, (_, off)| {
-        most.iter_mut().zip(off).for_each(|(most, off)| most.most = most.most.max(off.most));
-        most
-    });
+    let (alike, others): (Vec<_>, Vec<_>) =
+        all.into_iter().enumerate().partition(|(_, apart)| apart.is_alike());
     let inertia =
         if others.is_empty() { Vec::new() } else { records.iter().map(|(_, one)| one.inertia()).collect() };
     let names = records.iter().map(|(name, _)| name.clone()).collect();
-    let alike = alike.into_iter().map(|(k, _)| k).collect();
-    Ok(Comparison { names, alike, others, most, inertia, start: first.rows[0].t })
-}
-
-fn is_alike(off: &[Off; 3]) -> bool {
-    off.iter().all(|off| off.since.is_none())
+    Ok(Comparison { names, alike, others, inertia, start: first.rows[0].t })
 }
 
 impl Comparison {
@@ -219,45 +234,76 @@ impl Comparison {
 
 impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [spin, attitude, position] = self.most.map(|off| plain_number(off.most));
+        let name = |k: usize| self.names[k].as_str();
+        let most = |i: usize| self.alike.iter().map(|(_, apart)| apart.off[i].most).fold(0.0, f64::max);
+        let rows = self.alike.iter().chain(&self.others).map(|(_, apart)| apart.rows).min().unwrap_or(0);
         match self.alike[..] {
-            [one] => writeln!(f, "FAILED: no two of these are one motion. Against {}:", self.names[one])?,
+            [(one, _)] => writeln!(f, "FAILED: no two of these are one motion. Against {}:", name(one))?,
             _ => {
                 let grade = if self.others.is_empty() { "PASSED" } else { "FAILED" };
-                let alike = self.alike.iter().map(|k| self.names[*k].as_str()).collect::<Vec<_>>().join(", ");
+                let alike = self.alike.iter().map(|(k, _)| name(*k)).collect::<Vec<_>>().join(", ");
+                let [spin, attitude] = [most(0), most(1)].map(plain_number);
                 writeln!(
                     f,
-                    "{grade}: {alike} are one motion, to {spin} of the spin, {attitude} rad, and {position} of the way."
+                    "{grade}: {alike} are one motion, to {spin} of the spin and {attitude} rad, at {rows} times in common."
+                )?;
+                writeln!(f, "Whether that motion is right, one of these files alone shows.")?;
+            }
+        }
+        for (k, apart) in &self.alike {
+            if let Some(origin) = apart.origin {
+                let [x, y, z]: [f64; 3] = origin.map(rounded).into();
+                let left = plain_number(apart.off[2].most);
+                writeln!(
+                    f,
+                    "{}: its origin is at {x}, {y}, {z} in the axes of {}, to {left} of the way.",
+                    name(*k),
+                    name(self.alike[0].0)
                 )?;
             }
         }
-        for (k, off) in &self.others {
-            writeln!(f, "{} is another motion:", self.names[*k])?;
-            let words =
-                ["the spin is off by up to", "the attitude is off by up to", "the position is off by up to"];
-            for ((off, words), unit) in off.iter().zip(words).zip(["of the fastest", "rad", "of the way"]) {
-                if let Some(since) = off.since {
-                    let [most, limit] = [off.most, off.limit].map(plain_number);
-                    writeln!(f, "  {words} {most} {unit}, and by more than {limit} from {since:.4} s on.")?;
-                }
-            }
-            let [spin, attitude, position] = off.map(|off| off.since);
-            let why = match (spin.or(attitude), position) {
-                (Some(t), _) if t == self.start => "It starts otherwise: compare the first rows.",
-                (Some(_), _) => {
-                    "It starts alike: look at the tensor, its axes, and the parts that make it up."
-                }
-                (None, Some(_)) => {
-                    "It turns alike: look at the centre of mass and at the velocity at the start. A step of first order errs by itself where \
-                     the origin is off the centre."
-                }
-                _ => "",
-            };
-            writeln!(f, "  {why}")?;
-            if let Some(words) = self.tensors(self.alike[0], *k).filter(|_| spin.or(attitude).is_some()) {
-                writeln!(f, "  {words}")?;
-            }
+        for (k, apart) in &self.others {
+            writeln!(f, "{} is another motion:", name(*k))?;
+            self.why(f, *k, apart)?;
         }
         Ok(())
+    }
+}
+
+/// To eight places: less is rounding.
+fn rounded(x: f64) -> f64 {
+    (x * 1e8).round() / 1e8 + 0.0
+}
+
+impl Comparison {
+    fn why(&self, f: &mut fmt::Formatter<'_>, k: usize, apart: &Apart) -> fmt::Result {
+        let words =
+            ["the spin is off by up to", "the attitude is off by up to", "the position is off by up to"];
+        for ((off, words), unit) in apart.off.iter().zip(words).zip(["of the fastest", "rad", "of the way"]) {
+            if let Some(since) = off.since {
+                let [most, limit] = [off.most, off.limit].map(plain_number);
+                writeln!(f, "  {words} {most} {unit}, and by more than {limit} from {since:.4} s on.")?;
+            }
+        }
+        let [spin, attitude, position] = apart.off.map(|off| off.since);
+        let turns = spin.or(attitude);
+        let words = match (turns, position) {
+            (Some(t), _) if t == self.start => {
+                "It starts otherwise: compare the first rows, and judge the file alone for a mistake in it."
+            }
+            (Some(_), _) => {
+                "It starts alike: look at the tensor, its axes, the parts that make it up, and the engine's settings."
+            }
+            (None, Some(_)) => {
+                "It turns alike: look at the centre of mass and at the velocity at the start. A step of first order errs by itself where \
+                 the origin is off the centre."
+            }
+            _ => "",
+        };
+        writeln!(f, "  {words}")?;
+        match self.tensors(self.alike[0].0, k).filter(|_| turns.is_some_and(|t| t > self.start)) {
+            Some(words) => writeln!(f, "  {words}"),
+            None => Ok(()),
+        }
     }
 }

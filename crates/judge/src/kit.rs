@@ -3,10 +3,11 @@
 
 use crate::error::Error;
 use crate::law::LawName;
-use crate::memory::{Precision, Row, judge_in_memory};
+use crate::memory::{Description, Precision, Row, judge_described};
 use crate::options::Options;
-use crate::read::Note;
+use crate::read::{Kind, Note, in_world};
 use crate::verdict::Verdict;
+use nalgebra::Quaternion;
 use serde::Deserialize;
 
 /// The kit's file.
@@ -69,11 +70,20 @@ impl Story {
     pub fn rows<T: Precision>(
         &self,
         h: f64,
+        step: impl FnMut([T; 4], [T; 3]) -> ([T; 4], [T; 3]),
+    ) -> impl Iterator<Item = Row<T>> {
+        self.rows_from(self.spin, h, step)
+    }
+
+    fn rows_from<T: Precision>(
+        &self,
+        spin: [f64; 3],
+        h: f64,
         mut step: impl FnMut([T; 4], [T; 3]) -> ([T; 4], [T; 3]),
     ) -> impl Iterator<Item = Row<T>> {
         // A step that is not a number, or zero, has no rows.
         let steps = Some((self.duration / h).round()).filter(|steps| steps.is_finite()).unwrap_or(-1.0);
-        let mut now = (self.attitude.map(T::of), self.spin.map(T::of));
+        let mut now = (self.attitude.map(T::of), spin.map(T::of));
         let mut count = 0.0;
         std::iter::from_fn(move || {
             if count > steps {
@@ -89,18 +99,54 @@ impl Story {
     /// The verdict on an engine's run of it, in steps of `h` seconds: `step` takes an attitude (w, x, y, z;
     /// body to world) and a spin (body axes, rad/s) one step further.
     ///
-    /// An engine that keeps its spin in world axes and in `f32` goes on with its own state, held by the
-    /// closure, and makes the spin in body axes from it in `f64`: to take the state of each step from the row
-    /// turns the spin there and back, and adds two roundings a step, as large as those of the engine.
+    /// An engine that keeps its spin in world axes is judged by [`run_in_world`](Self::run_in_world): to turn
+    /// the spin there and back in each step adds roundings as large as the engine's own.
     ///
     /// # Errors
-    /// Those of [`judge_in_memory`]: a step that gives no number, above all.
+    /// Those of [`judge_in_memory`](crate::judge_in_memory): a step that gives no number, above all.
     pub fn run<T: Precision>(
         &self,
         h: f64,
         step: impl FnMut([T; 4], [T; 3]) -> ([T; 4], [T; 3]),
     ) -> Result<Verdict, Error> {
-        let mut verdict = judge_in_memory(self.moments, self.rows(h, step), &self.options(h))?;
+        self.judged(Kind::SpinBody, h, self.rows(h, step))
+    }
+
+    /// As [`run`](Self::run), with the spin in world axes: what engines store.
+    ///
+    /// ```
+    /// use tumbling::step::PositionStage;
+    /// use tumbling_judge::{Story, assert_passes};
+    /// let story = Story::named("box-5").unwrap();
+    /// let stage = PositionStage::new(&nalgebra::Vector3::from(story.moments).cast::<f32>()).unwrap();
+    /// let h = 1.0 / 60.0;
+    /// assert_passes!(story.run_in_world(h, |[w, x, y, z]: [f32; 4], spin| {
+    ///     let end = stage.step(&nalgebra::Quaternion::new(w, x, y, z), &spin.into(), h as f32);
+    ///     let q = end.attitude;
+    ///     ([q.w, q.i, q.j, q.k], end.omega.into())
+    /// }));
+    /// ```
+    ///
+    /// # Errors
+    /// As [`run`](Self::run).
+    pub fn run_in_world<T: Precision>(
+        &self,
+        h: f64,
+        step: impl FnMut([T; 4], [T; 3]) -> ([T; 4], [T; 3]),
+    ) -> Result<Verdict, Error> {
+        let [w, x, y, z] = self.attitude;
+        let spin = in_world(&Quaternion::new(w, x, y, z), &self.spin.into()).into();
+        self.judged(Kind::SpinWorld, h, self.rows_from(spin, h, step))
+    }
+
+    fn judged<T: Precision>(
+        &self,
+        kind: Kind,
+        h: f64,
+        rows: impl Iterator<Item = Row<T>>,
+    ) -> Result<Verdict, Error> {
+        let description = Description { kind, ..Description::default() };
+        let mut verdict = judge_described(self.moments, description, rows, &self.options(h))?;
         verdict.record.notes.push(Note::Story(self.name.clone()));
         Ok(verdict)
     }

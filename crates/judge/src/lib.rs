@@ -25,7 +25,7 @@ mod rule;
 mod thresholds;
 mod verdict;
 
-pub use compared::{Comparison, Motion, Off, compare};
+pub use compared::{Apart, Comparison, Motion, Off, compare};
 pub use error::Error;
 pub use gyroscope::{FittedInertia, fit_inertia};
 pub use judge::judge;

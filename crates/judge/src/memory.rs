@@ -158,8 +158,11 @@ impl<T: Precision, I: Iterator<Item = Row<T>>> Source for Memory<I> {
             return Err(wrong("some rows have an attitude, and others have none".into()));
         }
         let numbers = || spin.iter().chain(attitude.iter().flat_map(|q| q.coords.iter())).copied();
-        if let Some(bad) = numbers().chain([row.time]).find(|x| !x.is_finite()) {
-            let ended = wrong(format!("a value is {bad}: from here on there is no motion"));
+        let bad = numbers().chain([row.time]).find(|x| !x.is_finite()).map(|bad| format!("a value is {bad}"));
+        let none =
+            || attitude.filter(|q| q.coords.amax() == 0.0).map(|_| "the quaternion has no length".into());
+        if let Some(bad) = bad.or_else(none) {
+            let ended = wrong(format!("{bad}: from here on there is no motion"));
             if (self.count as u64) <= ROWS_BEFORE_THE_END {
                 return Err(ended);
             }

@@ -14,11 +14,11 @@ pub type Array<'py> = Bound<'py, PyArrayDyn<f64>>;
 /// Attitudes and spins.
 pub type States<'py> = (Array<'py>, Array<'py>);
 
-/// In place where they stand one behind the other, else a copy.
+/// Row by row: in place where they stand so, else a copy. What stands column by column is one slice too.
 pub fn slice<'a>(numbers: &'a Numbers<'_>) -> Cow<'a, [f64]> {
     match numbers.as_slice() {
-        Ok(there) => Cow::Borrowed(there),
-        Err(_) => Cow::Owned(numbers.as_array().iter().copied().collect()),
+        Ok(there) if numbers.is_c_contiguous() => Cow::Borrowed(there),
+        _ => Cow::Owned(numbers.as_array().iter().copied().collect()),
     }
 }
 

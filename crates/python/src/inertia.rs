@@ -3,7 +3,7 @@
 use crate::arrays::{Array, Numbers, array, row, slice};
 use crate::error::{Answer, Refused};
 use nalgebra::{Matrix3, Vector3};
-use numpy::{AllowTypeChange, PyArrayLike2, PyUntypedArrayMethods};
+use numpy::PyUntypedArrayMethods;
 use pyo3::prelude::*;
 use tumbling::MassProperties;
 use tumbling::solid::{
@@ -84,19 +84,18 @@ impl Inertia {
     #[pyo3(signature = (vertices, faces, *, mass=None, density=None))]
     fn mesh(
         vertices: Numbers<'_>,
-        faces: PyArrayLike2<'_, i64, AllowTypeChange>,
+        faces: Numbers<'_>,
         mass: Option<f64>,
         density: Option<f64>,
     ) -> Answer<Self> {
         let (vertices, _) = crate::arrays::rows::<3>("vertices", &vertices)?;
         let vertices: Vec<_> = vertices.into_iter().map(Vector3::from).collect();
-        // A number below zero is of no vertex, as one that is too large.
-        let numbers: Vec<_> =
-            faces.as_array().iter().map(|&i| usize::try_from(i).unwrap_or(usize::MAX)).collect();
-        if faces.shape()[1] != 3 {
-            return Err(Refused::new("Shape", "faces", "a face must have three vertices".into()));
+        let (faces, _) = crate::arrays::rows::<3>("faces", &faces)?;
+        if let Some(bad) = faces.iter().flatten().find(|i| i.fract() != 0.0 || **i < 0.0) {
+            return Err(Refused::new("Undefined", "faces", format!("{bad} is no vertex's number")));
         }
-        Self::filled(&Mesh::new(&vertices, numbers.as_chunks().0)?, mass, density)
+        let faces: Vec<_> = faces.into_iter().map(|face| face.map(|i| i as usize)).collect();
+        Self::filled(&Mesh::new(&vertices, &faces)?, mass, density)
     }
 
     /// The 3 x 3 matrix, kg m².

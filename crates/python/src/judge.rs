@@ -4,7 +4,7 @@ use crate::arrays::{Numbers, Order, each, row, rows, slice};
 use crate::error::{Answer, Refused};
 use crate::inertia::Given;
 use crate::picture;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use numpy::PyUntypedArrayMethods;
 use pyo3::prelude::*;
 use std::collections::HashMap;
@@ -93,15 +93,20 @@ fn options(threshold: Option<Threshold>, fit: Option<usize>) -> Answer<Options> 
     }
 }
 
-/// The moments about the body's axes, which must be its principal ones.
-fn moments(inertia: &Given) -> Answer<[f64; 3]> {
+/// The principal moments, and the principal axes where they are not the body's own.
+fn principal(inertia: &Given) -> ([f64; 3], Option<UnitQuaternion<f64>>) {
     let m = inertia.0.matrix();
-    if m != Matrix3::from_diagonal(&m.diagonal()) {
-        let sentence =
-            "the judge takes a body along its principal axes: turn attitudes and spins by `Inertia.axes`";
-        return Err(Refused::new("Undefined", "the inertia tensor", sentence.into()));
+    if m == Matrix3::from_diagonal(&m.diagonal()) {
+        return (m.diagonal().into(), None);
     }
-    Ok(m.diagonal().into())
+    let axes = inertia.0.principal();
+    let frame = Rotation3::from_matrix_unchecked(axes.frame());
+    (axes.moments().into(), Some(UnitQuaternion::from_rotation_matrix(&frame)))
+}
+
+/// Whether single precision holds all of these.
+fn are_single<'a>(numbers: impl IntoIterator<Item = &'a f64>) -> bool {
+    numbers.into_iter().all(|x| f64::from(*x as f32) == *x)
 }
 
 /// Times as they are given, or the multiples of a step.
@@ -135,15 +140,16 @@ pub fn kind(frame: &str) -> Answer<Kind> {
 /// `t`: the times (n,), s, or the step as one number. `q`: attitudes (n, 4), body to world, x, y, z, w (with
 /// `scalar_first=True` w, x, y, z, as MuJoCo has them) or SciPy's `Rotation`. `w`: spins (n, 3), rad/s, in
 /// the axes that `frame` names, 'world' or 'body'. One of `q` and `w` may be missing; a spin in world axes
-/// needs `q`. `inertia`: the moments about the body's axes, kg m², which must be principal. Numbers of single
-/// precision are judged as such: give the arrays as they are.
+/// needs `q`. `inertia`: the moments about the body's axes, or the tensor, kg m²; of a tensor with products the
+/// record is turned to its principal axes. Numbers of single precision are judged as such: give the arrays as
+/// they are.
 ///
 /// `engine` names who made the record. `threshold` is the largest error allowed, of every law or as a dict by
 /// law ('energy', 'momentum', 'direction', 'unit', 'separatrix', 'phase', 'consistency'). `torque` is one
 /// that is constant in the world, N m. `fit` starts from the motion nearest to as many rows.
 ///
-/// Raises `Error` for a record that cannot be judged: a number that is not finite, a time that does not
-/// increase.
+/// Raises `Error` for a record that cannot be judged: a number that is not finite in the first two rows, a time
+/// that does not increase. Where a later row has one, the rows before it are judged, and the verdict says so.
 ///
 /// >>> import numpy as np, tumbling
 /// >>> t = np.arange(300) / 60
@@ -172,14 +178,23 @@ pub fn judge(
     let attitudes = q.map(|q| Order { scalar_first }.attitudes(Some(q))).transpose()?.map(|q| q.0);
     let spins = w.map(|w| rows::<3>("w", &w)).transpose()?.map(|w| w.0);
     let count = attitudes.as_ref().map(Vec::len).or(spins.as_ref().map(Vec::len)).unwrap_or_default();
+    if count == 0 {
+        return Err(Refused::new("Shape", "q and w", "neither attitudes nor spins are given".into()));
+    }
     let (times, step) = times(&t, count)?;
     let kind = if spins.is_some() { kind(frame)? } else { Kind::Attitude };
     let spins = each("w", spins.unwrap_or_else(|| vec![[0.0; 3]]), count)?;
     let torque = torque.map(|torque| row("torque", &torque)).transpose()?.map(Vector3::from);
-    let (moments, options) = (moments(&inertia)?, options(threshold, fit)?);
+    let ((moments, axes), options) = (principal(&inertia), options(threshold, fit)?);
+    let single = axes.is_some()
+        && are_single(spins.iter().flatten())
+        && attitudes.iter().flatten().all(|q| are_single(&q.coords));
+    let round = |x: f64| if single { f64::from(x as f32) } else { x };
     let rows = times.into_iter().zip(spins).enumerate().map(|(i, (time, spin))| {
-        let attitude = attitudes.as_ref().map(|all| [all[i].w, all[i].i, all[i].j, all[i].k]);
-        Row { time, attitude, spin }
+        let attitude = attitudes.as_ref().map(|all| axes.map_or(all[i], |axes| all[i] * axes));
+        let attitude = attitude.map(|q| [q.w, q.i, q.j, q.k].map(round));
+        let turned = axes.filter(|_| kind == Kind::SpinBody).map(|axes| axes.inverse() * Vector3::from(spin));
+        Row { time, attitude, spin: turned.map_or(spin, |spin| spin.map(round).into()) }
     });
     let description = Description { kind, engine, step, torque };
     Ok(Verdict { verdict: py.detach(|| judge_described(moments, description, rows, &options))? })

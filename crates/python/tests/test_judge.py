@@ -133,3 +133,33 @@ def test_a_spin_that_stands_still_fails(tumbling_story):
 
     verdict = tumbling_story.run(step, dt=DT)
     assert not verdict.passed and verdict.rule == "no gyroscopic term"
+
+
+def test_arrays_are_read_by_rows_however_they_stand_in_memory():
+    t = np.arange(600) / 60
+    q, w = tumbling.FreeMotion([1, 2, 3], [0.5, 4, 0.7], attitude=[0.5, 0.5, 0.5, 0.5]).at(t)
+    by_columns = [np.asfortranarray, lambda x: np.array(list(x.T)).T, lambda x: x.copy("F")[::-1][::-1]]
+    for turned in by_columns:
+        assert tumbling.judge(t, turned(q), turned(w), inertia=[1, 2, 3], frame="body").passed
+    first = q[:, [3, 0, 1, 2]]
+    assert not first.flags.c_contiguous
+    assert tumbling.judge(t, first, w, inertia=[1, 2, 3], frame="body", scalar_first=True).passed
+    spins, moments = np.array([[0.5, 4, 0.7], [3, 0.2, 1]]), np.array([[1, 2, 3], [2, 2.5, 3.0]])
+    plain = tumbling.Batch(moments, spins).at(t)
+    again = tumbling.Batch(np.asfortranarray(moments), np.asfortranarray(spins)).at(t)
+    assert all(np.array_equal(a, b) for a, b in zip(plain, again))
+    times = np.asfortranarray(t.reshape(20, 30))
+    assert np.array_equal(tumbling.FreeMotion([1, 2, 3], [0.5, 4, 0.7]).at(times)[1][7, 3], w[7 * 30 + 3])
+
+
+def test_a_tensor_about_other_axes_is_judged_in_its_principal_ones():
+    turn = Rotation.from_euler("xyz", [0.3, -0.8, 1.1])
+    tensor = turn.as_matrix() @ np.diag(MOMENTS) @ turn.as_matrix().T
+    t = np.arange(600) / 60
+    q, w = tumbling.FreeMotion(tensor, spin=[2, 4, -2]).at(t)
+    assert tumbling.judge(t, q, w, inertia=tensor, frame="body").passed
+    in_world = Rotation.from_quat(q).apply(w)
+    assert tumbling.judge(t, q, in_world, inertia=tensor, frame="world").passed
+    single = tumbling.judge(t, np.float32(q), np.float32(w), inertia=tensor, frame="body")
+    assert json.loads(single.json())["rounding"] < 1e-6 and single.passed
+    assert not tumbling.judge(t, q, w, inertia=MOMENTS, frame="body").passed

@@ -30,7 +30,7 @@ macro_rules! compared {
                 if round % 2 == 1 {
                     body = body.in_frame(Quaternion::new(w, x, y, z)).unwrap();
                 }
-                let one_file = $file::PositionStage::new(inverse, frame);
+                let one_file = $file::PositionStage::of_inverse(inverse, frame);
                 let (mut q, mut w) =
                     ([0; 4].map(|_| number() + 0.0625), [0; 3].map(|_| 16.0 * number() - 8.0));
                 for _ in 0..8 {
@@ -99,13 +99,13 @@ fn what_no_body_has_gives_a_constant_spin() {
     ];
     for (inverse, frame) in bad {
         let (mut q, mut w) = ([0.5, 0.5, -0.5, 0.5], [1.0, 4.0, -2.0]);
-        assert_eq!(double::PositionStage::new(inverse, frame).step(&mut q, &mut w, 0.01), 1);
+        assert_eq!(double::PositionStage::of_inverse(inverse, frame).step(&mut q, &mut w, 0.01), 1);
         assert_eq!(w, [1.0, 4.0, -2.0]);
     }
     let turned = |size: f64| {
         let (mut q, mut w) = ([0.5, 0.5, -0.5, 0.5], [1.0, 4.0, -2.0]);
         let frame = [1.0, -1.0, 1.0, 1.0].map(|x| x * size);
-        double::PositionStage::new([3.0, 2.0, 1.5], frame).step(&mut q, &mut w, 0.01);
+        double::PositionStage::of_inverse([3.0, 2.0, 1.5], frame).step(&mut q, &mut w, 0.01);
         (q, w)
     };
     let (small, large) = (2.0_f64.powi(-600), 2.0_f64.powi(600));

@@ -76,13 +76,30 @@ fn three(text: &str) -> Option<[Vector3<f64>; 2]> {
     Some([Vector3::new(x.0, y.0, z.0), Vector3::new(x.1, y.1, z.1)])
 }
 
+/// How many kg m² the unit behind the numbers of a tensor is; 1 for prose.
+fn unit(text: &str) -> Result<f64, String> {
+    let number = |c: char| c.is_ascii_digit() || " ,\t;()[].+-eE".contains(c);
+    let words: Vec<&str> = text.trim_start_matches(number).split([' ', ',', ';', ')']).take(3).collect();
+    let known = (1..=words.len()).find_map(|n| units::inertia(&words[..n].concat()));
+    let is_mass = |word: &str| ["g", "kg", "mg", "t", "lb", "oz", "slug"].contains(&word);
+    let mass = words.first().and_then(|word| word.split(|c: char| !c.is_alphabetic()).next());
+    if known.is_none() && mass.is_some_and(is_mass) && words.iter().any(|word| word.contains(['2', '²'])) {
+        let unit = words.join(" ");
+        return Err(format!("the unit `{unit}` is not known here: write the moments in kg m2"));
+    }
+    Ok(known.unwrap_or(1.0))
+}
+
 /// Three moments; of nine numbers, or of six, the tensor's, those of its diagonal if the rest are zero.
 fn moments(text: &str) -> Result<Option<[Vector3<f64>; 2]>, String> {
     let all = numbers(text);
     let places = match all.len() {
         6 => [0, 1, 2],
         9 => [0, 4, 8],
-        _ => return Ok(three(text)),
+        _ => {
+            let unit = unit(text)?;
+            return Ok(three(text).map(|three| three.map(|x| x * unit)));
+        }
     };
     if (0..all.len()).any(|i| !places.contains(&i) && all[i].0 != 0.0) {
         return Err(format!(
@@ -91,7 +108,8 @@ fn moments(text: &str) -> Result<Option<[Vector3<f64>; 2]>, String> {
             all.len()
         ));
     }
-    let part = |of: fn(&(f64, f64)) -> f64| Vector3::from(places.map(|i| of(&all[i])));
+    let unit = unit(text)?;
+    let part = |of: fn(&(f64, f64)) -> f64| Vector3::from(places.map(|i| of(&all[i]))) * unit;
     Ok(Some([part(|x| x.0), part(|x| x.1)]))
 }
 

@@ -62,10 +62,6 @@ pub(crate) struct Feed {
 
 impl Feed {
     pub(crate) fn push(&mut self, state: &Row) -> Result<Derived, Error> {
-        if state.attitude.is_some_and(|q| q.norm() == 0.0) {
-            let problem = "the quaternion has no length: it is no attitude".into();
-            return Err(Error::Line { line: state.line, problem });
-        }
         if self.has_spin {
             return Ok(Derived::Known(*state));
         }

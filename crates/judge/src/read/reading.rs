@@ -53,14 +53,15 @@ impl FileMistake {
     #[must_use]
     pub fn words(self) -> String {
         match self {
-            Self::Frame => "the vector is not in the axes its name says: a spin in world axes where body axes are named (`wx`), or \
-                            the other way round. Name the columns `wxw,wyw,wzw` for the world, `wx,wy,wz` for the body"
+            Self::Frame => "the vector is not in the axes that it is said to be in: a spin in world axes where body axes are named, or \
+                            the other way round. In a file the columns are `wxw,wyw,wzw` for the world, `wx,wy,wz` for the body; in a \
+                            program name the frame"
                 .into(),
             Self::Order => "the quaternion is x, y, z, w under the names w, x, y, z: put the names in the order of the numbers".into(),
             Self::ScalarFirst => "the quaternion is w, x, y, z under the names x, y, z, w: put the names in the order of the numbers".into(),
             Self::Inverse => "the attitude is the inverse one, world to body: write its conjugate, (w, -x, -y, -z)".into(),
-            Self::Momentum => "what is named a spin is the momentum: name it `lx,ly,lz` in body axes, `lxw,lyw,lzw` in the world's".into(),
-            Self::Degrees => "the spin is in degrees a second: name the unit, as in `wx [deg/s]`, or write radians".into(),
+            Self::Momentum => "what is named a spin is the momentum: in a file its columns are `lx,ly,lz` in body axes, `lxw,lyw,lzw` in the world's".into(),
+            Self::Degrees => "the spin is in degrees a second: write radians, or name the unit in a file, as in `wx [deg/s]`".into(),
             Self::RevolutionsPerMinute => "the spin is in revolutions a minute: write radians a second".into(),
             Self::Revolutions => "the spin is in revolutions a second: write radians a second".into(),
             Self::Milliseconds => "the time is in milliseconds: write seconds".into(),

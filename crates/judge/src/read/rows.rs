@@ -193,6 +193,10 @@ fn read(
         let [w, x, y, z] = places.map(|i| fields[i]);
         Quaternion::new(w, x, y, z)
     });
+    if attitude.is_some_and(|q: Quaternion<f64>| q.coords.amax() == 0.0) {
+        let problem = "the quaternion has no length: from here on there is no motion".into();
+        ended.get_or_insert(Error::Line { line, problem });
+    }
     Ok(Raw { line, t, attitude, vector, position, printed, exact })
 }
 

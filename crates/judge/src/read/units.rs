@@ -15,6 +15,20 @@ pub(crate) fn per_second(unit: &str) -> Option<f64> {
     })
 }
 
+/// A unit of moments of inertia in kg m²; `None` for a unit that is not known.
+pub(crate) fn inertia(unit: &str) -> Option<f64> {
+    let unit: String = unit.chars().filter(|c| c.is_alphanumeric()).collect();
+    Some(match unit.replace('²', "2").as_str() {
+        "" | "kgm2" => 1.0,
+        "kgcm2" => 1e-4,
+        "gm2" => 1e-3,
+        "kgmm2" => 1e-6,
+        "gcm2" => 1e-7,
+        "gmm2" => 1e-9,
+        _ => return None,
+    })
+}
+
 /// A unit of spin in rad/s; `None` for no unit of spin. Of lower case, and without blanks.
 pub(crate) fn spin(unit: &str) -> Option<f64> {
     let unit: String = unit.chars().filter(|c| !c.is_whitespace()).collect();

@@ -78,8 +78,9 @@ fn a_tensor_about_wrong_axes_is_found_with_the_angle() {
     let mut all = four();
     all[3].wrong = 0.02;
     let found = compared(&all);
-    assert_eq!(found.alike, [0, 1, 2]);
-    let [spin, attitude, position] = found.others[0].1;
+    assert_eq!(found.alike.len(), 3);
+    let (_, apart) = found.others[0];
+    let [spin, attitude, position] = apart.off;
     assert!(spin.since.is_some() && attitude.since.is_some() && position.since.is_some(), "{found}");
     let text = found.to_string();
     assert!(text.contains("It starts alike") && text.contains("turned by up to 1.1°"), "{text}"); // 0.02 rad
@@ -98,33 +99,54 @@ fn a_centre_of_mass_elsewhere_and_a_start_otherwise_are_distinguished() {
     let mut all = four();
     all[2].velocity.x += 1e-3;
     let found = compared(&all);
-    let [spin, attitude, position] = found.others[0].1;
+    let (_, apart) = found.others[0];
+    let [spin, attitude, position] = apart.off;
     assert!(spin.since.is_none() && attitude.since.is_none() && position.since.is_some(), "{found}");
     assert!(found.to_string().contains("It turns alike"), "{found}");
+}
 
-    let [one, mut other] =
-        [0, 1].map(|k| Motion::read(four()[k].record().as_bytes(), &Options::default()).unwrap());
-    let late = four()[0].record().lines().enumerate().filter(|(i, _)| *i != 1).fold(
-        String::new(),
-        |mut all, (_, line)| {
-            all += line;
-            all.push('\n');
-            all
-        },
-    );
-    other.clone_from(&Motion::read(late.as_bytes(), &Options::default()).unwrap());
-    let wrong = compare(&[("a".into(), one), ("b".into(), other)]).unwrap_err().to_string();
-    assert!(wrong.contains("row 1: its time is"), "{wrong}");
+/// An origin that leaves its place after five seconds is said to do so then.
+#[test]
+fn a_position_that_drifts_late_is_named_with_that_time() {
+    let mut texts = [0, 2].map(|k| four()[k].record());
+    let drifting = texts[1].lines().map(|line| match line.split_once(',') {
+        Some((t, rest)) if t.parse().is_ok_and(|t: f64| t > 5.0) => {
+            let (x, rest) = rest.split_once(',').unwrap();
+            format!("{t},{},{rest}\n", x.parse::<f64>().unwrap() + 0.1 * (t.parse::<f64>().unwrap() - 5.0))
+        }
+        _ => format!("{line}\n"),
+    });
+    texts[1] = drifting.collect();
+    let read = |text: &String| Motion::read(text.as_bytes(), &Options::default()).unwrap();
+    let found = compare(&[("a".into(), read(&texts[0])), ("b".into(), read(&texts[1]))]).unwrap();
+    let since = found.others[0].1.off[2].since.unwrap();
+    assert!((5.0..5.1).contains(&since), "{found}");
+}
+
+#[test]
+fn records_of_every_other_row_are_compared_at_common_times_and_origins_are_found() {
+    let texts = [0, 2].map(|k| four()[k].record());
+    let half: String = texts[1]
+        .lines()
+        .enumerate()
+        .filter(|(i, _)| i % 2 != 0 || *i == 0)
+        .map(|(_, line)| format!("{line}\n"))
+        .collect();
+    let read = |text: &String| Motion::read(text.as_bytes(), &Options::default()).unwrap();
+    let found = compare(&[("a".into(), read(&texts[0])), ("b".into(), read(&half))]).unwrap();
+    let apart = found.alike[1].1;
+    assert_eq!((apart.rows, found.others.len()), (300, 0), "{found}");
+    assert!((apart.origin.unwrap() - Vector3::new(0.1, -0.3, 0.2)).norm() < 1e-9, "{found}");
 }
 
 #[test]
 fn a_record_that_cannot_be_compared_says_why() {
-    let rows = |n: usize| {
-        let rows = (0..n).map(|i| format!("{i},1,0,0,0\n")).collect::<String>();
+    let rows = |from: usize| {
+        let rows = (from..from + 3).map(|i| format!("{i},1,0,0,0\n")).collect::<String>();
         Motion::read(format!("t,qw,qx,qy,qz\n{rows}").as_bytes(), &Options::default()).unwrap()
     };
-    let wrong = compare(&[("a".into(), rows(3)), ("b".into(), rows(5))]).unwrap_err().to_string();
-    assert!(wrong.contains("row 4: one record ends before it, and another has 5 rows"), "{wrong}");
+    let wrong = compare(&[("a".into(), rows(0)), ("b".into(), rows(5))]).unwrap_err().to_string();
+    assert!(wrong.contains("a and b have fewer than two times in common"), "{wrong}");
     for (record, why) in [
         ("t,wx,wy,wz\n0,1,2,3\n1,1,2,3\n", "by their attitudes"),
         ("t,qw,qx,qy,qz\n0,0,0,0,0\n1,1,0,0,0\n", "line 2"),

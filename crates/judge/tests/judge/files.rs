@@ -219,7 +219,7 @@ fn bad_input_is_an_error_with_line_and_column() {
     assert!(error("# inertia: 1 2 4\nt,wx,wy,wz\n0,1,2,3\n1,1,2,3\n").contains("2 + 1 >= 4"));
     assert!(error("# inertia: 1 2 3; dt: 0\nt,wx,wy,wz\n").starts_with("line 1: the step is given as 0"));
     let no_attitude = "# inertia: 1 2 3\nt,wx,wy,wz,qw,qx,qy,qz\n0,1,2,3,1,0,0,0\n1,1,2,3,0,0,0,0\n";
-    assert_eq!(error(no_attitude), "line 4: the quaternion has no length: it is no attitude");
+    assert_eq!(error(no_attitude), "line 4: the quaternion has no length: from here on there is no motion");
     let bytes = [head.as_bytes(), &[0xff, 0xfe, b'\n']].concat();
     let error = judge(&bytes[..], &Options::default()).unwrap_err().to_string();
     assert_eq!(error, "line 4: the line is not text (UTF-8)");

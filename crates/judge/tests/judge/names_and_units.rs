@@ -164,3 +164,26 @@ fn an_inverse_of_the_common_order_is_named_by_the_common_names() {
     let verdict = judged(&csv(&rows));
     assert_eq!(verdict.file_mistakes, [FileMistake::Order, FileMistake::Inverse], "{verdict}");
 }
+
+#[test]
+fn moments_in_another_unit_are_read_and_an_unknown_one_is_refused() {
+    let judged = |unit: &str| {
+        let rows = (0..5).map(|i| format!("{i},0.1,2,0.3\n")).collect::<String>();
+        let text = format!("# inertia: 210 340 470 {unit}\nt,wx,wy,wz\n{rows}");
+        judge(text.as_bytes(), &Options::default()).map(|verdict| verdict.moments)
+    };
+    for (unit, factor) in [
+        ("", 1.0),
+        ("kg m2", 1.0),
+        ("kg·m²", 1.0),
+        ("kg*m^2 about the principal axes", 1.0),
+        ("g cm2", 1e-7),
+        ("kg cm^2", 1e-4),
+        ("about x, y and z", 1.0),
+    ] {
+        let moments = judged(unit).unwrap();
+        assert!((moments / factor - nalgebra::Vector3::new(210.0, 340.0, 470.0)).norm() < 1e-9, "{unit}");
+    }
+    let wrong = judged("lb ft2").unwrap_err().to_string();
+    assert!(wrong.contains("line 1: the unit `lb ft2` is not known here"), "{wrong}");
+}
