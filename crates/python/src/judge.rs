@@ -140,16 +140,17 @@ pub fn kind(frame: &str) -> Answer<Kind> {
 /// `t`: the times (n,), s, or the step as one number. `q`: attitudes (n, 4), body to world, x, y, z, w (with
 /// `scalar_first=True` w, x, y, z, as MuJoCo has them) or SciPy's `Rotation`. `w`: spins (n, 3), rad/s, in
 /// the axes that `frame` names, 'world' or 'body'. One of `q` and `w` may be missing; a spin in world axes
-/// needs `q`. `inertia`: the moments about the body's axes, or the tensor, kg m²; of a tensor with products the
-/// record is turned to its principal axes. Numbers of single precision are judged as such: give the arrays as
-/// they are.
+/// needs `q`. `inertia`: the moments about the body's axes, or the tensor, kg m²; of a tensor with products
+/// the record is turned to its principal axes. Numbers of single precision are judged as such: give the
+/// arrays as they are.
 ///
 /// `engine` names who made the record. `threshold` is the largest error allowed, of every law or as a dict by
 /// law ('energy', 'momentum', 'direction', 'unit', 'separatrix', 'phase', 'consistency'). `torque` is one
 /// that is constant in the world, N m. `fit` starts from the motion nearest to as many rows.
 ///
-/// Raises `Error` for a record that cannot be judged: a number that is not finite in the first two rows, a time
-/// that does not increase. Where a later row has one, the rows before it are judged, and the verdict says so.
+/// Raises `Error` for a record that cannot be judged: a number that is not finite in the first two rows, a
+/// time that does not increase. Where a later row has one, the rows before it are judged, and the verdict
+/// says so.
 ///
 /// >>> import numpy as np, tumbling
 /// >>> t = np.arange(300) / 60
