@@ -27,6 +27,10 @@ macro_rules! subjects {
             /// The words of the error's sentence: "the mass", "the edge along x".
             #[must_use]
             pub fn words(self) -> &'static str {
+                // First what holds words of its own: of the rest the compiler then makes a table.
+                if let Self::Other(words) = self {
+                    return words;
+                }
                 match self {
                     $(Self::$name => $words,)*
                     Self::Other(words) => words,

@@ -160,7 +160,7 @@ fn stepped([drag, step, each, count]: [f64; 4], state: [f64; 7], row: &Numbers) 
     if drag == 1.0 {
         torques.push(Torque::Damping(Vector3::repeat(ALONG / SLOWED)));
     }
-    let system = System::with(moments()?, torques)?;
+    let system = System::of_numbers(moments()?.vector(), torques); // right as they stand: nothing to check
     let [w, x, y, z, l @ ..] = state;
     let mut state = State { attitude: Quaternion::new(w, x, y, z), momentum: Vector3::from(l) };
     let count = count.clamp(1.0, MOST_SAMPLES) as usize;
