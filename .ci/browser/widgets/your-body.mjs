@@ -16,7 +16,7 @@ export async function yourBody(page, wants) {
   }
   const rate = Math.sqrt((3 * 5) / (13 * 5));
   const growth = await tell("growth");
-  wants(`a push on the box grows e-fold in 1/(2π ${rate}) turns: ${growth}`, growth.includes(`e-fold in ${Number((1 / (2 * Math.PI * rate)).toPrecision(3))} turns`));
+  wants(`a push on the box grows by exp(2π ${rate}) in a turn: ${growth}`, growth.endsWith(`grows by a factor of ${Number(Math.exp(2 * Math.PI * rate).toPrecision(3))}`));
   const flips = await page.locator(".your-body-flips td").allTextContents();
   const steps = flips.slice(1).map((text, k) => Number(text) - Number(flips[k]));
   const step = Math.log(100) / rate / 2 / Math.PI;

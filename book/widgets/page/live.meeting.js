@@ -12,12 +12,36 @@ tumblingLive.meeting = (canvas, colours, half, names, { get, moved, ended }) => 
     const by = (a, b) => a.reduce((sum, x, k) => sum + x * b[k] / half[k] ** 2, 0);
     const eyes = () => orbit([[0, 0, -1], [1, 0, 0], [0, -1, 0]], view.turn, view.tilt);
     const LIGHT = unit([-0.45, 0.75, 0.6]);
+    const reach = 1.04 * Math.max(...half);
     const sheet = document.createElement("canvas");
     const kept = { key: "", at: -Infinity, coarse: false, later: 0 };
 
+    /** The ellipsoid point by point, from where it was last seen: how near each point is to the reader, and its shade. */
+    function ellipsoid(eye, dots) {
+        const key = [view.turn, view.tilt, dots].join();
+        if (kept.seen === key) return kept.ellipsoid;
+        const [near, shade] = [new Float32Array(dots * dots).fill(-Infinity), new Uint8Array(dots * dots)];
+        const [A, uu, uv, vv, ut, vt] = [by(eye[2], eye[2]), by(eye[0], eye[0]), by(eye[0], eye[1]), by(eye[1], eye[1]), by(eye[0], eye[2]), by(eye[1], eye[2])];
+        for (let row = 0; row < dots; row += 1) {
+            const v = reach * (1 - (2 * row + 1) / dots);
+            for (let column = 0; column < dots; column += 1) {
+                const u = reach * ((2 * column + 1) / dots - 1);
+                const b = u * ut + v * vt;
+                const inside = b * b - A * (u * u * uu + 2 * u * v * uv + v * v * vv - 1);
+                if (!(inside > 0)) continue;
+                const z = (Math.sqrt(inside) - b) / A;
+                // What points outward, to the right, up and toward the reader.
+                const [x, y, out] = [u * uu + v * uv + z * ut, u * uv + v * vv + z * vt, u * ut + v * vt + z * A];
+                near[row * dots + column] = z;
+                shade[row * dots + column] = Math.round(16 + 16 * (LIGHT[0] * x + LIGHT[1] * y + LIGHT[2] * out) / Math.sqrt(x * x + y * y + out * out));
+            }
+        }
+        Object.assign(kept, { seen: key, ellipsoid: [near, shade] });
+        return kept.ellipsoid;
+    }
     /**
-     * Both surfaces, point by point: the nearer one is seen. Painted anew only if they or the view have changed; coarsely while they go on
-     * changing, and finely once they rest.
+     * Both surfaces: the nearer one is seen. Painted anew only if they or the view have changed; coarsely while they go on changing, and
+     * finely once they rest.
      */
     function surfaces(length, eye, fine) {
         const key = [length, view.turn, view.tilt, fine, colours.bg, colours.momentum].join();
@@ -34,24 +58,19 @@ tumblingLive.meeting = (canvas, colours, half, names, { get, moved, ended }) => 
         const pixels = new Uint32Array(image.data.buffer);
         const warm = triple(colours.momentum);
         const whole = (colour) => new Uint32Array(Uint8ClampedArray.from([...colour, 255]).buffer)[0];
-        const [grey, warmed] = [0, 0.5].map((part) => colours.plain.map((shade) => whole(triple(shade).map((x, k) => x + part * (warm[k] - x)))));
-        const [A, uu, uv, vv, ut, vt] = [by(eye[2], eye[2]), by(eye[0], eye[0]), by(eye[0], eye[1]), by(eye[1], eye[1]), by(eye[0], eye[2]), by(eye[1], eye[2])];
-        const reach = 1.04 * Math.max(...half);
-        for (let row = 0; row < dots; row += 1) {
+        const [grey, warmed] = [0, 0.5].map((part) => Uint32Array.from(colours.plain, (shade) => whole(triple(shade).map((x, k) => x + part * (warm[k] - x)))));
+        const [near, shade] = ellipsoid(eye, dots);
+        for (let at = 0; at < near.length; at += 1) if (near[at] > -Infinity) pixels[at] = grey[shade[at]];
+        const [right, up, toward] = LIGHT.map((part) => 16 * part / length);
+        const side = (part) => Math.max(0, Math.min(dots, Math.round(0.5 * dots * (1 + part / reach)))); // the dot at a height, or at a place across
+        for (let row = side(-length); row < side(length); row += 1) {
             const v = reach * (1 - (2 * row + 1) / dots);
-            for (let column = 0; column < dots; column += 1) {
+            const wide = Math.sqrt(Math.max(0, length * length - v * v));
+            for (let column = side(-wide); column < side(wide); column += 1) {
                 const u = reach * ((2 * column + 1) / dots - 1);
-                const b = u * ut + v * vt;
-                const inside = b * b - A * (u * u * uu + 2 * u * v * uv + v * v * vv - 1);
-                const round = length * length - u * u - v * v;
-                const [deep, near] = [inside > 0 ? (Math.sqrt(inside) - b) / A : -Infinity, round > 0 ? Math.sqrt(round) : -Infinity];
-                const z = Math.max(deep, near);
-                if (z === -Infinity) continue;
-                // What points outward, to the right, up and toward the reader.
-                const sphere = near > deep;
-                const [right, up, toward] = sphere ? [u, v, z] : [u * uu + v * uv + z * ut, u * uv + v * vv + z * vt, u * ut + v * vt + z * A];
-                const lit = 0.5 + 0.5 * (LIGHT[0] * right + LIGHT[1] * up + LIGHT[2] * toward) / Math.sqrt(right * right + up * up + toward * toward);
-                pixels[row * dots + column] = (sphere ? warmed : grey)[Math.round(32 * Math.max(0, Math.min(1, lit)))];
+                const round = wide * wide - u * u;
+                const z = round > 0 ? Math.sqrt(round) : -Infinity;
+                if (z > near[row * dots + column]) pixels[row * dots + column] = warmed[Math.round(16 + right * u + up * v + toward * z)];
             }
         }
         pen.putImageData(image, 0, 0);
@@ -62,7 +81,7 @@ tumblingLive.meeting = (canvas, colours, half, names, { get, moved, ended }) => 
         if (!now) return;
         const eye = eyes();
         const side = Math.min(width, height);
-        const scale = side / 2 / (1.04 * Math.max(...half));
+        const scale = side / 2 / reach;
         const on = (p) => [width / 2 + scale * dot(eye[0], p), height / 2 - scale * dot(eye[1], p)];
         const faces = (p) => by(p, eye[2]) > 0;
         surfaces(Math.hypot(...at), eye, Math.round(side * Math.min(devicePixelRatio || 1, 2)));

@@ -35,8 +35,12 @@ tumblingLive.widget("steps", async (stage) => {
         method.append(option);
     }
 
-    /** A run in so many steps. */
+    const kept = new Map(); // what was run of this method and motion, by the number of steps
     function run(count) {
+        if (!kept.has(count)) kept.set(count, afresh(count));
+        return kept.get(count);
+    }
+    function afresh(count) {
         const answer = methods.answer(1, ...moments, ...SPINS[start.value], UNTIL, count, Number(method.value), ...truth);
         const [taken, why, energy, length, attitude, greatest] = answer;
         const [what, step] = [why ? methods.words() : "", UNTIL / count];
@@ -49,6 +53,7 @@ tumblingLive.widget("steps", async (stage) => {
         const now = [method.value, body.value, start.value].join();
         if (now !== key) {
             key = now;
+            kept.clear();
             told = about(Number(method.value));
             moments = motion.answer(7, Number(body.value)).slice(0, 3);
             const begun = [...moments, ...SPINS[start.value], UNTIL];

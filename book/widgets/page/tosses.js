@@ -40,9 +40,9 @@ tumblingLive.widget("tosses", async (stage, from) => {
         const error = Number((10 ** slip.value).toPrecision(2));
         for (const flight of flights) {
             flight.omega = [0, 1, 2].map((axis) => (axis === ALONG[flight.toss] ? SPIN : error * SPIN));
+            if (flight.toss !== "across") continue; // about x alone a change of its sign is a flip
             const [count, ...times] = exact.answer(5, ...moments, ...flight.omega, LONG, 1);
-            // About x alone a change of its sign is a flip.
-            flight.flips = flight.toss === "across" ? times.slice(0, count) : [];
+            flight.flips = times.slice(0, count);
         }
         const [first, second] = flights.find(({ toss }) => toss === "across").flips;
         shown("first").textContent = `${fixed(first, 2)} s, ${fixed(first * SPIN / (2 * Math.PI), 1)} turns`;

@@ -141,6 +141,7 @@ tumblingLive.widget("your-body", async (stage, from) => {
     };
     const square = (width) => Math.round(Math.min(0.86 * width, 320));
     const redraws = [];
+    let spot = () => {}; // puts the point to where the spin is
     const pictures = {};
     for (const svg of stage.querySelectorAll("[data-drawing]")) pictures[svg.dataset.drawing] = svg;
 
@@ -198,11 +199,14 @@ tumblingLive.widget("your-body", async (stage, from) => {
         }
         if (found.equal === 0) for (const sign of [1, -1]) curve("your-body-path your-body-edge", 0, sign, 1);
         axes(svg, at, reach);
-        if (motion.t === 0) return;
+        const point = draw("circle", svg, { class: "live-point live-omega", r: 5 });
         // The spin on its path, as paths are given: of equal energy, in parts of the longest.
-        const energy = motion.spin.reduce((sum, x, k) => sum + found.moments[k] * x * x, 0);
-        const at_ = at(inBody(motion.spin.map((x, k) => (x * Math.sqrt(found.moments[0] / energy) / true_[k]) * reach[k])));
-        draw("circle", svg, { class: "live-point live-omega", cx: at_[0], cy: at_[1], r: 5 });
+        spot = () => {
+            const energy = motion.spin.reduce((sum, x, k) => sum + found.moments[k] * x * x, 0);
+            const [cx, cy] = at(inBody(motion.spin.map((x, k) => (x * Math.sqrt(found.moments[0] / energy) / true_[k]) * reach[k])));
+            for (const [name, value] of Object.entries({ cx, cy, visibility: motion.t === 0 ? "hidden" : "visible" })) point.setAttribute(name, value);
+        };
+        spot();
     }));
 
     /** Two axes and the gap between spin and momentum from the easier to the harder. */
@@ -228,7 +232,10 @@ tumblingLive.widget("your-body", async (stage, from) => {
         }
         curves.forEach((gap, k) => { if (gap.length > 0) path(svg, `live-curve ${PLANES[k][2]}`, gap.map((y, x) => at(x, y))); });
     }));
-    const redraw = () => redraws.forEach((again) => again());
+    const redraw = () => {
+        for (const slider of [turn, tilt]) slider.setAttribute("aria-valuetext", `${fixed(Number(slider.value), 0)} degrees`);
+        redraws.forEach((again) => again());
+    };
 
     /** Moves the body to an instant; returns it in words. */
     function go(t) {
@@ -238,7 +245,8 @@ tumblingLive.widget("your-body", async (stage, from) => {
         const flips = motion.flips.filter((flip) => flip <= motion.t).length;
         const text = motion.t > 0 ? `${fixed(motion.t, 1)} s, flips: ${flips}` : "";
         if (shown("tumbles").textContent !== text) shown("tumbles").textContent = text;
-        redraws.slice(0, 2).forEach((again) => again());
+        redraws[0]();
+        if (found) spot();
         return `After ${text}.`;
     }
 
@@ -296,7 +304,7 @@ tumblingLive.widget("your-body", async (stage, from) => {
         const direction = (axis) => axis.map((x) => x.toFixed(3).replace("-0.000", "0.000").replace("-", "−")).join(", ");
         moments.forEach((moment, k) => { shown(`axis-${k + 1}`).textContent = `${digits(moment, 4)} kg m², along (${direction(axes[k])})`; });
         const never = { 1: "moments 2 and 3 are equal: it never flips", 2: "moments 1 and 2 are equal: it never flips", 3: "all moments are equal: any spin stays as it is" }[equal];
-        shown("growth").textContent = never ?? `unstable, it flips: a slip grows e-fold in ${digits(1 / (growth * 2 * Math.PI))} turns, by a factor of ${digits(Math.exp(growth * 2 * Math.PI))} in each`;
+        shown("growth").textContent = never ?? `unstable, it flips: in each turn a slip grows by a factor of ${digits(Math.exp(growth * 2 * Math.PI))}`;
         shown("circles").textContent = equal === 3 ? "the same" : [0, 2].filter((k) => circles[k / 2] > 0).map((k) => `axis ${k + 1}: stable, circled ${turns(circles[k / 2])}`).join("; ");
         const widest = PLANES.map((plane) => Math.max(...gaps(plane)));
         shown("gap").textContent = equal === 3 ? "none in any direction" : `${digits(Math.max(...widest))}°`;
