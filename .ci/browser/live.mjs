@@ -6,7 +6,7 @@ import { axle } from "./widgets/axle.mjs";
 import { coin, coinPlay } from "./widgets/coin.mjs";
 import { atTime, playsOn, turnsAndPlays } from "./widgets/controls.mjs";
 import { engines } from "./widgets/engines.mjs";
-import { frames } from "./widgets/hands.mjs";
+import { frames, thumbs } from "./widgets/hands.mjs";
 import { judge } from "./widgets/judge.mjs";
 import { masses } from "./widgets/masses.mjs";
 import { pitfalls, pitfallsPlay } from "./widgets/pitfalls.mjs";
@@ -62,22 +62,29 @@ function cutOff(widget) {
   return found;
 }
 
-/** A module that came damaged: the page says so, and neither asks for scripts, which run, nor lets anything be tried. */
-async function damaged(page, address, widget, wants) {
-  await page.route("**/*.wasm.js", (route) => {
-    const module = path.basename(route.request().url(), ".wasm.js");
-    return route.fulfill({ contentType: "text/javascript", body: `tumblingLive.carry("${module}", "${btoa("\0asm\x01\0\0\0damaged")}");` });
-  });
+/** A module that came damaged, or a browser that cannot unpack it: the page says so, and neither asks for scripts, which run, nor lets anything be tried. */
+async function lacking(page, address, widget, wants, how, advice) {
   await page.goto(address);
   const box = page.locator(`#live-${widget}`);
   await box.scrollIntoViewIfNeeded();
   await page.waitForFunction((w) => document.querySelector(`#live-${w}`).dataset.state, widget, { timeout: 60000 }).catch(() => {});
   const state = await box.getAttribute("data-state");
-  wants(`damaged, it does not come to life: ${state}`, /^failed/.test(state));
+  wants(`${how}, it does not come to life: ${state}`, /^failed/.test(state));
   const says = await box.innerText();
-  wants(`damaged, it says so: ${says.slice(0, 200)}`, says.includes("could not be loaded") && !says.includes("With JavaScript"));
-  wants("damaged, it offers nothing to try", !(await box.locator(".live-stage").isVisible()));
+  wants(`${how}, it says so: ${says.slice(0, 200)}`, says.includes("could not be loaded") && says.includes(advice) && !says.includes("With JavaScript"));
+  wants(`${how}, it offers nothing to try`, !(await box.locator(".live-stage").isVisible()));
   await page.context().close();
+}
+async function damaged({ open, bases }, address, widget, wants) {
+  const page = await open(bases.http);
+  await page.route("**/*.wasm.js", (route) => {
+    const module = path.basename(route.request().url(), ".wasm.js");
+    return route.fulfill({ contentType: "text/javascript", body: `tumblingLive.carry("${module}", "${btoa("\0asm\x01\0\0\0damaged")}");` });
+  });
+  await lacking(page, address, widget, wants, "damaged", "Load the page again");
+  const old = await open(bases.http);
+  await old.addInitScript(() => { delete globalThis.DecompressionStream; });
+  await lacking(old, address, widget, wants, "in an old browser", "It needs a newer browser");
 }
 
 /** What moves by itself on a page is at rest before five seconds are over (WCAG 2.2.2), and does not move where less motion is preferred. */
@@ -203,8 +210,9 @@ export async function liveJobs(tools) {
           const page = await enlivened(tools, bases.http, name, widget, widgets, "no-preference", wants("http"));
           if (!page) return;
           await PLAYS[widget]?.(page, wants("http"));
+          await thumbs(page, widget, wants("http"));
           await page.context().close();
-          await damaged(await open(bases.http), bases.http + name, widget, wants("http"));
+          await damaged(tools, bases.http + name, widget, wants("http"));
         },
       });
     }

@@ -81,3 +81,15 @@ export const pass = (page, frames, each) => page.evaluate(([frames, each]) => {
 }, [frames, each]);
 
 export const waiting = (page) => page.evaluate(() => window.byHand.waiting.size);
+
+/** A thumb that goes up over a drawing scrolls the page past it, unless it takes hold of something in it. */
+export async function thumbs(page, widget, wants) {
+  const drawings = page.locator(`#live-${widget} :is(svg, canvas):visible`);
+  for (let i = 0; i < await drawings.count(); i += 1) {
+    await drawings.nth(i).evaluate((drawing) => scrollBy(0, drawing.getBoundingClientRect().top - innerHeight / 2));
+    const box = await drawings.nth(i).boundingBox();
+    const at = [box.x + 0.04 * box.width, box.y + 0.6 * box.height];
+    const past = await finger(page, at, Array.from({ length: 15 }, (_, k) => [at[0], at[1] - 12 * k]));
+    wants(`a thumb over drawing ${i + 1} scrolls the page past it: ${past} px`, past > 60);
+  }
+}

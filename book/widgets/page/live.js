@@ -118,6 +118,8 @@ globalThis.tumblingLive ??= (() => {
                 again();
             }
         }).observe(svg);
+        // No finger that takes hold of a handle scrolls the page: what the handle's style says would end with it, at the first redraw.
+        svg.addEventListener("touchstart", (event) => event.target.classList.contains("live-handle") && event.preventDefault(), { passive: false });
         return again;
     }
 
