@@ -31,7 +31,7 @@ export async function top(page, wants) {
       Math.abs(Math.min(...leans) - 30) < 0.1 && Math.abs(Math.max(...leans) - parseFloat(angle)) < 0.1);
   }
   await start("let-go");
-  wants(`it nods every ${await tell("nods")}, goes round at ${await tell("round")}`, (await tell("nods")) === period && (await tell("round")) === `${rate} rad/s`);
+  wants(`it nods ${await tell("nods")}, goes round at ${await tell("round")}`, (await tell("nods")) === `every ${period}` && (await tell("round")) === `${rate} rad/s`);
   for (const [which, kind, range] of [["steady", "steadily", (a) => a[1] - a[0] < 1e-3], ["on", "waves", (a) => a[0] > 29.9 && a[1] < lowest(200, 30)],
     ["back", "loops", (a) => a[1] > lowest(200, 30)], ["let-go", "cusps", (a) => a[1] > 35]]) {
     await start(which);

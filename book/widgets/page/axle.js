@@ -105,7 +105,7 @@ tumblingLive.widget("axle", async (stage, from) => {
         if (byHand) [around.value, above.value] = [Math.atan2(y, x) * 180 / Math.PI, Math.asin(Math.max(-1, Math.min(1, z))) * 180 / Math.PI];
         const words = near < 0 ? `Off its principal axes, by ${fixed(Math.min(...away), 0)}° at least. Let go, the axle wobbles.` : `True: on the axis of the ${NAMES[near]} moment. Let go, the axle stays.`;
         shown("words").textContent = words;
-        for (const slider of [around, above]) slider.setAttribute("aria-valuetext", `${slider.value}°: ${words}`);
+        for (const slider of [around, above]) slider.setAttribute("aria-valuetext", `${fixed(Number(slider.value), 0)}°: ${words}`);
         return `${words} Gap ${shown("gap").textContent}. ${go(0)}`;
     }
     const { pause, playing } = clock(stage, play, { step: 0.4, start: "Let go", go: (seconds) => Boolean(go(state.t + seconds)), pressed: () => say(go(state.t)) });

@@ -87,7 +87,7 @@ tumblingLive.widget("masses", async (stage, from) => {
             if (place.textContent && !matchMedia("(prefers-reduced-motion: reduce)").matches) place.animate([{ background: "var(--fig-surface)" }, { background: "none" }], 700);
             place.textContent = text;
         }
-        for (const slider of [along, out]) slider.setAttribute("aria-valuetext", `${slider.value} m: resistance ${says.about}, gap ${says.gap}`);
+        for (const slider of [along, out]) slider.setAttribute("aria-valuetext", `${fixed(Number(slider.value), 2)} m: resistance ${says.about}, gap ${says.gap}`);
         play.disabled = !found;
         return `Resistance about the axle ${says.about}; the twist makes it faster by ${says.faster} rad/s each second; gap ${says.gap}. ${go(0)}`;
     }

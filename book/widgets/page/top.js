@@ -263,7 +263,7 @@ tumblingLive.widget("top", async (stage, from) => {
         shown("kind").textContent = !drag.checked ? (asleep ? "is asleep, and " : "") + KINDS[kind] : Number(lean.value) > UPRIGHT ? "sinks, as the drag takes the spin"
             : Number(spin.value) < critical ? "sways: the spin is below the critical one" : "stands asleep, until the spin is below the critical one";
         shown("leans").textContent = greatest - least < 0.05 ? angle(greatest) : `${angle(least)} to ${angle(greatest)}`;
-        shown("nods").textContent = Number.isNaN(period) || kind === 4 ? "never" : `${fixed(period, 3)} s`;
+        shown("nods").textContent = Number.isNaN(period) || kind === 4 ? "never" : `every ${fixed(period, 3)} s`;
         shown("round").textContent = `${fixed(round, 2)} rad/s`;
         for (const what of ["leans", "nods", "round"]) shown(what).parentElement.hidden = drag.checked; // nothing of it stays
         shown("critical").textContent = `${fixed(critical, 0)} rad/s`;

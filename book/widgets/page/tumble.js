@@ -281,7 +281,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
         const times = Number(rate().toPrecision(2));
         shown("speed").textContent = times === 1 ? "as in life" : `${times} × life`;
         speed.setAttribute("aria-valuetext", times === 1 ? "as in life" : `${times} times as fast as in life`);
-        spin.setAttribute("aria-valuetext", `${spinNumber.value} rad/s`);
+        spin.setAttribute("aria-valuetext", `${spinNumber.value.replace("-", "−")} rad/s`);
         const pushed = number(pushNumber);
         shown("slip").textContent = Number.isFinite(pushed) ? short(pushed) : "none";
         push.setAttribute("aria-valuetext", pushed === 0 ? "no slip" : `a slip of ${Number.isFinite(pushed) ? short(pushed) : "no number"} of the spin`);
@@ -314,7 +314,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
     for (const choice of [body, about, ...own]) choice.addEventListener("input", change);
     for (const choice of [ride, rolling]) choice.addEventListener("input", redraw);
     function view() {
-        for (const field of [turn, tilt]) field.setAttribute("aria-valuetext", `${field.value} degrees`);
+        for (const field of [turn, tilt]) field.setAttribute("aria-valuetext", `${fixed(Number(field.value), 0)} degrees`);
         if (!state.setting) return;
         state.setting.eye = looking(state.setting.momentum);
         redraw();
