@@ -48,6 +48,14 @@ export async function toss(page, wants) {
   const scrolled = await finger(page, at(0.4, 0.5), Array.from({ length: 20 }, (_, i) => at(0.4 + 0.02 * i, 0.5 + 0.004 * i)));
   wants(`under a finger that goes across the page does not scroll: ${scrolled} px`, scrolled === 0);
   wants("and the book is seen from elsewhere", (await looks()) !== before);
+  // The window's height may change alone, as on a phone whose address bar comes and goes.
+  const { width, height } = page.viewportSize();
+  await page.setViewportSize({ width, height: 600 });
+  await frames(page);
+  const dots = await canvas.evaluate((canvas) => [canvas.width / canvas.clientWidth, canvas.height / canvas.clientHeight]);
+  wants(`in a lower window the book is not stretched: ${dots} dots a pixel`, Math.abs(dots[0] - dots[1]) < 0.01);
+  await page.setViewportSize({ width, height });
+  await frames(page);
   await page.evaluate(() => scrollTo(0, 0));
   const high = await canvas.boundingBox();
   const past = await finger(page, [high.x + 0.5 * high.width, high.y + 0.8 * high.height], Array.from({ length: 20 }, (_, i) => [high.x + 0.5 * high.width, high.y + 0.8 * high.height - 12 * i]));

@@ -35,18 +35,19 @@ pub(super) fn replace(source: &Source<'_>, all: &[Exercise]) -> Result<String, S
 
 /// The tasks, one after the other.
 fn section(exercises: &[&Exercise]) -> String {
-    let mut out = String::from(
-        "Each has a file of its own, and a command that checks it: [how to run them](about.md#exercises).\n",
+    let first = exercises.first().map(|first| first.command()).unwrap_or_default();
+    let mut out = format!(
+        "Each has a file in `book/exercises/stubs`, and a command that checks it, the first this one:\n\n```sh\n{first}\n```\n\n\
+         [How to run them](about.md#exercises).\n",
     );
     for exercise in exercises {
         let (_, number) = exercise.place();
         let name = &exercise.name;
         let _ = write!(
             out,
-            "\n### {number}. {} {{#{name}}}\n\n{}\n\nEdit `book/exercises/stubs/{name}.md`, then:\n\n```sh\n{}\n```\n\n{}",
+            "\n### {number}. {} {{#{name}}}\n\n{}\n\n{}",
             exercise.title,
             exercise.task,
-            exercise.command(),
             programs::fold("fold", "The code to complete", &code(&exercise.open()))
         );
         let hints = exercise.hints.len();
@@ -75,24 +76,21 @@ mod tests {
     }
 
     #[test]
-    fn a_chapter_shows_its_own_exercises_with_command_code_hints_and_solution() {
+    fn a_chapter_shows_its_own_exercises_with_code_hints_and_solution_and_the_command_once() {
         let out = shown("two-arrows", "# A\n\n## Exercises\n\n{{#exercises}}\n").unwrap();
         for exercise in tumbling_exercises::all().unwrap() {
             let mine = exercise.place().0 == "two-arrows";
-            assert_eq!(out.contains(&exercise.command()), mine, "{}", exercise.name);
             assert_eq!(out.contains(exercise.solution().trim_end()), mine, "{}", exercise.name);
         }
         assert!(out.starts_with("# A\n\n## Exercises\n\nEach has a file") && !out.contains("{{#"));
         let here: Vec<_> =
             tumbling_exercises::all().unwrap().into_iter().filter(|e| e.place().0 == "two-arrows").collect();
+        assert!(out.contains(&here[0].command()) && out.matches("cargo exercise").count() == 1, "{out}");
         for exercise in &here {
             let (_, from) = out.split_once(&format!("{{#{}}}\n", exercise.name)).unwrap();
             let mine = from.split("\n### ").next().unwrap();
             let (shown, folded) = mine.split_once("<details").unwrap();
-            assert!(
-                shown.contains(&exercise.task) && shown.contains(&exercise.command()),
-                "before all folds: {shown}"
-            );
+            assert!(shown.contains(&exercise.task), "before all folds: {shown}");
             // What each fold shows, in the order of the page, and what is in it.
             let mut expected = vec![("The code to complete".to_owned(), code(&exercise.open()))];
             for (at, hint) in exercise.hints.iter().enumerate() {

@@ -43,7 +43,9 @@ tumblingLive.book = (stage, [, , low, , high, wide, thick]) => {
         const [width, height] = [canvas.clientWidth, canvas.clientHeight];
         if (width === 0) return;
         const dots = Math.min(devicePixelRatio || 1, 2);
-        if (canvas.width !== Math.round(width * dots)) [canvas.width, canvas.height] = [Math.round(width * dots), Math.round(height * dots)];
+        // Its height may change alone: on a phone the address bar comes and goes.
+        const size = [width, height].map((side) => Math.round(side * dots));
+        if (String(size) !== String([canvas.width, canvas.height])) [canvas.width, canvas.height] = size;
         // Body axes in the hand's at the start, as columns; then to the eye's.
         const turned = [
             [1 - 2 * (j * j + k * k), 2 * (i * j - w * k), 2 * (i * k + w * j)],
