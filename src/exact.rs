@@ -246,11 +246,10 @@ impl FreeMotion {
             return Ok(self.first());
         }
         let (omega, turned) = self.along_principal_axes(time);
-        let instant = Instant { omega, attitude: UnitQuaternion::new_unchecked(turned) };
-        if let Some(mount) = &self.mount {
-            return Ok(mount.instant(instant));
+        if self.mount.is_none() {
+            return Ok(Instant { omega, attitude: UnitQuaternion::new_unchecked(turned) });
         }
-        Ok(instant)
+        Ok(Instant { omega: self.in_body(omega), attitude: self.in_world(turned) })
     }
 
     /// The spin along the principal axes, and their turn since the start, at a scaled time other than zero.

@@ -315,13 +315,10 @@ impl<T: Series> ComplementaryPair<T> {
         let p = || self.nome.clone();
         let [re, im, ..] = self.sums(p(), p());
         let (mut power, mut change) = (T::one(), [T::zero(), T::zero()]);
-        for n in 1..5_u32 {
+        for n in 1..5 {
             power *= p();
-            let terms = |wave: usize| {
-                let (rising, falling) = (&self.rising[wave][n as usize], &self.falling[wave][n as usize - 1]);
-                (rising.clone(), falling.clone())
-            };
-            let ((c, d), (s, t), weight) = (terms(0), terms(1), T::integer(n) * power.clone());
+            let terms = |wave: usize| [self.rising[wave][n].clone(), self.falling[wave][n - 1].clone()];
+            let ([c, d], [s, t], weight) = (terms(0), terms(1), T::integer(n as u32) * power.clone());
             change[0] += weight.clone() * (c - d);
             change[1] -= weight * (s + t);
         }

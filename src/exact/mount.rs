@@ -1,6 +1,5 @@
 //! How principal axes are mounted in a body, and the body in the world.
 
-use super::Instant;
 use crate::attitude::product;
 use crate::body::Body;
 use crate::error::{Error, Subject, representable};
@@ -48,12 +47,6 @@ impl Mount {
     #[inline(never)]
     pub(super) fn in_body(&self, omega: Vector3<f64>) -> Vector3<f64> {
         self.frame.in_body(omega)
-    }
-
-    #[inline(never)]
-    pub(super) fn instant(&self, along: Instant) -> Instant {
-        let attitude = UnitQuaternion::new_unchecked(self.in_world(along.attitude.into_inner()));
-        Instant { omega: self.in_body(along.omega), attitude }
     }
 
     #[inline(never)]

@@ -120,7 +120,9 @@ impl<T: Lane> DoubleDouble<T> {
     /// Of a number too large to have a fraction, or that is not finite, nothing is left.
     #[inline(always)]
     pub(crate) fn whole_and_rest(self) -> (T, T, Self) {
-        if !T::all(self.hi.abs().lt(splat(LARGE))) {
+        // NaN too is not within.
+        let beyond = T::select(self.hi.abs().lt(splat(LARGE)), T::zero(), T::one());
+        if T::any(T::zero().lt(beyond)) {
             return self.far_whole_and_rest();
         }
         let [whole, near] = self.hi.whole_and_left();

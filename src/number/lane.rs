@@ -88,13 +88,7 @@ pub trait Lane:
     /// The nearest integer, the even one of two equally near.
     fn round_ties_even(self) -> Self;
 
-    /// Whether the mask holds in every lane.
-    #[inline(always)]
-    fn all(mask: Self::Mask) -> bool {
-        !Self::any(splat::<Self>(0.0).lt(Self::select(mask, splat(0.0), splat(1.0))))
-    }
-
-    /// [`round_ties_even`](Self::round_ties_even) of a number below 2^51, where zero may come with either sign.
+    /// [`round_ties_even`](Self::round_ties_even) of a number below 2^51; zero may have either sign.
     #[inline(always)]
     fn nearest(self) -> Self {
         (self + INTEGERS) - INTEGERS

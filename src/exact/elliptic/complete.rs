@@ -19,7 +19,7 @@ pub(crate) fn quarter_period_from_root<T: Real>(
     // (C45): each step doubles the digits, once the first ten at most have brought 1e-162 up to where that
     // sets in.
     for _ in 0..24 {
-        let difference = a.plus(-g).hi();
+        let difference = (a - g).hi();
         let mean = (a + g).signed(half);
         if difference.abs() <= a.hi() * NEAR {
             // What the next step would take off, but for its square.

@@ -12,7 +12,7 @@ use crate::number::{Gather, Lane, Real, gather_fields, splat};
 /// How Jacobi's argument runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Reduction<T = f64> {
-    /// Half periods at the start, from the nearest flip; on the separatrix, which has none, the argument itself.
+    /// Half periods at the start, from the nearest flip; on the separatrix, which has none, the argument.
     pub(crate) start: DoubleDouble<T>,
     /// Half periods per unit of time, or the argument, likewise.
     pub(crate) rate: DoubleDouble<T>,
@@ -64,8 +64,7 @@ impl<T: Real> Reduction<T> {
 
     /// From an argument at the start that is less by this much.
     pub(crate) fn back(self, shift: T) -> Self {
-        let returns = self.half.hi().finite();
-        let shift = if returns { shift / self.half.hi() } else { shift };
+        let shift = if self.half.hi().finite() { shift / self.half.hi() } else { shift };
         Self { start: self.start - DoubleDouble::from(shift), ..self }
     }
 

@@ -201,15 +201,13 @@ impl<T: Field> Corrections<T> {
         let e1 = x.clone() + y.clone() + z.clone();
         let e2 = p(x, y) + p(y, z) + p(z, x);
         let e3 = p(&p(x, y), z);
-        let to_4 = [[sum!(1 e2), sum!(-2 e1)], [sum!(-2 e3), sum!(1 e2)]];
-        let to_6 = [
-            [sum!(2 e2 e2, -6 e1 e3), sum!(-2 e1 e2, 8 e3), sum!(2 e1 e1, -1 e2)],
-            [sum!(-1 e2 e3), sum!(-1 e2 e2, 8 e1 e3), sum!(-1 e1 e2, -6 e3)],
-        ];
         Self {
-            to_4: over(12, to_4),
-            to_6: over(240, to_6),
-            to_8: over(20_160, to_order_8([&e1, &e2, &e3])),
+            to_4: [[sum!(1 e2), sum!(-2 e1)], [sum!(-2 e3), sum!(1 e2)]],
+            to_6: [
+                [sum!(2 e2 e2, -6 e1 e3), sum!(-2 e1 e2, 8 e3), sum!(2 e1 e1, -1 e2)],
+                [sum!(-1 e2 e3), sum!(-1 e2 e2, 8 e1 e3), sum!(-1 e1 e2, -6 e3)],
+            ],
+            to_8: to_order_8([&e1, &e2, &e3]),
             ratios,
             symmetric: [e1, e2, e3],
         }
@@ -218,37 +216,39 @@ impl<T: Field> Corrections<T> {
     /// `a` and `b` for the momentum times the step, in units of the first moment.
     #[inline]
     fn at(&self, momentum: &Vector3<T>, order: u32) -> (T, T) {
-        let (s, e) = (momentum.dot(momentum), momentum.dot(&self.ratios.component_mul(momentum)));
-        let p = |x: &T, y: &T| x.clone() * y.clone();
-        // sum of parts[j] s^(k - j) e^j.
-        let [mut a, mut b] = self.to_4.each_ref().map(|[x, y]| p(x, &s) + p(y, &e));
-        let mut add = |[to_a, to_b]: [T; 2]| {
-            a += to_a;
-            b += to_b;
+        let square = momentum.dot(momentum);
+        let twice_energy = momentum.dot(&self.ratios.component_mul(momentum));
+        // sum of parts[j] square^(k - j) twice_energy^j, over `below`.
+        let joined = |below: u32, parts: &[T]| {
+            let mut power = T::one();
+            let mut total = T::zero();
+            for part in parts {
+                total = total * square.clone() + part.clone() * power.clone();
+                power *= twice_energy.clone();
+            }
+            total / T::integer(below)
         };
+        let [to_a, to_b] = &self.to_4;
+        let mut a = T::one() + joined(12, to_a);
+        let mut b = joined(12, to_b);
         if order > 4 {
-            add(self.to_6.each_ref().map(|[x, y, z]| p(&(p(x, &s) + p(y, &e)), &s) + p(&p(z, &e), &e)));
+            let [to_a, to_b] = &self.to_6;
+            a += joined(240, to_a);
+            b += joined(240, to_b);
         }
         if order > 6 {
-            add(self.to_8.each_ref().map(|[x, y, z, w]| {
-                p(&(p(x, &s) + p(y, &e)), &p(&s, &s)) + p(&(p(z, &s) + p(w, &e)), &p(&e, &e))
-            }));
+            let [to_a, to_b] = &self.to_8;
+            a += joined(20_160, to_a);
+            b += joined(20_160, to_b);
         }
         if order > 8 {
             let [e1, e2, e3] = &self.symmetric;
-            add(over(725_760, to_order_10([e1, e2, e3])).map(|[x, y, z, w, v]| {
-                let (ss, ee) = (p(&s, &s), p(&e, &e));
-                let low = p(&(p(&x, &s) + p(&y, &e)), &p(&ss, &s));
-                low + p(&(p(&(p(&z, &s) + p(&w, &e)), &s) + p(&v, &ee)), &ee)
-            }));
+            let [to_a, to_b] = to_order_10([e1, e2, e3]);
+            a += joined(725_760, &to_a);
+            b += joined(725_760, &to_b);
         }
-        (T::one() + a, b)
+        (a, b)
     }
-}
-
-/// The parts over a whole number.
-fn over<T: Field, const N: usize>(below: u32, parts: [[T; N]; 2]) -> [[T; N]; 2] {
-    parts.map(|parts| parts.map(|x| x / T::integer(below)))
 }
 
 /// What the order 8 adds to `a` and `b`: the parts that [`Corrections::at`] joins, over 20_160.

@@ -7,7 +7,6 @@
 use super::Interval;
 use super::arithmetic::{product, safe};
 use num_traits::Zero;
-use std::ops::Neg;
 use tumbling::laws::Real;
 use tumbling::number::{Lane, Series};
 
@@ -105,15 +104,29 @@ impl Enclosed {
     }
 }
 
-/// Sine and cosine of an angle to which this number of quarter turns is added.
-pub(super) fn turned<T: Neg<Output = T>>(quarters: f64, sin: T, cos: T) -> (T, T) {
-    match quarters.rem_euclid(4.0) as u8 {
-        0 => (sin, cos),
-        1 => (cos, -sin),
-        2 => (-sin, -cos),
-        _ => (-cos, sin),
-    }
+/// What is the same in all lanes of one number that lies between bounds.
+macro_rules! one_lane {
+    ($exact:ident) => {
+        type Mask = bool;
+        const WIDTH: usize = 1;
+        fn from_lanes(mut of: impl FnMut(usize) -> f64) -> Self {
+            $exact(of(0))
+        }
+        fn any(mask: bool) -> bool {
+            mask
+        }
+        fn select(mask: bool, yes: Self, no: Self) -> Self {
+            if mask { yes } else { no }
+        }
+        fn nearest(self) -> Self {
+            self.round_ties_even()
+        }
+        fn finite(self) -> bool {
+            true
+        }
+    };
 }
+pub(super) use one_lane;
 
 impl Series for Enclosed {
     fn up_to(self, rest: impl FnOnce() -> Self) -> Self {
@@ -123,23 +136,12 @@ impl Series for Enclosed {
 }
 
 impl Lane for Enclosed {
-    type Mask = bool;
-    const WIDTH: usize = 1;
-
-    fn from_lanes(mut of: impl FnMut(usize) -> f64) -> Self {
-        exact(of(0))
-    }
+    one_lane!(exact);
     fn lane(&self, _: usize) -> f64 {
         self.middle()
     }
     fn lt(self, other: Self) -> bool {
         self.middle() < other.middle()
-    }
-    fn any(mask: bool) -> bool {
-        mask
-    }
-    fn select(mask: bool, yes: Self, no: Self) -> Self {
-        if mask { yes } else { no }
     }
     fn abs(self) -> Self {
         Self(self.0.abs())
@@ -179,20 +181,14 @@ impl Lane for Enclosed {
     fn near(self) -> Self {
         exact(self.middle())
     }
-    fn finite(self) -> bool {
-        true
-    }
     fn not_below_zero(self) -> Self {
         self
-    }
-    fn nearest(self) -> Self {
-        self.round_ties_even()
     }
     fn sin_cos_of_quarter(self) -> (Self, Self) {
         (Self(Interval::PI) * 0.5 * self).sin_cos()
     }
     fn after_quarters(self, sin: Self, cos: Self) -> (Self, Self) {
-        turned(self.middle(), sin, cos)
+        [(sin, cos), (cos, -sin), (-sin, -cos), (-cos, sin)][self.middle().rem_euclid(4.0) as usize]
     }
     fn decay(self, rest: Self) -> [Self; 2] {
         (-(self + rest)).exp_and_exp_m1().into()

@@ -8,7 +8,7 @@
 use super::Interval;
 use super::arithmetic::safe;
 use super::paths::choose;
-use super::real::{field, turned};
+use super::real::{field, one_lane};
 use num_traits::Zero;
 use std::cmp::Ordering;
 use tumbling::laws::Real;
@@ -153,24 +153,13 @@ impl Series for Rounded {
 }
 
 impl Lane for Rounded {
-    type Mask = bool;
-    const WIDTH: usize = 1;
-
-    fn from_lanes(mut of: impl FnMut(usize) -> f64) -> Self {
-        exact(of(0))
-    }
+    one_lane!(exact);
     fn lane(&self, _: usize) -> f64 {
         // Of several numbers, one whose power of two is infinite, so that nothing is concluded.
         self.at.point().unwrap_or(1024.0)
     }
     fn lt(self, other: Self) -> bool {
         if self.at.low >= other.at.high { false } else { self.at.high < other.at.low || choose(2) == 0 }
-    }
-    fn any(mask: bool) -> bool {
-        mask
-    }
-    fn select(mask: bool, yes: Self, no: Self) -> Self {
-        if mask { yes } else { no }
     }
     fn abs(self) -> Self {
         match self.one_sign() {
@@ -194,11 +183,9 @@ impl Lane for Rounded {
         }
         Self::given(Interval { low, high })
     }
-    fn nearest(self) -> Self {
-        self.round_ties_even()
-    }
     fn after_quarters(self, sin: Self, cos: Self) -> (Self, Self) {
-        turned(self.at.point().unwrap_or_else(|| choose(4) as f64), sin, cos)
+        let quarters = self.at.point().unwrap_or_else(|| choose(4) as f64).rem_euclid(4.0);
+        [(sin, cos), (cos, -sin), (-sin, -cos), (-cos, sin)][quarters as usize]
     }
     fn whole_and_left(self) -> [Self; 2] {
         let whole = self.round_ties_even();
@@ -247,9 +234,6 @@ impl Lane for Rounded {
     }
     fn near(self) -> Self {
         Self::given(self.at)
-    }
-    fn finite(self) -> bool {
-        true
     }
     fn not_below_zero(self) -> Self {
         Self { at: self.at.clamped(0.0, f64::INFINITY), off: self.off.hull(Interval::zero()) }
