@@ -24,7 +24,7 @@ pub(crate) struct Language {
     /// Words of figures, films, sheets and widgets: whole labels and parts of them.
     words: Words,
     /// The paragraphs of each page.
-    page: BTreeMap<String, Words>,
+    pub(crate) page: BTreeMap<String, Words>,
 }
 
 /// What may stand behind a number as its unit.
@@ -40,8 +40,8 @@ impl Language {
     /// # Errors
     /// A file that cannot be read, or a translation that has other numbers or links than the original.
     pub(crate) fn read(code: &str) -> Result<Self, String> {
-        let file = format!("words.{code}.toml");
-        let text = files::text(&paths::book().join(&file))?;
+        let file = paths::book().join(format!("words.{code}.toml"));
+        let text = files::text(&file).map_err(|_| format!("there is no `{code}`; there is only de"))?;
         Self::parse(code, &text)
     }
 
@@ -131,11 +131,6 @@ impl Language {
         if wrong.is_empty() { Ok(out + &text[end..]) } else { Err(wrong.join("\n")) }
     }
 
-    /// The paragraphs of a page, to be taken one by one.
-    pub(crate) fn paragraphs(&self, page: &str) -> Paragraphs<'_> {
-        Paragraphs { own: self, left: self.page.get(page).cloned().unwrap_or_default(), wrong: Vec::new() }
-    }
-
     /// A label in this language: known as a whole, or part by part; with its words that are not known.
     pub(crate) fn label(&self, text: &str) -> (String, Vec<String>) {
         let own = text.trim();
@@ -219,30 +214,6 @@ impl Language {
             "<div lang=\"{code}\">\n\n{out}\n\n<script>\nvar tumblingWords = {words};\n{script}</script>\n</div>\n"
         );
         if wrong.is_empty() { Ok(page) } else { Err(wrong.join("\n")) }
-    }
-}
-
-/// Those of a page that are not taken yet.
-pub(crate) struct Paragraphs<'a> {
-    own: &'a Language,
-    left: Words,
-    wrong: Vec<String>,
-}
-
-impl Paragraphs<'_> {
-    /// What it is in this language.
-    pub(crate) fn take(&mut self, original: &str) -> String {
-        self.left.remove(original).unwrap_or_else(|| {
-            self.wrong.push(self.own.fault(original, "not there"));
-            String::new()
-        })
-    }
-
-    /// # Errors
-    /// What had no translation, and translations of what is said no more.
-    pub(crate) fn done(mut self) -> Result<(), String> {
-        self.wrong.extend(self.left.keys().map(|key| self.own.fault(key, "the page says it no more")));
-        if self.wrong.is_empty() { Ok(()) } else { Err(self.wrong.join("\n")) }
     }
 }
 

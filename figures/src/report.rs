@@ -15,11 +15,12 @@ use tumbling::Axis;
 use tumbling::dynamics::stability::{Stability, of_spin};
 use tumbling_bodies::BodyModel;
 
-/// A complete HTML page on a body, with its drawings inside, for a screen and for one sheet of A4.
+/// A complete HTML page on a body, with its drawings inside, for a screen and for one sheet of A4; with the
+/// step that an engine needs, if that is meant too.
 ///
 /// # Errors
 /// What the library or the drawing backend reported.
-pub fn report(body: &BodyModel) -> Result<String, Box<dyn Error>> {
+pub fn report(body: &BodyModel, engine: bool) -> Result<String, Box<dyn Error>> {
     let subject = Subject::new(body)?;
     let name = escaped(&body.name);
     let mut page = format!(
@@ -43,7 +44,6 @@ pub fn report(body: &BodyModel) -> Result<String, Box<dyn Error>> {
             units::number(body.moved, 2)
         );
     }
-    page += "<div class=\"pair\">\n";
     // Each with the rows of its sheet that are shown: the page has the names and moments beside them.
     let pictures = [
         ("body", "The body and its principal axes", moments::draw(&subject)?, "520 5000 4160"),
@@ -57,15 +57,11 @@ pub fn report(body: &BodyModel) -> Result<String, Box<dyn Error>> {
         let rest = rest.split_once('"').map_or("", |(_, rest)| rest);
         format!("<figure>{head}viewBox=\"0 {rows}\"{rest}</figure>\n")
     });
-    page.extend(drawn.by_ref().take(2));
-    page += "</div>\n<div class=\"pair\">\n";
-    page += &tensor(&subject);
-    page += &stability(&subject)?;
-    page += "</div>\n<div class=\"pair\">\n";
-    page.extend(drawn);
-    page += &flips(&subject)?;
-    page += "</div>\n";
-    page += &engine::section(&subject)?;
+    let two: String = drawn.by_ref().take(2).collect();
+    let numbers = tensor(&subject) + &stability(&subject)?;
+    let pairs = [two, numbers, drawn.collect::<String>() + &flips(&subject)?];
+    page.extend(pairs.map(|pair| format!("<div class=\"pair\">\n{pair}</div>\n")));
+    page += &if engine { engine::section(&subject)? } else { String::new() };
     page += "</main>\n</body>\n</html>\n";
     Ok(page)
 }
@@ -83,6 +79,7 @@ fn row(head: &str, cells: &[String]) -> String {
 /// The tensor in the body's axes, the moments and where their axes point.
 fn tensor(subject: &Subject<'_>) -> String {
     let matrix = subject.model.inertia.matrix();
+    let matrix = matrix.map(|x| if x.abs() < 1e-15 * matrix.amax() { 0.0 } else { x }); // but rounding
     let (entries, unit) = units::moments(matrix.transpose().as_slice());
     let mut out = format!(
         "<section><h2>Tensor and axes</h2>\n<table><caption>Inertia tensor in its own axes, {unit}</caption>\n"
@@ -120,9 +117,9 @@ fn stability(subject: &Subject<'_>) -> Result<String, Box<dyn Error>> {
             Stability::Growth { rate } => {
                 let each = (TAU * rate / subject.spin).exp();
                 format!(
-                    "<strong>unstable, it flips.</strong> A slip grows e-fold in {} turns ({}), by a factor of {} in each turn.",
-                    units::number(subject.spin / (rate * TAU), 3),
-                    units::time(1.0 / rate),
+                    "<strong>unstable, it flips.</strong> A slip becomes ten times as large in {} turns ({}), and {} times in each turn.",
+                    units::number(10_f64.ln() * subject.spin / (rate * TAU), 3),
+                    units::time(10_f64.ln() / rate),
                     units::number(each, 3)
                 )
             }
@@ -176,7 +173,7 @@ mod tests {
     use super::*;
 
     fn page(text: &str) -> String {
-        report(&BodyModel::from_toml(text, "".as_ref()).unwrap()).unwrap()
+        report(&BodyModel::from_toml(text, "".as_ref()).unwrap(), true).unwrap()
     }
 
     #[test]
@@ -186,8 +183,8 @@ mod tests {
             "How a &lt;box&gt; turns",
             "<td>0.833</td><td>0.000</td><td>0.000</td>",
             "<th scope=\"row\">3 largest</th><td>1.083</td>",
-            // sqrt((13 - 10) (10 - 5) / (13 * 5)) of the spin: 0.480, so 0.331 turns.
-            "grows e-fold in 0.331 turns (331 ms), by a factor of 20.5",
+            // sqrt((13 - 10) (10 - 5) / (13 * 5)) of the spin: 0.480, so ln(10) / 0.480 / 2π turns.
+            "becomes ten times as large in 0.763 turns (763 ms), and 20.5 times in each turn",
             "<strong>unstable, it flips.</strong>",
         ] {
             assert!(page.contains(held), "{held}");
@@ -195,6 +192,11 @@ mod tests {
         // It reads nothing from elsewhere: the only address is the name of SVG.
         assert!(page.matches("://").count() == page.matches("http://www.w3.org/2000/svg").count());
         assert!(!page.contains("NaN"));
+        // Turned by a right angle, its products are rounding.
+        let turned = self::page("turn = [0, 0, 1, 90]\nsides = [2, 1, 3]\nmass = 1");
+        assert!(turned.contains("<td>1.083</td><td>0.000</td><td>0.000</td>"));
+        let pupils = report(&BodyModel::load("phone").unwrap(), false).unwrap();
+        assert!(!pupils.contains("engine") && page.contains("The step that an engine needs"));
     }
 
     /// The numbers were computed apart, from Legendre's integral by the arithmetic-geometric mean.
@@ -202,7 +204,7 @@ mod tests {
     fn a_phone_and_a_satellite_have_the_numbers_of_another_computation() {
         let phone = page("sides = [0.077, 0.0078, 0.16]\nmass = 0.2");
         for held in [
-            "grows e-fold in 0.204 turns (204 ms), by a factor of 136",
+            "ten times as large in 0.469 turns (469 ms), and 136 times",
             "circles the axis once in 1.27 turns (1.27 s)",
             "circles the axis once in 1.01 turns (1.01 s)",
             "10⁻¹</th><td>1.4 s</td><td>1.4</td>",
@@ -219,7 +221,7 @@ mod tests {
         for held in [
             "<td>0.00670</td><td>0.010</td>",
             "<td>0.04169</td><td>−0.454</td>",
-            "grows e-fold in 0.63 turns (7.91 s), by a factor of 4.89",
+            "ten times as large in 1.45 turns (18.2 s), and 4.89 times",
             "once in 3.9 turns (49.1 s)",
             "10⁻⁹</th><td>5.83 min</td><td>27.8</td>",
         ] {

@@ -5,6 +5,7 @@ use crate::command::export::{own_folder_refused, theme};
 use crate::language::Language;
 use crate::say;
 use crate::site::files::write_changed;
+use crate::site::paths;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -13,7 +14,7 @@ use std::process::Command;
 use tumbling::Axis;
 use tumbling_bodies::BodyModel;
 use tumbling_figures::Theme;
-use tumbling_figures::film::{Camera, Film, Request, SHEET};
+use tumbling_figures::film::{Camera, Film, Request};
 use tumbling_media::film::{Film as Writer, Palette};
 use tumbling_media::{Drawing, Picture};
 
@@ -42,18 +43,21 @@ pub(crate) struct Arguments {
     /// gif plays in slides, messengers and pages; mp4 needs an installed ffmpeg; frames are pictures alone
     #[arg(long, value_enum, default_value_t = Format::Gif)]
     format: Format,
-    /// In pixels; the height is 9 to its 16, as of a slide
-    #[arg(long, value_name = "PX", default_value_t = SHEET[0], value_parser = clap::value_parser!(u32).range(64..=4096))]
-    width: u32,
+    /// As wide as high, for messengers: the body alone; 16 to 9, as a slide, if not given
+    #[arg(long)]
+    square: bool,
+    /// In pixels [default: 1280, or 720 of a square]
+    #[arg(long, value_name = "PX", value_parser = clap::value_parser!(u32).range(64..=4096))]
+    width: Option<u32>,
     /// The colours
     #[arg(long, value_parser = theme(), default_value = Theme::Light.name())]
     theme: Theme,
     /// The language of its words: de
     #[arg(long, value_name = "CODE", value_parser = Language::read)]
     language: Option<Language>,
-    /// The folder for the film
-    #[arg(long, value_name = "DIR", default_value = ".")]
-    out: PathBuf,
+    /// The folder for the film; book/print if not given
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
 }
 
 const AXES: &[(&str, Axis)] =
@@ -105,18 +109,20 @@ impl Arguments {
             push: self.push,
             seconds: self.seconds,
             camera: self.camera,
+            square: self.square,
         }
     }
 
-    /// The name of the film's file, without its ending.
-    fn name(&self) -> String {
+    /// The film's file, without its ending.
+    fn file(&self) -> PathBuf {
         let file =
             Path::new(&self.body).file_stem().map_or_else(String::new, |s| s.to_string_lossy().into_owned());
         let mut name: String = file.chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
         let axis = AXES.iter().find(|(_, axis)| *axis == self.axis && *axis != Axis::Middle);
         axis.iter().for_each(|(axis, _)| name.push_str(&format!("-{axis}")));
+        name.push_str(if self.square { "-square" } else { "" });
         self.language.iter().for_each(|own| name.push_str(&format!("-{}", own.code)));
-        name
+        self.out.clone().unwrap_or_else(|| paths::book().join("print")).join(name)
     }
 }
 
@@ -125,7 +131,8 @@ impl Arguments {
 /// # Errors
 /// A body that cannot be read, a spin that it cannot have, a folder that cannot be written.
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    own_folder_refused(&arguments.out)?;
+    let file = arguments.file();
+    own_folder_refused(file.parent().unwrap_or(&file))?;
     let model = body(&arguments.body)?;
     let film = Film::new(&model, &arguments.request(&model))?;
     say!("{}", film.explained()?);
@@ -133,8 +140,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let shown = |i: u32| picture(&film, f64::from(i) / f64::from(count), arguments);
     let written = match arguments.format {
         Format::Gif => whole(arguments, &film, count, &shown)?,
-        Format::Mp4 => video(&arguments.out.join(format!("{}.mp4", arguments.name())), count, &shown)?,
-        Format::Frames => frames(&arguments.out.join(arguments.name()), count, &shown)?,
+        Format::Mp4 => video(&file.with_extension("mp4"), count, &shown)?,
+        Format::Frames => frames(&file, count, &shown)?,
     };
     say!("{written}");
     Ok(())
@@ -145,7 +152,8 @@ fn picture(film: &Film, share: f64, arguments: &Arguments) -> Result<Picture, St
     let svg = film.frame(share).map_err(|e| e.to_string())?;
     let svg = arguments.language.as_ref().map_or(svg.clone(), |own| own.markup(&svg).0);
     let drawing = Drawing::read(&arguments.theme.dressed(&svg)).map_err(|e| e.to_string())?;
-    drawing.picture(arguments.width).map_err(|e| e.to_string())
+    let width = arguments.width.unwrap_or(if arguments.square { 720 } else { 1280 });
+    drawing.picture(width).map_err(|e| e.to_string())
 }
 
 type Shown<'a> = &'a (dyn Fn(u32) -> Result<Picture, String> + Sync);
@@ -168,7 +176,7 @@ fn whole(arguments: &Arguments, film: &Film, count: u32, shown: Shown<'_>) -> Re
     let mut writer = Writer::new(palette, size, milliseconds)?;
     each(count, shown, |_, picture| Ok(writer.add(picture)?))?;
     let bytes = writer.finish()?;
-    let file = arguments.out.join(format!("{}.gif", arguments.name()));
+    let file = arguments.file().with_extension("gif");
     write_changed(&file, &bytes)?;
     let (at, size, [wide, high]) = (file.display(), bytes.len().div_ceil(1000), size);
     Ok(format!("  {at}  {size} kB, {count} pictures of {wide} × {high}"))
@@ -208,7 +216,6 @@ fn frames(folder: &Path, count: u32, shown: Shown<'_>) -> Result<String, Box<dyn
 mod tests {
     use super::*;
     use crate::cli::Cli;
-    use crate::site::paths;
     use clap::Parser as _;
     use std::fs;
 
@@ -226,12 +233,15 @@ mod tests {
         let phone = paths::repository().join("examples/bodies/phone.toml").to_string_lossy().into_owned();
         let short = ["--seconds", "0.2", "--width", "160"];
         filmed(&[&["book"], &short[..]].concat(), folder.path()).unwrap();
+        filmed(&[&["book", "--square"], &short[..]].concat(), folder.path()).unwrap();
         filmed(&[&[&*phone, "--axis", "largest"], &short[..]].concat(), folder.path()).unwrap();
         filmed(&[&[&*phone, "--format", "frames", "--theme", "navy"], &short[..]].concat(), folder.path())
             .unwrap();
         let start = |name: &str| fs::read(folder.path().join(name)).unwrap()[..4].to_vec();
         assert_eq!(start("book.gif"), b"GIF8");
         assert_eq!(start("phone-largest.gif"), b"GIF8");
+        let square = fs::read(folder.path().join("book-square.gif")).unwrap();
+        assert_eq!(square[6..10], [160, 0, 160, 0], "width and height");
         assert_eq!(start("phone/0004.png"), b"\x89PNG");
         assert!(!folder.path().join("phone/0005.png").exists(), "0.2 s at 20 pictures a second are four");
     }

@@ -16,6 +16,9 @@ pub(crate) struct Arguments {
     /// A name such as `phone` or `hammer`, a TOML file, or FILE.urdf#LINK
     #[arg(value_parser = draw::body)]
     body: BodyModel,
+    /// With the step that an engine needs for it
+    #[arg(long)]
+    engine: bool,
     /// The folder; the present one if not given
     #[arg(long, value_name = "DIR", default_value = ".")]
     out: PathBuf,
@@ -29,8 +32,8 @@ pub(crate) struct Arguments {
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let html = arguments.out.join(format!("{}.html", folder_name(&arguments.body.name)));
     // The book's letters travel with the page.
-    let page =
-        tumbling_figures::report(&arguments.body)?.replacen("<style>", &format!("<style>{}", fonts()?), 1);
+    let style = format!("<style>{}", fonts()?);
+    let page = tumbling_figures::report(&arguments.body, arguments.engine)?.replacen("<style>", &style, 1);
     write_changed(&html, page.as_bytes())?;
     say!("{}", html.display());
     let Some(browser) = browser::found() else {

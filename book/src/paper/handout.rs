@@ -40,7 +40,7 @@ pub(super) fn sheet(paper: &Paper, name: &str, size: Size, fit: usize) -> Result
         say("The book has the programs that check these numbers, the exercises and the answers."),
         say("Text and figures"),
         escaped(&say(&paper.about.authors.join(", "))),
-        home::address().map_or(String::new(), |address| format!(", {}", escaped(address))),
+        escaped(&home::address()),
     );
     let title = format!("{}: {}", page.title, say("handout"));
     let class = format!("handout fit-{fit}");

@@ -3,7 +3,7 @@
 use super::page::Page;
 use super::pages::Paper;
 use super::sheet::{self, Size, after};
-use super::tree::{Element, Node, rewritten, xml};
+use super::tree::{Element, Node, rewritten, text, xml};
 use crate::language::Language;
 use crate::site::home;
 use crate::site::places::escaped;
@@ -44,17 +44,14 @@ pub(super) fn sheet(
         let items = problems[from..to].iter().map(|problem| {
             let nodes = if answers { &problem.answer } else { &problem.asked };
             // What takes longer to answer has more room.
-            let room =
-                1 + problem.answer.iter().filter_map(Node::element).map(|e| e.text().len()).sum::<usize>()
-                    / 90;
-            let words = xml(&sheet::within(nodes, class));
+            let (room, words) = (1 + text(&problem.answer).len() / 90, xml(&sheet::within(nodes, class)));
             format!("<li class=\"problem\" style=\"flex-grow: {room}\">{words}</li>\n")
         });
         format!("<ol start=\"{}\">{}</ol>\n", from + 1, items.collect::<String>())
     };
     let title = format!("{}: {}", page.title, say(class));
-    let address = home::address().map_or(String::new(), |address| format!(" ({address})"));
-    let of = escaped(&format!("{} {}{address}, CC BY 4.0.", say("From the book"), paper.about.title));
+    let of = format!("{} {}, CC BY 4.0{}.", say("From the book"), paper.about.title, home::address());
+    let of = escaped(&of);
     let (head, count) = (format!("<h1>{}</h1>\n", escaped(&title)), problems.len());
     let body = if answers {
         let all = list(0, count);
@@ -80,18 +77,23 @@ pub(super) fn sheet(
 
 /// The problems in another language, paragraph by paragraph.
 fn translated(problems: Vec<Problem>, own: &Language) -> Result<Vec<Problem>, String> {
-    let mut said = own.paragraphs(PAGE);
+    let (mut left, mut lost) = (own.page.get(PAGE).cloned().unwrap_or_default(), Vec::new());
     let mut say = |nodes: Vec<Node>| {
         rewritten(nodes, &mut |mut element| {
             if ["p", "h2"].contains(&element.name.as_str()) {
-                element.children = vec![Node::Text(said.take(&element.text()))];
+                let said = left.remove(&element.text());
+                lost.extend(said.is_none().then(|| element.text()));
+                element.children = said.into_iter().map(Node::Text).collect();
             }
             vec![element.into()]
         })
     };
     let problems =
         problems.into_iter().map(|one| Problem { asked: say(one.asked), answer: say(one.answer) }).collect();
-    said.done().map(|()| problems)
+    lost.extend(left.into_keys());
+    let wrong =
+        || format!("book/words.{}.toml and book/chapters/{PAGE}.md differ: {}", own.code, lost.join("; "));
+    if lost.is_empty() { Ok(problems) } else { Err(wrong()) }
 }
 
 /// The problems of this chapter in the page of problems.

@@ -24,10 +24,10 @@ pub(crate) fn line() -> String {
     listed(CITATION).join(" · ") + " · [Licences](about.md#whose-it-is)"
 }
 
-/// Where the book is to be found, once it is set.
-pub(crate) fn address() -> Option<&'static str> {
-    let of = |key: &str| CITATION.lines().find_map(|line| line.strip_prefix(key));
-    of("url: ").or_else(|| of("repository-code: ")).map(|address| address.trim_matches('"'))
+/// `, ADDRESS`, once it is set.
+pub(crate) fn address() -> String {
+    let address = CITATION.lines().find_map(|line| line.strip_prefix("url: "));
+    address.map_or_else(String::new, |address| format!(", {}", address.trim_matches('"')))
 }
 
 fn listed(citation: &str) -> Vec<String> {

@@ -92,11 +92,10 @@ impl<'a> Reader<'a> {
         let goes = |field: &str| field == by || [with, sizes, &always].iter().any(|all| all.contains(&field));
         match reader.present.iter().find(|(field, _)| !goes(field)) {
             Some((field, _)) => {
-                let own = [sizes, with].concat().iter().map(|name| format!("`{name}`")).collect::<Vec<_>>();
+                let own = [sizes, with].concat().join("`, `");
                 let of = table.shape.as_ref().map_or(by, |shape| shape.get_ref());
-                let why = format!("it does not go with `{of}`, which takes {}", own.join(", "));
-                Err(reader
-                    .wrong(field, if own.is_empty() { format!("it does not go with `{of}`") } else { why }))
+                let takes = if own.is_empty() { own } else { format!(", which takes `{own}`") };
+                Err(reader.wrong(field, format!("it does not go with `{of}`{takes}")))
             }
             None => Ok(reader),
         }
@@ -247,8 +246,8 @@ impl<'a> Reader<'a> {
     }
 
     fn parts(&self) -> Result<BodyModel, Error> {
-        let (mut whole, mut surfaces, mut question) = (Compound::new(), Vec::new(), None);
-        let mut places = Vec::new();
+        let (mut whole, mut surfaces, mut question, mut places) =
+            (Compound::new(), Vec::new(), None, Vec::new());
         for part in self.table.part.iter().flat_map(Spanned::get_ref) {
             let span = part.span();
             let reader = Reader::new(self.text, part.get_ref(), &span, self.files)?;

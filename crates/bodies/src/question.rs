@@ -32,25 +32,15 @@ pub(crate) fn of(
     name: &str,
     needed: &[&str],
 ) -> Option<String> {
-    if ["plate", "disk", "rod"].contains(&name) {
-        return None;
-    }
+    let thin = ["plate", "disk", "rod"].contains(&name);
     if let Some((_, span)) = present.iter().find(|(field, _)| *field == "density") {
-        let table: Table = from_toml(&format!("density = {}", &text[span.clone()])).ok()?;
-        let (density, bare) = (number(&table.density), bare(&text[span.clone()]));
-        let shown =
-            if bare { format!("{density} kg/m³") } else { text[span.clone()].replace(['"', '\''], "") };
-        let meant = if bare && SOLIDS.contains(&(1e3 * density)) { "is this in g/cm3?" } else { NONE_IS };
-        return (!SOLIDS.contains(&density)).then(|| format!("{shown}: {meant}"));
+        return dense(&text[span.clone()]).filter(|_| !thin);
     }
     let given = present.iter().filter(|(field, _)| needed.contains(field) || *field == "mass");
     let given: Vec<_> = given.map(|(field, span)| (*field, &text[span.clone()])).collect();
-    let (&(last, mass), sizes) = given.split_last()?;
+    let (&(_, mass), sizes) = given.split_last().filter(|_| !thin)?;
     let sizes = sizes.iter().map(|size| size.1).collect::<Vec<_>>().join(", ");
     let [in_kg, in_m] = [mass, &sizes].map(|all| all.split(',').any(bare));
-    if last != "mass" {
-        return None;
-    }
     // Where a solid can be so dense, how far it is from a thing in the hand, by density and mass.
     let far = |m: &str, kg: &str| {
         let line = |(field, text): &(&str, &str)| {
@@ -63,8 +53,7 @@ pub(crate) fn of(
         let off = |x: f64, usual: f64| (x / usual).log10().abs();
         SOLIDS.contains(&density).then(|| off(density, 1e3) + off(number(&table.mass), 0.3))
     };
-    let mixed = [mass, &sizes].iter().any(|all| !all.split(',').all(bare));
-    if !mixed && far("m", "kg").is_some() {
+    if [mass, &sizes].iter().all(|all| all.split(',').all(bare)) && far("m", "kg").is_some() {
         return None;
     }
     let pairs = [("m", "g"), ("cm", "kg"), ("cm", "g"), ("mm", "kg"), ("mm", "g")];
@@ -81,13 +70,22 @@ pub(crate) fn of(
         true => format!("{all} {unit}"),
         false => with_unit(all, unit),
     };
-    let shown = format!("{} in {}", shown(mass, "kg"), shown(&sizes, "m").replace(',', " ×"));
-    let plain = shown.replace(['[', ']', '"', '\''], "");
-    let odd = in_m == in_kg && far("m", "kg").is_none();
+    let plain = |all: &str, unit: &str| shown(all, unit).replace(['[', ']', '"', '\''], "");
+    let plain = format!("{} in {}", plain(mass, "kg"), plain(&sizes, "m").replace(',', " ×"));
     match words.is_empty() {
         false => Some(format!("{plain}: is this in {words}?")),
-        true => odd.then(|| format!("{plain}: {NONE_IS}")),
+        true => (in_m == in_kg && far("m", "kg").is_none()).then(|| format!("{plain}: {NONE_IS}")),
     }
+}
+
+/// As [`of`], of a density as written.
+fn dense(written: &str) -> Option<String> {
+    let table: Table = from_toml(&format!("density = {written}")).ok()?;
+    let density = number(&table.density);
+    let unit = if bare(written) { " kg/m³" } else { "" };
+    let meant =
+        if bare(written) && SOLIDS.contains(&(1e3 * density)) { "is this in g/cm3?" } else { NONE_IS };
+    (!SOLIDS.contains(&density)).then(|| format!("{}{unit}: {meant}", written.replace(['"', '\''], "")))
 }
 
 /// Of parts, each with its centre and its reach, m: whether one that lies ten times its own size from all

@@ -10,7 +10,8 @@ use std::f64::consts::TAU;
 use tumbling::Axis;
 
 /// Width and height of a drawing.
-pub const SHEET: [u32; 2] = [640, 360];
+const SHEET: [u32; 2] = [640, 360];
+const SQUARE: [u32; 2] = [412, 412];
 
 /// Where the body's centre is drawn, and where the ellipsoid's.
 const BODY: P = (206.0, 204.0);
@@ -74,9 +75,12 @@ impl Film {
     /// # Errors
     /// A share that is not finite.
     pub fn frame(&self, share: f64) -> Result<String, Box<dyn Error>> {
-        let canvas = Canvas::sized(SHEET[0], SHEET[1]);
+        let [wide, high] = self.sheet();
+        let canvas = Canvas::sized(wide, high);
         self.body(&canvas, share)?;
-        self.polhode(&canvas, share)?;
+        if !self.request.square {
+            self.polhode(&canvas, share)?;
+        }
         self.words(&canvas, share);
         let title = format!("{} in free motion", self.name);
         Ok(canvas.finish("film", &title, &self.explained()?))
@@ -90,7 +94,8 @@ impl Film {
         let (pole, ink) = (rotation * axis, ink_of(self.request.axis));
         let of_body = view(BODY, self.scale, AZIMUTH);
         // A pin along the axis of the spin: it shows which way round the body is.
-        let surface = self.support(&axis);
+        let along = self.surfaces.iter().flat_map(|s| &s.vertices).map(|p| p.dot(&axis));
+        let surface = along.fold(0.0, f64::max) * self.scale;
         let pin = |from: f64| {
             let [from, to] = [from, surface + PIN].map(|along| arrows.at(&(pole * along)));
             canvas.line(from, to, Pen::new(ink, 5.0));
@@ -117,12 +122,6 @@ impl Film {
         canvas.arrow(BODY, (x, y), Pen::new(Ink::Omega, 3.2));
         canvas.disc(BODY, 3.5, Fill::new(Ink::Text), None);
         Ok(())
-    }
-
-    /// How far the body goes along this direction from its centre of mass, as drawn.
-    fn support(&self, axis: &Vector3<f64>) -> f64 {
-        let along = self.surfaces.iter().flat_map(|s| &s.vertices).map(|p| p.dot(axis)).fold(0.0, f64::max);
-        along * self.scale
     }
 
     /// How large a metre of the body is drawn, so that its whole motion fills its room.
@@ -165,21 +164,19 @@ impl Film {
                 ellipsoid.curve(canvas, &view, &ellipsoid.separatrix(sign), pen, faint);
             }
         }
-        for axis in Axis::ALL {
-            for sign in [1.0, -1.0] {
-                let mut end = Vector3::zeros();
-                end[axis as usize] = sign * ellipsoid.reach[axis as usize];
-                if end.dot(&view.toward()) > 0.0 {
-                    canvas.disc(view.at(&end), 4.0, Fill::new(ink_of(axis)), None);
-                }
+        // The axis that is named: its ends.
+        let axis = self.request.axis;
+        for sign in [1.0, -1.0] {
+            let end = Vector3::ith(axis as usize, sign * ellipsoid.reach[axis as usize]);
+            if end.dot(&view.toward()) > 0.0 {
+                canvas.disc(view.at(&end), 4.0, Fill::new(ink_of(axis)), None);
             }
         }
         let path: Vec<_> = (0..=240).map(|i| on_it(f64::from(i) / 240.0)).collect::<Result<_, _>>()?;
         let behind = Some(Pen::new(Ink::Omega, 1.2).opacity(0.4));
         ellipsoid.curve(canvas, &view, &path, Pen::new(Ink::Omega, 2.0), behind);
         let here = on_it(share)?;
-        let seen = ellipsoid.moments.component_mul(&here).dot(&view.toward()) > 0.0;
-        let opacity = if seen { 1.0 } else { 0.4 };
+        let opacity = if moments.component_mul(&here).dot(&view.toward()) > 0.0 { 1.0 } else { 0.4 };
         canvas.disc(view.at(&here), 6.0, Fill::new(Ink::Omega).opacity(opacity), None);
         Ok(())
     }
@@ -192,16 +189,28 @@ impl Film {
             Camera::Momentum => "seen turning with it",
         };
         canvas.label((BODY.0 + 28.0, 22.0), &small(from.into()));
-        canvas.label((626.0, 22.0), &small("the spin's path in the body".into()).end());
         canvas.label((14.0, 22.0), &small("spin $!ω$".into()).ink(Ink::Omega));
         canvas.label((14.0, 42.0), &small("momentum $!L$".into()).ink(Ink::Momentum));
         canvas.label((14.0, 62.0), &small(word(self.request.axis).into()).ink(ink_of(self.request.axis)));
         let name: String = self.name.chars().take(36).collect();
         let spin = spin_in_words(self.request.spin, self.request.axis);
-        let words = format!("{name}, {spin}, push {}", share_in_words(self.push));
-        canvas.label((14.0, 346.0), &small(words));
+        let mut words = format!("{name}, {spin}, {}", share_in_words(self.push));
+        let [right, mut low] = self.sheet().map(|edge| f64::from(edge) - 14.0);
+        if self.request.square {
+            canvas.label((14.0, low), &small(words.split_off(name.len()).split_off(2)));
+            low -= 22.0;
+        } else {
+            canvas.label((right, 22.0), &small("the spin's path in the body".into()).end());
+        }
+        canvas.label((14.0, low), &small(words));
+        // As many decimals as frames differ by.
+        let decimals = (1.0 - (self.length.motion / 30.0).log10().floor()).clamp(0.0, 9.0) as usize;
         let time = share * self.length.motion;
-        canvas.label((626.0, 346.0), &small(format!("t = {} s", clock(time, self.length.motion))).end());
+        canvas.label((right, low), &small(format!("t = {time:.decimals$} s")).end());
+    }
+
+    fn sheet(&self) -> [u32; 2] {
+        if self.request.square { SQUARE } else { SHEET }
     }
 }
 
@@ -217,10 +226,4 @@ fn word(axis: Axis) -> &'static str {
 pub(super) fn spin_in_words(spin: f64, axis: Axis) -> String {
     let turns = units::number(spin / TAU, 4);
     format!("{turns} turn{}/s about its {}", if turns == "1" { "" } else { "s" }, word(axis))
-}
-
-/// A time with as many decimals as frames differ by, of a motion this long, s.
-fn clock(time: f64, whole: f64) -> String {
-    let decimals = (1.0 - (whole / 30.0).log10().floor()).clamp(0.0, 9.0) as usize;
-    format!("{time:.decimals$}")
 }

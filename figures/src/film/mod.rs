@@ -3,7 +3,7 @@
 mod frame;
 mod length;
 
-pub use frame::{Projection, SHEET};
+pub use frame::Projection;
 
 use crate::figures::polhode::Ellipsoid;
 use crate::units;
@@ -40,12 +40,14 @@ pub struct Request {
     pub seconds: Option<f64>,
     /// None lets the film choose.
     pub camera: Option<Camera>,
+    /// As wide as high, with the body alone, or as wide as a slide, with the path of the spin in the body.
+    pub square: bool,
 }
 
 impl Default for Request {
     /// A turn a second about the middle axis.
     fn default() -> Self {
-        Self { axis: Axis::Middle, spin: TAU, push: None, seconds: None, camera: None }
+        Self { axis: Axis::Middle, spin: TAU, push: None, seconds: None, camera: None, square: false }
     }
 }
 
@@ -150,7 +152,7 @@ impl Film {
         let end = if seamless { "it starts again without a seam" } else { "it does not close" };
         let spin = frame::spin_in_words(self.request.spin, self.request.axis);
         let (push, why) = (share_in_words(self.push), &self.length.why);
-        Ok(format!("{}: {spin}, push {push}; {why}; {end}", self.name))
+        Ok(format!("{}: {spin}, {push}; {why}; {end}", self.name))
     }
 
     /// The body's attitude as the camera sees it, at this share of the film.
@@ -167,13 +169,10 @@ impl Film {
                 UnitQuaternion::from_axis_angle(&Vector3::z_axis(), -self.length.missing * share)
             }
             // Seen along the same direction as at the start, when the spin's axis points upwards.
-            Camera::Body => self.upright() * attitude.inverse(),
+            Camera::Body => {
+                upwards(&self.frame.column(self.request.axis as usize).into()) * attitude.inverse()
+            }
         }
-    }
-
-    /// The attitude in which the axis of the spin points upwards.
-    fn upright(&self) -> UnitQuaternion<f64> {
-        upwards(&self.frame.column(self.request.axis as usize).into_owned())
     }
 }
 
@@ -192,7 +191,7 @@ fn thrown(model: &BodyModel, request: &Request, push: f64) -> Result<Body, Box<d
     Ok(Body::spinning(model.inertia, attitude, &omega)?)
 }
 
-/// A share in percent.
+/// A share of the spin, in percent, about another axis.
 fn share_in_words(share: f64) -> String {
-    units::number(100.0 * share, 3) + " %"
+    units::number(100.0 * share, 3) + " % of that across"
 }
