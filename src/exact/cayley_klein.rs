@@ -150,12 +150,12 @@ impl<T: Series> DirectPair<T> {
         let n = T::integer;
         let [[h1, h2, h3], sinh] = Self::waves(&q, &fall, &rise);
         let [l1, l2, l3] = sinh.map(|x| sense.clone() * x);
-        // The next terms, of which the first have four waves and the others seven.
-        let rest = || n(16) * powi(q.clone(), 28);
-        let odd_rest = || n(16) * powi(q.clone(), 21);
+        // The next terms: one wave, four over that of 2z, and seven over that of z.
+        let rest = |most: u32| n(2) * n(most) * powi(q.clone(), 28);
+        let odd_rest = || n(8) * powi(q.clone(), 21);
         // (C22)
-        let a_real = [(n(1) - h2.clone()).up_to(rest), -h1 + n(3) * h3.clone(), n(2) * h2, -n(4) * h3];
-        let a_imaginary = [(-l1 + l3.clone()).up_to(rest), n(2) * l2, -n(4) * l3];
+        let a_real = [(n(1) - h2.clone()).up_to(|| rest(1)), -h1 + n(3) * h3.clone(), n(2) * h2, -n(4) * h3];
+        let a_imaginary = [(-l1 + l3.clone()).up_to(|| rest(4)), n(2) * l2, -n(4) * l3];
         // (C23)
         let [[c0, c1, c2], [d0, d1, d2]] = Self::odd_waves(&q, [&fall, &less], &rise);
         let b_along_sin =
@@ -322,7 +322,6 @@ impl<T: Series> ComplementaryPair<T> {
     pub fn at_saddle(&self) -> [[T; 2]; 2] {
         let (p, p2) = (|| self.nome.clone(), || self.nome.clone() * self.nome.clone());
         let p = [T::one(), p(), p2(), p() * p2(), p2() * p2()];
-        let rest = || T::integer(16) * powi(self.nome.clone(), 25);
         let sum = |wave: usize, weigh: bool| {
             let weight = |n: u32| if weigh { T::integer(n) } else { T::one() };
             let mut total = [T::zero(), T::zero()];
@@ -333,7 +332,7 @@ impl<T: Series> ComplementaryPair<T> {
                 let falling = weight(n) * term.clone() * power.clone();
                 total[1] += if weigh { -falling } else { falling };
             }
-            total.map(|x| x.up_to(rest))
+            total.map(|x| x.up_to(|| T::integer(2) * weight(5) * powi(self.nome.clone(), 25)))
         };
         [false, true].map(|weigh| {
             let ([c0, c1], [s0, s1]) = (sum(0, weigh), sum(1, weigh));
