@@ -150,12 +150,12 @@ impl<T: Series> DirectPair<T> {
         let n = T::integer;
         let [[h1, h2, h3], sinh] = Self::waves(&q, &fall, &rise);
         let [l1, l2, l3] = sinh.map(|x| sense.clone() * x);
-        // The next terms, of which the first have four waves and the others seven.
-        let rest = || n(16) * powi(q.clone(), 28);
-        let odd_rest = || n(16) * powi(q.clone(), 21);
+        // The next terms: one wave, four over that of 2z, and seven over that of z.
+        let rest = |most: u32| n(2) * n(most) * powi(q.clone(), 28);
+        let odd_rest = || n(8) * powi(q.clone(), 21);
         // (C22)
-        let a_real = [(n(1) - h2.clone()).up_to(rest), -h1 + n(3) * h3.clone(), n(2) * h2, -n(4) * h3];
-        let a_imaginary = [(-l1 + l3.clone()).up_to(rest), n(2) * l2, -n(4) * l3];
+        let a_real = [(n(1) - h2.clone()).up_to(|| rest(1)), -h1 + n(3) * h3.clone(), n(2) * h2, -n(4) * h3];
+        let a_imaginary = [(-l1 + l3.clone()).up_to(|| rest(4)), n(2) * l2, -n(4) * l3];
         // (C23)
         let [[c0, c1, c2], [d0, d1, d2]] = Self::odd_waves(&q, [&fall, &less], &rise);
         let b_along_sin =

@@ -35,8 +35,9 @@ pub(crate) fn decay<T: Lane>(main: T, rest: T) -> [T; 2] {
     let within = main.lt(farthest);
     let (main, rest) = (T::select(within, main, farthest), T::select(within, rest, zero));
     let (power, change) = exp_parts(-main, -rest);
+    let beyond = || T::select(within, zero, splat(1e-304));
     // The exponential less 1 is exact in its small digits where the power of two is 1.
-    [power + power * change, (power - 1.0) + power * change]
+    [(power + power * change).up_to(beyond), ((power - 1.0) + power * change).up_to(beyond)]
 }
 
 /// The logarithm of 2 in two parts, the first with room for an exponent's eleven bits.

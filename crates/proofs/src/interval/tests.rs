@@ -9,6 +9,8 @@ use num_traits::{One, Zero};
 use proptest::prelude::*;
 use tumbling::number::Ring;
 
+mod rests;
+
 fn exact(x: f64) -> Rational {
     Rational::of_f64(x)
 }

@@ -55,7 +55,7 @@ proofs! {
             but "said to keep momentum": keeps_only(Engine::MomentumForSpin, &[Energy, LengthOfMomentum, Momentum]),
             but "said to break the energy": keeps_only(Engine::MomentumForSpin, &[LengthOfMomentum]),
         "no-gyroscopic-term": keeps_only(Engine::NoGyroscopicTerm, &[Energy, LengthOfMomentum]),
-            "With constant spin (pitfall 3) energy and the length of momentum stay, which is why it looks right, but momentum turns with the body and Euler's equations break.";
+            "With constant spin (pitfall 3) energy and the length of momentum stay, which is why it looks right, but momentum itself does not, and Euler's equations break.";
             but "said to keep Euler's equations": keeps_only(Engine::NoGyroscopicTerm, &[Energy, LengthOfMomentum, Euler]),
         "wrong-engines-are-right-for-a-ball": ball(&[0, 0, 0]),
             "For a body with three equal moments the law of every engine, right or wrong, keeps every law that applies to it.";

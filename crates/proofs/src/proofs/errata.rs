@@ -28,7 +28,7 @@ proofs! {
             "The attitude that takes the momentum to the third axis by the shortest way and then turns by ψ about it obeys q' = q ω / 2 if ψ' = (2 T + G m3 / I3) / (G + m3).";
             but "a minus in the numerator": rate_of_the_angle(-1),
         "errata-sign-of-the-angle": closed_angle(-1, true),
-            "That rate is the derivative of G t / I3 + G I31 / (λ I1 I3) (Π - (B31 / G) (B13 / B21) arctan((B21 / B13) sd)), with -(B31 / B13)² for the characteristic of Π.";
+            "That rate is the derivative of G t / I3 + G I31 / (λ I1 I3) (Π - (B31 / G) (B13 / B21) arctan((B21 / B13) sd)), with -(B31 / B13)² for the characteristic of Π, and the derivatives of Π and of the arctangent put in.";
             but "a plus before the arctangent": closed_angle(1, true),
             but "B31 not divided by G": closed_angle(-1, false),
         "errata-characteristic-on-the-separatrix": characteristic(true),

@@ -24,7 +24,7 @@ proofs! {
             "A step that turns the attitude by any unit quaternion, and the momentum in body axes by its inverse, keeps the attitude's length, the momentum's and the momentum in the world.";
             but "the momentum turned by the turn itself": turned(Clone::clone),
         "a-turn-about-an-axis-is-undone": undone(2),
-            "A turn about a principal axis leaves the momentum along it alone, and the turn by the opposite angle undoes it.";
+            "A turn about the third axis leaves the momentum along it alone, and the turn by the opposite angle undoes it.";
             but "the momentum along another axis": undone(1),
         "cayley-turn-keeps-energy": cayley(&Fraction::one()),
             "With c = (g1 M1, g2 M2, g3 M3), the turn by half-angle tangents c takes M + c x M to M - c x M, and both have the same length and the same sum of g_i L_i².";

@@ -31,7 +31,7 @@ macro_rules! methods {
                  of every free body through the power of the step that is said to be its order, in every component of attitude \
                  and momentum; for two starts in exact fractions not through the next, so that its order is no higher. Of energy, \
                  momentum, its direction in the world, the attitude's length and reversibility it keeps for these two, through \
-                 two to four powers more, those that it is said to keep, and no other: a test of the first, a proof of the second. \
+                 two or four powers more, those that it is said to keep, and no other: a test of the first, a proof of the second. \
                  Weights that are no roots of whole numbers stand with 27 digits, and what they leave over has no \
                  coefficient above 1e-18; exact ones lie next to them."
             ),

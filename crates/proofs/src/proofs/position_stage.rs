@@ -25,7 +25,7 @@ proofs! {
             but "the change left as the slip": spin(|(_, [_, slip])| slip.clone()),
         "position-stage-roots-are-real": real([51, 51]),
             "Where the numbers that are added to the rate under the three roots come to at most 0.51² without their signs, the rate is at least 9/10 and each number under a root at least 4/5; with such \
-            roots, and bends of at most 0.51, what the turn is divided by is at least 2. A part of a step is a turn of at most half a radian, which bounds them so.";
+            roots, and bends of at most 0.51, what the turn is divided by is at least 2. That a part of a step, a turn of at most half a radian, bounds them so is no part of it.";
             but "turns of up to two radians": real([200, 51]),
             but "bends of up to two": real([51, 200]),
         "energy-gained-is-work-done": work(|p, before, after| p.dot(&(before + after)) / Fraction::from(2)),

@@ -34,7 +34,7 @@ proofs! {
             "About either of two axes with equal moments the rate is zero: neither growth nor swing; about the third it swings.";
             but "w² added": equal(|w, i, a, b| rate_squared(w, i, a, b) + w.pow(2)),
         "pulls-outward": outward(1),
-            "In a frame that turns with the body the centrifugal force on a point, -m w x (w x r), twists it by (I w) x w, the right-hand side of Euler's equations, for every point and spin; and twists and tensors add.";
+            "In a frame that turns with the body the centrifugal force on a point, -m w x (w x r), twists it by (I w) x w, the right-hand side of Euler's equations, for every point and spin. That twists and tensors add is no part of it.";
             but "forces toward the axis": outward(-1),
         "tilts-in-the-turning-frame": tilts(1),
             "In a frame that turns at the steady spin w about one axis, Euler's equations are, for small tilts a and b about the other two, I_a a'' = w² (I_b - I) a + w (I_a + I_b - I) b' and \
