@@ -89,7 +89,7 @@ impl Advice {
         match (&rule.alteration, &rule.base) {
             (Some(Alteration::OtherMoments(..)), _) => with(
                 AXES,
-                "The engine steps a body with other moments than the record says: look for a wrong order of axes, a principal \
+                "The engine steps a body with other moments, or about other axes, than the record says: look for a wrong order of axes, a principal \
                  frame that is left out, or a shape that replaces the moments set. A free body shows their ratios, never their \
                  common scale.",
             ),
@@ -142,7 +142,7 @@ impl Advice {
 
     const KEEPS_LAWS: Self = with(
         STEPS,
-        "Its equations conserve energy and momentum; what is left is an error of phase, smaller in shorter steps.",
+        "Energy and momentum do not drift by it: what is left is an error of phase, smaller in shorter steps.",
     );
     const OF_ORDER: Self = with(
         STEPS,
@@ -181,13 +181,8 @@ impl Advice {
                 STEPS,
                 "Everything is stepped straight ahead, and the energy grows without bound: use three exact turns a step.",
             ),
-            Method::RungeKutta4
-            | Method::DormandPrince5
-            | Method::TurnedRungeKutta4
-            | Method::Buss
-            | Method::Spiral
-            | Method::MuntheKaas4 => Self::OF_ORDER,
-            _ => Self::KEEPS_LAWS,
+            _ if method.info().conserved.reversible => Self::KEEPS_LAWS,
+            _ => Self::OF_ORDER,
         }
     }
 }

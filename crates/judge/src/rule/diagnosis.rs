@@ -102,9 +102,8 @@ pub(crate) struct Whole {
     pub unkept: Vec<LawName>,
     /// Whether it fails, whatever its rule.
     pub fails: bool,
-    /// Whether all is kept to rounding; energy and momentum at least.
+    /// Whether all is kept to rounding.
     pub kept: bool,
-    pub lengths: bool,
     /// The share of the pairs of rows that are one step apart.
     pub share: f64,
 }
@@ -229,7 +228,9 @@ fn settled(
     let confidence = match whole.broken.iter().any(kept) {
         true if few => Confidence::FewDigits,
         true => Confidence::MostSteps,
-        false if few && first && !whole.fails && (whole.lengths || sought) => Confidence::SmallErrors,
+        false if few && first && !whole.fails && (whole.unkept.is_empty() || sought) => {
+            Confidence::SmallErrors
+        }
         false => Confidence::ToRounding,
     };
     (ranked, confidence)
@@ -241,7 +242,8 @@ fn settled(
 fn is_biased(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> bool {
     let is_damped = matches!(rule.alteration, Some(Alteration::Damped { .. }));
     let undamped = is_damped.then(|| Rule::plain(rule.base));
-    let (count, root) = (pairs.len() as f64, (pairs.len() as f64).sqrt());
+    let count = pairs.len() as f64;
+    let root = count.sqrt();
     let turned: f64 = pairs.iter().map(|pair| pair.from.omega.norm() * pair.h).sum();
     let follow = |two: &&[Pair]| two[0].to.line == two[1].from.line;
     let parts = (pairs.len() - pairs.windows(2).filter(follow).count()) as f64;
@@ -325,7 +327,7 @@ pub(crate) fn diagnose(
         steps: pairs.len(),
         share: whole.share,
         engines: engine_names(&own, &leading),
-        settings: if whole.fails { settings(&own, &leading) } else { Vec::new() },
+        settings: if whole.fails && named { settings(&own, &leading) } else { Vec::new() },
         leading: leading.iter().map(|rule| rule.times(subject.unit)).collect(),
         error,
         advice: Advice::of(confidence, &best.rule, floor.single, whole, !jumps.is_empty()),
