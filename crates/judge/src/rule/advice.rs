@@ -1,5 +1,6 @@
 //! What to do about a rule that is found, and where the book says more.
 
+use crate::read::Floor;
 use crate::rule::{Alteration, Base, Confidence, Rule, Turn, Whole};
 use tumbling::step::Method;
 
@@ -33,17 +34,19 @@ impl Advice {
 
     const NOTHING: Self = advice("Nothing to do: the steps are the motion itself.");
 
-    /// What follows from the rule that fits best and how well it fits; `single` says whether the record is in
-    /// single precision, `jumps` whether some steps are not the rule's.
+    /// What follows from the rule that fits best and how well it fits; `floor` is the record's rounding, and
+    /// `jumps` says whether some steps are not the rule's.
     pub(crate) fn of(
         confidence: Confidence,
         rule: &Rule,
-        single: bool,
+        floor: Floor,
         whole: &Whole,
         jumps: bool,
     ) -> Vec<Self> {
         let one = match confidence {
-            Confidence::NoneFits => with(STEPS, "Compare the engine's rule with those that are known."),
+            Confidence::NoneFits if !floor.few => {
+                with(STEPS, "Compare the engine's rule with those that are known.")
+            }
             Confidence::Accurate => with(
                 STEPS,
                 "Its errors fall with its step or its tolerance; what drifts in the table goes on drifting.",
@@ -55,8 +58,8 @@ impl Advice {
             Confidence::SmallErrors => advice(
                 "Errors so close to rounding are those of many rules: record a faster spin, or longer steps, and judge it again.",
             ),
-            Confidence::FewDigits if single => advice(Self::SINGLE),
-            Confidence::FewDigits => advice(
+            Confidence::FewDigits if floor.single => advice(Self::SINGLE),
+            Confidence::FewDigits | Confidence::NoneFits => advice(
                 "Write the record with all digits (17 of double precision, 9 of single), and judge it again.",
             ),
             Confidence::MostSteps if jumps => advice(
@@ -66,7 +69,7 @@ impl Advice {
                 "Most steps are this rule's: find what acts in the others, a limit, damping, a contact or a push.",
             ),
             Confidence::ToRounding | Confidence::Near | Confidence::Altered => match Self::of_rule(rule) {
-                Self::NOTHING if single => advice(Self::SINGLE),
+                Self::NOTHING if floor.single => advice(Self::SINGLE),
                 Self::NOTHING if !whole.kept => advice(
                     "Each step is exact to the record's rounding, and over the whole record the laws named here are not kept: \
                      errors below that rounding add up. Record all digits, or longer steps, and judge it again.",

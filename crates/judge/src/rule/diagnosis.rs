@@ -213,10 +213,8 @@ fn settled(
     ranked.alike.retain(is_one);
     let best = ranked.best.rule;
     if !is_one(&best) {
-        if ranked.alike.is_empty() {
-            return (ranked, if astray(&best) { Confidence::FewDigits } else { Confidence::NoneFits });
-        }
-        let first = ranked.alike.remove(0);
+        let Some(&first) = ranked.alike.first() else { return (ranked, Confidence::NoneFits) };
+        ranked.alike.remove(0);
         ranked.best = explained(subject, pairs, first).unwrap_or(ranked.best);
         return (ranked, Confidence::FewDigits);
     }
@@ -330,7 +328,7 @@ pub(crate) fn diagnose(
         settings: if whole.fails && named { settings(&own, &leading) } else { Vec::new() },
         leading: leading.iter().map(|rule| rule.times(subject.unit)).collect(),
         error,
-        advice: Advice::of(confidence, &best.rule, floor.single, whole, !jumps.is_empty()),
+        advice: Advice::of(confidence, &best.rule, floor, whole, !jumps.is_empty()),
         open: alike.iter().any(|rule| is_another(subject, pairs, &best.rule, rule)),
         jumps,
         single: floor.single,
@@ -349,12 +347,10 @@ pub(super) fn jumps(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor
     };
     let off: Vec<Jump> = pairs.iter().filter_map(jump).collect();
     let far = off.iter().filter(|jump| jump.size > JUMP_IN_LIMITS * most).count();
-    if far == 0 {
-        return Some(Vec::new());
-    }
     let rare = far == off.len() && far * JUMP_EVERY <= pairs.len() && far <= RESETS;
     // Of attitudes alone one push is in two turns.
-    (rare && off.windows(3).all(|three| three[2].line > three[0].line + 2)).then_some(off)
+    let apart = off.windows(3).all(|three| three[2].line > three[0].line + 2);
+    if far == 0 { Some(Vec::new()) } else { (rare && apart).then_some(off) }
 }
 
 /// Whether two rules differ where the body is faster.
