@@ -240,8 +240,7 @@ fn settled(
 fn is_biased(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> bool {
     let is_damped = matches!(rule.alteration, Some(Alteration::Damped { .. }));
     let undamped = is_damped.then(|| Rule::plain(rule.base));
-    let count = pairs.len() as f64;
-    let root = count.sqrt();
+    let [count, root] = [pairs.len() as f64, (pairs.len() as f64).sqrt()];
     let turned: f64 = pairs.iter().map(|pair| pair.from.omega.norm() * pair.h).sum();
     let follow = |two: &&[Pair]| two[0].to.line == two[1].from.line;
     let parts = (pairs.len() - pairs.windows(2).filter(follow).count()) as f64;
