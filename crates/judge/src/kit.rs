@@ -82,17 +82,11 @@ impl Story {
         mut step: impl FnMut([T; 4], [T; 3]) -> ([T; 4], [T; 3]),
     ) -> impl Iterator<Item = Row<T>> {
         // A step that is not a number, or zero, has no rows.
-        let steps = Some((self.duration / h).round()).filter(|steps| steps.is_finite()).unwrap_or(-1.0);
+        let steps = Some((self.duration / h).round()).filter(|steps| steps.is_finite() && *steps >= 0.0);
         let mut now = (self.attitude.map(T::of), spin.map(T::of));
-        let mut count = 0.0;
-        std::iter::from_fn(move || {
-            if count > steps {
-                return None;
-            }
-            let row = Row { time: count * h, attitude: Some(now.0), spin: now.1 };
-            now = if count < steps { step(now.0, now.1) } else { now };
-            count += 1.0;
-            Some(row)
+        (0..steps.map_or(0, |steps| steps as u64 + 1)).map(move |i| {
+            now = if i > 0 { step(now.0, now.1) } else { now };
+            Row { time: i as f64 * h, attitude: Some(now.0), spin: now.1 }
         })
     }
 

@@ -180,7 +180,7 @@ impl Growth {
         match self {
             Self::Rounding => "kept to rounding",
             Self::Bounded => "bounded",
-            Self::Stayed => "grew, then stayed",
+            Self::Stayed => "changed, then stayed",
             Self::RandomWalk { .. } => "random walk",
             Self::Linear { .. } => "linear",
             Self::Power { .. } => "faster than linear",

@@ -182,18 +182,14 @@ impl Reading {
             Hand::Left => vector = -vector,
             Hand::One(i) => vector[i] = -vector[i],
         }
-        let kind = match (self.frame, self.kind) {
-            (false, kind) => kind,
-            (true, Kind::SpinBody) => Kind::SpinWorld,
-            (true, Kind::SpinWorld) => Kind::SpinBody,
-            (true, Kind::MomentumBody) => Kind::MomentumWorld,
-            (true, Kind::MomentumWorld) => Kind::MomentumBody,
-            (true, Kind::Attitude) => Kind::Attitude,
-        };
-        let kind = match (self.momentum, kind) {
-            (true, Kind::SpinBody) => Kind::MomentumBody,
-            (true, Kind::SpinWorld) => Kind::MomentumWorld,
-            (_, kind) => kind,
+        let (world, momentum) =
+            (self.kind.in_world() != self.frame, self.kind.is_momentum() || self.momentum);
+        let kind = match (self.kind, world, momentum) {
+            (Kind::Attitude, ..) => Kind::Attitude,
+            (_, false, false) => Kind::SpinBody,
+            (_, true, false) => Kind::SpinWorld,
+            (_, false, true) => Kind::MomentumBody,
+            (_, true, true) => Kind::MomentumWorld,
         };
         let omega = Raw { attitude, vector, ..*raw }.omega(kind, moments);
         Row { line: raw.line, t: raw.t * self.time, attitude, omega, ahead: None }

@@ -63,13 +63,9 @@ impl<R: BufRead> Rows<R> {
                 && raw.t <= last
             {
                 let i = self.columns.clock.place().unwrap_or(0);
+                let (column, name) = (i + 1, self.columns.names[i].clone());
                 let problem = format!("time does not increase: {} s after {last} s", raw.t);
-                return Err(Error::Field {
-                    line,
-                    column: i + 1,
-                    name: self.columns.names[i].clone(),
-                    problem,
-                });
+                return Err(Error::Field { line, column, name, problem });
             }
             self.rows += 1;
             return Ok(Some(raw));
@@ -104,9 +100,10 @@ impl Exact {
 }
 
 impl Printed {
-    fn of(field: &str, value: f64) -> Self {
+    fn of(field: &str, value: f64, per_second: f64) -> Self {
         let above = if value == 0.0 { 0.0 } else { 10.0_f64.powf(value.abs().log10().floor() + 1.0) };
-        Self { half: 0.5 * last_place(field), digits: significant(field), above }
+        let (half, digits) = (0.5 * last_place(field) / per_second, significant(field));
+        Self { half, digits, above: above / per_second }
     }
 }
 
@@ -148,9 +145,9 @@ fn numbers(
             let problem = format!("the value is {}: from here on there is no motion", shown(field));
             ended.get_or_insert(wrong(problem));
         }
-        if columns.clock.place() == Some(i) {
-            printed = Printed::of(field, value);
-        } else if columns.position.is_none_or(|places| !places.contains(&i)) {
+        if columns.clock == TimeColumn::Time(i) {
+            printed = Printed::of(field, value, columns.per_second);
+        } else if columns.clock.place() != Some(i) && columns.position.is_none_or(|at| !at.contains(&i)) {
             let of_attitude = columns.attitude.is_some_and(|places| places.contains(&i));
             exact[usize::from(!of_attitude)].take(field, value);
         }
@@ -176,14 +173,6 @@ fn read(
         TimeColumn::Time(i) => fields[i] / columns.per_second,
         TimeColumn::Steps(i) => fields[i] * header.step.unwrap_or(1.0),
         TimeColumn::Rows => rows as f64 * header.step.unwrap_or(1.0),
-    };
-    let printed = match columns.clock {
-        TimeColumn::Time(_) => Printed {
-            half: printed.half / columns.per_second,
-            above: printed.above / columns.per_second,
-            ..printed
-        },
-        TimeColumn::Steps(_) | TimeColumn::Rows => Printed::default(),
     };
     let three = |places: Option<[usize; 3]>| {
         Vector3::from(places.map_or([0.0; 3], |places| places.map(|i| fields[i])))

@@ -1,5 +1,6 @@
 //! What to do about a rule that is found, and where the book says more.
 
+use crate::read::Floor;
 use crate::rule::{Alteration, Base, Confidence, Rule, Turn, Whole};
 use tumbling::step::Method;
 
@@ -33,17 +34,19 @@ impl Advice {
 
     const NOTHING: Self = advice("Nothing to do: the steps are the motion itself.");
 
-    /// What follows from the rule that fits best and how well it fits; `single` says whether the record is in
-    /// single precision, `jumps` whether some steps are not the rule's.
+    /// What follows from the rule that fits best and how well it fits; `floor` is the record's rounding, and
+    /// `jumps` says whether some steps are not the rule's.
     pub(crate) fn of(
         confidence: Confidence,
         rule: &Rule,
-        single: bool,
+        floor: Floor,
         whole: &Whole,
         jumps: bool,
     ) -> Vec<Self> {
         let one = match confidence {
-            Confidence::NoneFits => with(STEPS, "Compare the engine's rule with those that are known."),
+            Confidence::NoneFits if !floor.few => {
+                with(STEPS, "Compare the engine's rule with those that are known.")
+            }
             Confidence::Accurate => with(
                 STEPS,
                 "Its errors fall with its step or its tolerance; what drifts in the table goes on drifting.",
@@ -55,8 +58,8 @@ impl Advice {
             Confidence::SmallErrors => advice(
                 "Errors so close to rounding are those of many rules: record a faster spin, or longer steps, and judge it again.",
             ),
-            Confidence::FewDigits if single => advice(Self::SINGLE),
-            Confidence::FewDigits => advice(
+            Confidence::FewDigits if floor.single => advice(Self::SINGLE),
+            Confidence::FewDigits | Confidence::NoneFits => advice(
                 "Write the record with all digits (17 of double precision, 9 of single), and judge it again.",
             ),
             Confidence::MostSteps if jumps => advice(
@@ -66,7 +69,7 @@ impl Advice {
                 "Most steps are this rule's: find what acts in the others, a limit, damping, a contact or a push.",
             ),
             Confidence::ToRounding | Confidence::Near | Confidence::Altered => match Self::of_rule(rule) {
-                Self::NOTHING if single => advice(Self::SINGLE),
+                Self::NOTHING if floor.single => advice(Self::SINGLE),
                 Self::NOTHING if !whole.kept => advice(
                     "Each step is exact to the record's rounding, and over the whole record the laws named here are not kept: \
                      errors below that rounding add up. Record all digits, or longer steps, and judge it again.",
@@ -89,7 +92,7 @@ impl Advice {
         match (&rule.alteration, &rule.base) {
             (Some(Alteration::OtherMoments(..)), _) => with(
                 AXES,
-                "The engine steps a body with other moments than the record says: look for a wrong order of axes, a principal \
+                "The engine steps a body with other moments, or about other axes, than the record says: look for a wrong order of axes, a principal \
                  frame that is left out, or a shape that replaces the moments set. A free body shows their ratios, never their \
                  common scale.",
             ),
@@ -142,7 +145,7 @@ impl Advice {
 
     const KEEPS_LAWS: Self = with(
         STEPS,
-        "Its equations conserve energy and momentum; what is left is an error of phase, smaller in shorter steps.",
+        "Energy and momentum do not drift by it: what is left is an error of phase, smaller in shorter steps.",
     );
     const OF_ORDER: Self = with(
         STEPS,
@@ -181,13 +184,8 @@ impl Advice {
                 STEPS,
                 "Everything is stepped straight ahead, and the energy grows without bound: use three exact turns a step.",
             ),
-            Method::RungeKutta4
-            | Method::DormandPrince5
-            | Method::TurnedRungeKutta4
-            | Method::Buss
-            | Method::Spiral
-            | Method::MuntheKaas4 => Self::OF_ORDER,
-            _ => Self::KEEPS_LAWS,
+            _ if method.info().conserved.reversible => Self::KEEPS_LAWS,
+            _ => Self::OF_ORDER,
         }
     }
 }

@@ -102,9 +102,8 @@ pub(crate) struct Whole {
     pub unkept: Vec<LawName>,
     /// Whether it fails, whatever its rule.
     pub fails: bool,
-    /// Whether all is kept to rounding; energy and momentum at least.
+    /// Whether all is kept to rounding.
     pub kept: bool,
-    pub lengths: bool,
     /// The share of the pairs of rows that are one step apart.
     pub share: f64,
 }
@@ -214,10 +213,8 @@ fn settled(
     ranked.alike.retain(is_one);
     let best = ranked.best.rule;
     if !is_one(&best) {
-        if ranked.alike.is_empty() {
-            return (ranked, if astray(&best) { Confidence::FewDigits } else { Confidence::NoneFits });
-        }
-        let first = ranked.alike.remove(0);
+        let Some(&first) = ranked.alike.first() else { return (ranked, Confidence::NoneFits) };
+        ranked.alike.remove(0);
         ranked.best = explained(subject, pairs, first).unwrap_or(ranked.best);
         return (ranked, Confidence::FewDigits);
     }
@@ -229,7 +226,9 @@ fn settled(
     let confidence = match whole.broken.iter().any(kept) {
         true if few => Confidence::FewDigits,
         true => Confidence::MostSteps,
-        false if few && first && !whole.fails && (whole.lengths || sought) => Confidence::SmallErrors,
+        false if few && first && !whole.fails && (whole.unkept.is_empty() || sought) => {
+            Confidence::SmallErrors
+        }
         false => Confidence::ToRounding,
     };
     (ranked, confidence)
@@ -241,7 +240,7 @@ fn settled(
 fn is_biased(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> bool {
     let is_damped = matches!(rule.alteration, Some(Alteration::Damped { .. }));
     let undamped = is_damped.then(|| Rule::plain(rule.base));
-    let (count, root) = (pairs.len() as f64, (pairs.len() as f64).sqrt());
+    let [count, root] = [pairs.len() as f64, (pairs.len() as f64).sqrt()];
     let turned: f64 = pairs.iter().map(|pair| pair.from.omega.norm() * pair.h).sum();
     let follow = |two: &&[Pair]| two[0].to.line == two[1].from.line;
     let parts = (pairs.len() - pairs.windows(2).filter(follow).count()) as f64;
@@ -325,10 +324,10 @@ pub(crate) fn diagnose(
         steps: pairs.len(),
         share: whole.share,
         engines: engine_names(&own, &leading),
-        settings: if whole.fails { settings(&own, &leading) } else { Vec::new() },
+        settings: if whole.fails && named { settings(&own, &leading) } else { Vec::new() },
         leading: leading.iter().map(|rule| rule.times(subject.unit)).collect(),
         error,
-        advice: Advice::of(confidence, &best.rule, floor.single, whole, !jumps.is_empty()),
+        advice: Advice::of(confidence, &best.rule, floor, whole, !jumps.is_empty()),
         open: alike.iter().any(|rule| is_another(subject, pairs, &best.rule, rule)),
         jumps,
         single: floor.single,
@@ -347,12 +346,10 @@ pub(super) fn jumps(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor
     };
     let off: Vec<Jump> = pairs.iter().filter_map(jump).collect();
     let far = off.iter().filter(|jump| jump.size > JUMP_IN_LIMITS * most).count();
-    if far == 0 {
-        return Some(Vec::new());
-    }
     let rare = far == off.len() && far * JUMP_EVERY <= pairs.len() && far <= RESETS;
     // Of attitudes alone one push is in two turns.
-    (rare && off.windows(3).all(|three| three[2].line > three[0].line + 2)).then_some(off)
+    let apart = off.windows(3).all(|three| three[2].line > three[0].line + 2);
+    if far == 0 { Some(Vec::new()) } else { (rare && apart).then_some(off) }
 }
 
 /// Whether two rules differ where the body is faster.

@@ -59,8 +59,10 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
             };
             all.extend(fitted.into_iter().flat_map(rule));
         }
-        // A rule that keeps the laws goes along the exact motion's curve, at any rate that a number gives.
-        let keeps = Rule::plain(base).keeps(LawName::Separatrix) || base.is_accurate();
+        // A rule that keeps the laws goes along the exact motion's curve, at any rate that a number gives; an
+        // accurate one nearly so.
+        let is_accurate = matches!(base, Base::Method(method, _) if method.info().order > 2);
+        let keeps = is_accurate || Rule::plain(base).keeps(LawName::Separatrix);
         let far = if keeps { RATE_APART } else { NEAR_A_TERM[1] };
         let is_still = matches!(base, Base::Method(Method::ConstantSpin, _));
         if !is_still && (!keeps || base == Base::Exact) && term.is_finite() {

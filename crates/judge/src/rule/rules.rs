@@ -113,9 +113,7 @@ impl Rule {
             _ => None,
         }
     }
-}
 
-impl Rule {
     /// Whether it keeps a law, whatever the step.
     pub(crate) fn keeps(&self, law: LawName) -> bool {
         let [energy, momentum, direction] = match (self.base, self.alteration) {
@@ -210,11 +208,6 @@ impl Base {
     /// These, and every other rule in one part.
     pub(crate) fn of_one_part() -> Vec<Self> {
         distinct(Self::all().into_iter().chain(Self::every()).collect())
-    }
-
-    /// Whether its steps are those of the motion but for a small share.
-    pub(crate) fn is_accurate(&self) -> bool {
-        matches!(self, Self::Method(method, _) if method.info().order > 2)
     }
 
     /// With this alteration.

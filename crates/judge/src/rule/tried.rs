@@ -9,6 +9,9 @@ use crate::rule::{
 use crate::thresholds::{ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, AS_EXACT, CLEAR, PARTS, TRIED_IN_PARTS};
 use tumbling::step::Method;
 
+/// Rules with numbers that are fitted to the pairs, of numbers with this rounding.
+type Fitted = fn(&Subject, &[Pair], f64) -> Vec<Rule>;
+
 pub(super) fn explained(subject: &Subject, pairs: &[Pair], rule: Rule) -> Option<Explanation> {
     let residuals = pairs.iter().map(|pair| subject.residual(&rule, pair)).collect();
     middle_and_most(residuals).map(|[median, percentile_95]| Explanation { rule, median, percentile_95 })
@@ -49,7 +52,7 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
         found.extend(in_parts);
     }
     found.extend(equals(&found, floor).into_iter().filter_map(explained));
-    let more: [fn(&Subject, &[Pair], f64) -> Vec<Rule>; 3] = [frozen_at, compound, other_bodies];
+    let more: [Fitted; 3] = [frozen_at, compound, other_bodies];
     for rules in more {
         if free && !fits(&found) {
             found.extend(rules(subject, pairs, floor.size).into_iter().filter_map(explained));

@@ -115,7 +115,6 @@ impl End<'_> {
             broken,
             unkept: unkept.map(|law| law.name).collect(),
             fails,
-            lengths: self.laws.iter().filter(|law| is_length(law.name)).all(|law| law.growth.rank() == 0),
             kept: !laws.untraceable() && self.laws.iter().all(|law| law.growth.rank() == 0),
             share: sample.seen() as f64 / (*pairs).max(1) as f64,
         }
@@ -141,12 +140,8 @@ impl End<'_> {
         }
         all.extend(self.otherwise().map(|off| Complaint::Otherwise { off }));
         if self.free() && *rows >= ENOUGH_ROWS {
-            all.extend(wrong_pace(
-                self.laws,
-                laws.separatrix().map(|x| x[0]),
-                laws.ways_round(),
-                self.options,
-            ));
+            let first = laws.separatrix().map(|x| x[0]);
+            all.extend(wrong_pace(self.laws, first, laws.ways_round(), self.options));
         }
         all
     }

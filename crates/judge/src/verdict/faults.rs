@@ -28,17 +28,17 @@ pub(crate) fn wrong_rule(diagnosis: &Diagnosis) -> Option<Complaint> {
 }
 
 /// Whether shorter steps do not lead to the motion of the body.
-fn is_wrong(rule: &Rule) -> bool {
-    let plain = Rule::plain(rule.base);
-    let still = plain.method().is_some_and(|(method, _)| method == Method::ConstantSpin);
-    // A limit on the turn of a step is out of reach of shorter ones, a limit on the spin is not.
+const fn is_wrong(rule: &Rule) -> bool {
     let base = match rule.base {
-        Base::Engine(engine) => engine.limits.component.is_some(),
-        Base::Straight(method, _) => method == Method::ConstantSpin,
-        Base::FrozenTensor(..) | Base::MomentumForSpin(_) => true,
-        _ => false,
+        Base::Exact | Base::PositionStage(_) => false,
+        Base::Method(method, _) | Base::Straight(method, _) => matches!(method, Method::ConstantSpin),
+        // A limit on the turn of a step is out of reach of shorter ones.
+        Base::Engine(engine) => {
+            engine.limits.component.is_some() || matches!(engine.method, Method::ConstantSpin)
+        }
+        _ => true,
     };
-    still || base || !matches!(rule.alteration, None | Some(Alteration::Turned(_)))
+    base || !matches!(rule.alteration, None | Some(Alteration::Turned(_)))
 }
 
 /// A phase that ran away, where the caller has set no limit of its own for it. So near the separatrix that

@@ -55,7 +55,7 @@ impl Diagnosis {
     pub(crate) fn head(&self) -> Vec<String> {
         let names: Vec<String> = self.leading.iter().map(Rule::name).collect();
         let words = match (self.confidence, self.jumps.len()) {
-            (Confidence::FewDigits, _) => {
+            (Confidence::FewDigits, _) if !self.alike.is_empty() => {
                 format!("Too few digits to name the rule: they fit {} rules alike", 1 + self.alike.len())
             }
             _ if self.is_open() => self.words().into(),
@@ -64,7 +64,8 @@ impl Diagnosis {
             (_, count) => format!("Every step but {count}, which are jumps, is made by: {}", names[0]),
         };
         let mut lines = vec![words];
-        if !self.engines.is_empty() && self.confidence != Confidence::FewDigits {
+        let unsaid = matches!(self.confidence, Confidence::FewDigits | Confidence::NoneFits);
+        if !self.engines.is_empty() && !unsaid {
             lines.push(format!("as in {}", self.engines.join("; or in ")));
         }
         lines.extend(self.advice.iter().map(|Advice { words, chapter }| {

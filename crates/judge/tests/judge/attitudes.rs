@@ -1,10 +1,8 @@
 //! Records of attitudes alone.
 
-use crate::common::{Row, exact, judged};
+use crate::common::{Row, SPINS, exact, judged};
 use nalgebra::{Quaternion, Vector3};
 use tumbling_judge::{FileMistake, LawName, Options, Outcome, Rule, judge};
-
-const SPINS: [[f64; 3]; 4] = [[0.1, 3.0, 0.2], [4.0, 0.5, -0.6], [0.3, -0.4, 5.0], [1.0, 2.0, 1.5]];
 
 fn attitudes(rows: &[Row]) -> String {
     let mut text = String::from("# inertia: 1 2 2.5\nt,qw,qx,qy,qz\n");
@@ -37,15 +35,14 @@ fn the_exact_motion_by_its_attitudes_alone_is_kept_to_rounding_in_every_law_that
 fn the_order_and_the_sense_of_attitudes_alone_are_determined_by_the_law() {
     for spin in [SPINS[0], SPINS[3]] {
         let rows = exact(spin.into(), 0.02, 800);
-        let order: Vec<Row> =
-            rows.iter().map(|(t, q, w)| (*t, Quaternion::new(q.i, q.j, q.k, q.w), *w)).collect();
-        assert_eq!(judged(&attitudes(&order)).file_mistakes, [FileMistake::Order]);
-        let first: Vec<Row> =
-            rows.iter().map(|(t, q, w)| (*t, Quaternion::new(q.k, q.w, q.i, q.j), *w)).collect();
+        let mistakes = |of: fn(&Quaternion<f64>) -> Quaternion<f64>| {
+            let rows: Vec<Row> = rows.iter().map(|(t, q, w)| (*t, of(q), *w)).collect();
+            judged(&attitudes(&rows)).file_mistakes
+        };
+        assert_eq!(mistakes(|q| Quaternion::new(q.i, q.j, q.k, q.w)), [FileMistake::Order]);
         // Not to be distinguished from the other: the one is the other's mirror image.
-        assert_eq!(judged(&attitudes(&first)).file_mistakes, [FileMistake::Order]);
-        let inverse: Vec<Row> = rows.iter().map(|(t, q, w)| (*t, q.conjugate(), *w)).collect();
-        assert_eq!(judged(&attitudes(&inverse)).file_mistakes, [FileMistake::Inverse]);
+        assert_eq!(mistakes(|q| Quaternion::new(q.k, q.w, q.i, q.j)), [FileMistake::Order]);
+        assert_eq!(mistakes(|q| q.conjugate()), [FileMistake::Inverse]);
         assert_eq!(judged(&attitudes(&rows)).file_mistakes, []);
     }
 }
@@ -57,8 +54,7 @@ fn steps_near_half_a_turn_are_refused_in_plain_words() {
     assert!(error.starts_with("line 4: the attitude turns by") && error.contains("shorter steps"), "{error}");
     // A run that gets there is judged as far as its turns are known.
     let mut rows = exact(Vector3::new(1.0, 2.0, 1.5), 0.02, 400);
-    let flipped = rows[300].1 * Quaternion::new(0.0, 1.0, 0.0, 0.0);
-    rows[300].1 = flipped;
+    rows[300].1 *= Quaternion::new(0.0, 1.0, 0.0, 0.0);
     let verdict = judged(&attitudes(&rows));
     assert_eq!(verdict.outcome, Outcome::Failed);
     assert!(

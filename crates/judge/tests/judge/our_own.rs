@@ -1,12 +1,10 @@
 //! The exact motion and the library's own methods, judged.
 
-use crate::common::{MOMENTS, csv, exact, judged, stepped, stepped_by};
+use crate::common::{MOMENTS, SPINS, csv, exact, judged, stepped, stepped_by};
 use nalgebra::Vector3;
 use tumbling::step::{Engine, Method, State, System};
 use tumbling::{Body, Inertia};
 use tumbling_judge::{Alteration, Base, Confidence, Growth, LawName, Outcome, Rule, Verdict};
-
-const SPINS: [[f64; 3]; 4] = [[0.1, 3.0, 0.2], [4.0, 0.5, -0.6], [0.3, -0.4, 5.0], [1.0, 2.0, 1.5]];
 
 fn growth(verdict: &Verdict, name: LawName) -> Growth {
     verdict.laws.iter().find(|law| law.name == name).map_or(Growth::Rounding, |law| law.growth)
@@ -56,12 +54,8 @@ fn every_method_is_graded_as_it_says_of_itself_and_named() {
 
 #[test]
 fn momentum_taken_for_spin_is_named_where_the_record_is_of_momentum() {
-    let body = Body::spinning(
-        Inertia::from_moments(1.0, 2.0, 2.5).unwrap(),
-        nalgebra::UnitQuaternion::identity(),
-        &Vector3::new(1.0, 2.0, 1.5),
-    )
-    .unwrap();
+    let (tensor, spin) = (Inertia::from_moments(1.0, 2.0, 2.5).unwrap(), Vector3::new(1.0, 2.0, 1.5));
+    let body = Body::spinning(tensor, nalgebra::UnitQuaternion::identity(), &spin).unwrap();
     let run = Engine::MomentumForSpin.run(&body, 0.01, 500).unwrap();
     // What the engine itself believes in: a momentum that stays, in the world.
     let momentum = body.momentum_world();

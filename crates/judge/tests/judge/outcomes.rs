@@ -67,18 +67,9 @@ fn a_spin_too_fast_to_follow_is_never_passed_nor_said_to_be_right() {
     let spin = Vector3::new(1.0, 2.0, 3.0);
     let mut lost = 0;
     for power in [3, 10, 16, 20, 30, 50, 100, 150, 153, 155, 200, 300, 307] {
-        let size: f64 = format!("1e{power}").parse().unwrap();
-        let rows: String = (0..40)
-            .map(|i| {
-                format!(
-                    "{},{:e},{:e},{:e}\n",
-                    0.1 * f64::from(i),
-                    spin.x * size,
-                    spin.y * size,
-                    spin.z * size
-                )
-            })
-            .collect();
+        let w = spin * format!("1e{power}").parse::<f64>().unwrap();
+        let rows: String =
+            (0..40).map(|i| format!("{},{:e},{:e},{:e}\n", 0.1 * f64::from(i), w.x, w.y, w.z)).collect();
         let text = format!("# inertia: 1 2 3\nt,wx,wy,wz\n{rows}");
         // Beyond what numbers hold the record may be refused.
         let Ok(verdict) = judge(text.as_bytes(), &Options::default()) else { continue };

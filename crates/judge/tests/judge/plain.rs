@@ -87,7 +87,7 @@ fn an_error_beyond_the_limit_is_never_kept_to_rounding_and_a_great_one_never_bou
     }
     let verdict = judged(&text);
     let energy = verdict.laws.iter().find(|law| law.name == LawName::Energy).unwrap();
-    assert!(energy.most > 1e6 && energy.growth.name() == "grew, then stayed", "{energy}");
+    assert!(energy.most > 1e6 && energy.growth.name() == "changed, then stayed", "{energy}");
     assert_eq!(energy.growth.rank(), 5);
 }
 

@@ -2,7 +2,6 @@
 
 use crate::common::judged;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
-use std::fmt::Write as _;
 use tumbling::step::Method;
 use tumbling_judge::{Confidence, Outcome};
 
@@ -51,11 +50,9 @@ fn written(rows: impl Iterator<Item = (f64, State)>, attitude: bool) -> String {
     let mut text = String::from("# inertia: 1 2 2.7\n");
     text += if attitude { "t,qw,qx,qy,qz,wx,wy,wz\n" } else { "t,wx,wy,wz\n" };
     for (t, (q, w)) in rows {
-        write!(text, "{t:?}").unwrap();
-        if attitude {
-            write!(text, ",{:?},{:?},{:?},{:?}", q.w, q.i, q.j, q.k).unwrap();
-        }
-        writeln!(text, ",{:?},{:?},{:?}", w.x, w.y, w.z).unwrap();
+        let all = [t, q.w, q.i, q.j, q.k, w.x, w.y, w.z].map(|x| format!("{x:?}"));
+        let numbers = if attitude { all.join(",") } else { [&all[..1], &all[5..]].concat().join(",") };
+        text += &format!("{numbers}\n");
     }
     text
 }

@@ -398,9 +398,8 @@ impl Invented {
         let (rows, between) = (Vec::new(), h * f64::from(every));
         let mut invented = Self { text, what, truth, fault, every, layout, body: moments, rows, between };
         let start = (first, spin.normalize() * speed.min(60.0));
-        let rows = invented.rows(&mut chance, step, start, h, digits);
-        invented.write(&mut chance, &rows, &named, h, digits);
-        invented.rows = rows;
+        invented.rows = invented.rows(&mut chance, step, start, h, digits);
+        invented.write(&mut chance, &named, h, digits);
         invented
     }
 
@@ -460,14 +459,7 @@ impl Invented {
         all
     }
 
-    fn write(
-        &mut self,
-        chance: &mut Chance,
-        rows: &[Motion],
-        moments: &Vector3<f64>,
-        h: f64,
-        digits: Digits,
-    ) {
+    fn write(&mut self, chance: &mut Chance, moments: &Vector3<f64>, h: f64, digits: Digits) {
         let between = h * f64::from(self.every) * if self.fault == Fault::Interpolated { 0.4 } else { 1.0 };
         let short = self.every == 1 && h >= 0.01 && self.fault != Fault::Interpolated && chance.below(6) == 0;
         let [x, y, z] = (*moments).into();
@@ -488,7 +480,7 @@ impl Invented {
             Digits::Decimal(digits) => digits - 1,
         };
         self.text += names;
-        for (i, (q, w)) in rows.iter().enumerate() {
+        for (i, (q, w)) in self.rows.iter().enumerate() {
             let t = i as f64 * between;
             self.text += &if short { format!("\n{t:.2}") } else { format!("\n{t:e}") };
             let world = rotation_matrix(q) * w / q.norm_squared();
@@ -503,7 +495,8 @@ impl Invented {
             Truth::Outside(name, _) => name.into(),
         };
         let step = if short { " (two decimals)" } else { "" };
-        let (fault, every, speed) = (self.fault, self.every, rows.first().map_or(0.0, |row| row.1.norm()));
+        let (fault, every, speed) =
+            (self.fault, self.every, self.rows.first().map_or(0.0, |row| row.1.norm()));
         self.what =
             format!("{rule}; {fault:?}; {names}; {digits:?}; every {every}; h {h:.5}{step}; |w| {speed:.2}");
     }
@@ -608,15 +601,12 @@ impl Invented {
 
     /// Whether the place in the step where damping acts is named rightly, not, or wrongly.
     fn places(&self, verdict: &Verdict) -> [u64; 3] {
-        let found = verdict.diagnosis.as_ref().map(|found| (found.confidence, found.best.rule.alteration));
-        let (Fault::Damped(_, place), Some((sure, Some(Alteration::Damped { when, .. })))) =
-            (self.fault, found)
-        else {
+        let is_said = |x: &&Diagnosis| x.confidence.names_a_rule() || x.confidence == Confidence::Altered;
+        let said = verdict.diagnosis.as_ref().filter(is_said).and_then(|found| found.best.rule.alteration);
+        let (Fault::Damped(_, place), Some(Alteration::Damped { when, .. })) = (self.fault, said) else {
             return [0; 3];
         };
-        let named = sure.names_a_rule() || sure == Confidence::Altered;
-        [when == place, when == When::Open, ![place, When::Open].contains(&when)]
-            .map(|x| u64::from(named && x))
+        [when == place, when == When::Open, ![place, When::Open].contains(&when)].map(u64::from)
     }
 
     /// What is made of a rule that the judge does not know.
@@ -630,7 +620,7 @@ impl Invented {
         }
     }
 
-    /// How far a plain rule is from the steps that were made, before they were written: of all steps together,
+    /// How far a plain rule is from all the steps that were made, before they were written, together:
     /// relative to the spin or in rad.
     fn off(&self, rule: &Rule) -> Option<f64> {
         let (Base::Method(method, parts), None) = (rule.base, rule.alteration) else { return None };

@@ -8,6 +8,7 @@ use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, State, System};
 use tumbling_judge::{Options, Verdict, judge};
 
+pub const SPINS: [[f64; 3]; 4] = [[0.1, 3.0, 0.2], [4.0, 0.5, -0.6], [0.3, -0.4, 5.0], [1.0, 2.0, 1.5]];
 pub const MOMENTS: Vector3<f64> = Vector3::new(1.0, 2.0, 2.5);
 
 /// A time, an attitude (body to world) and a spin (body axes).
