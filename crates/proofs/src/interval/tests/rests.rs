@@ -3,7 +3,7 @@
 
 use crate::interval::real::field;
 use num_rational::BigRational as Exact;
-use num_traits::{One, Signed, ToPrimitive, Zero};
+use num_traits::{Signed, ToPrimitive, Zero};
 use std::cell::Cell;
 use std::f64::consts::TAU;
 use tumbling::laws::{ComplementaryPair, ComplementarySeries, DirectPair, DirectSeries};
@@ -108,48 +108,29 @@ impl Lane for Bounded {
     }
 }
 
-/// That all results differ from the truth by no more than their rests, and that the largest rest is at most
-/// ten times the largest difference.
-fn rests_hold(name: &str, found: Vec<(Bounded, Exact)>) {
-    let [mut most, mut largest] = [Exact::zero(), Exact::zero()];
-    for (sum, truth) in found {
-        let [middle, rest] = sum.0;
-        let off = (middle - truth).abs();
-        let numbers = [&off, rest].map(|x| x.to_f64().unwrap());
-        assert!(&off <= rest, "{name}: off by {:e}, with a rest of {:e}", numbers[0], numbers[1]);
-        (most, largest) = (most.max(rest.clone()), largest.max(off));
-    }
-    let times = (&most / &largest).to_f64().unwrap();
-    assert!(times <= 10.0, "{name}: the largest rest is {times} times the largest difference");
-}
-
-/// [`rests_hold`] for each place of the arrays.
-fn all_rests_hold<const N: usize>(name: &str, found: &[([Bounded; N], [Exact; N])]) {
+/// That all results differ from the truth by no more than their rests, and that in each place the largest
+/// rest is at most ten times the largest difference.
+fn rests_hold<const N: usize>(name: &str, found: &[([Bounded; N], [Exact; N])]) {
     for n in 0..N {
-        rests_hold(&format!("{name}, {n}"), found.iter().map(|(a, b)| (a[n], b[n].clone())).collect());
+        let [mut most, mut largest] = [Exact::zero(), Exact::zero()];
+        for (sums, truths) in found {
+            let [middle, rest] = sums[n].0;
+            let off = (middle - &truths[n]).abs();
+            let numbers = [&off, rest].map(|x| x.to_f64().unwrap());
+            assert!(&off <= rest, "{name} {n}: off by {:e}, with a rest of {:e}", numbers[0], numbers[1]);
+            (most, largest) = (most.max(rest.clone()), largest.max(off));
+        }
+        let times = (&most / &largest).to_f64().unwrap();
+        assert!(times <= 10.0, "{name} {n}: the largest rest is {times} times the largest difference");
     }
 }
 
-/// The power series `sum_n c_n`, with `c_0 = first` and each term the one before times `next(n)`.
+/// The sum of a power series, whose terms are each the one before times `next(n)`.
 fn series(first: Exact, next: impl Fn(i64) -> Exact) -> Exact {
-    let (mut sum, mut term) = (Exact::zero(), first);
-    for n in 1..32 {
-        sum += &term;
-        term *= next(n);
-    }
-    sum
-}
-
-fn sin_cos_exact(x: &Exact) -> [Exact; 2] {
-    let squared = -(x * x);
-    let from = |k: i64| move |n: i64| ratio(1, (2 * n + k - 1) * (2 * n + k));
-    let wave = |first: Exact, k: i64| series(first, |n| &squared * from(k)(n));
-    [wave(x.clone(), 1), wave(Exact::one(), 0)]
-}
-
-/// The exponential of a small number.
-fn exp_exact(x: &Exact) -> Exact {
-    series(Exact::one(), |n| x * ratio(1, n))
+    let step = |term: &Exact, n: i64| term * next(n);
+    let mut terms = vec![first];
+    (1..32).for_each(|n| terms.push(step(terms.last().unwrap(), n)));
+    terms.into_iter().sum()
 }
 
 /// The arctangent of `1/n` for `sign = -1`, the hyperbolic one for 1: to 200 bits, so that what is made of it
@@ -163,215 +144,169 @@ fn arctangent(n: i64, sign: i64) -> Exact {
 #[test]
 fn the_exponential_leaves_out_no_more_than_its_rest() {
     // All numbers whose nearest power of two is 1.
-    let found: Vec<_> = (0..=22)
-        .map(|k| {
-            let x = ratio(k, 64);
-            let truth = exp_exact(&-&x);
-            (given(&x).decay(exact(0.0)), [truth.clone(), truth - Exact::one()])
-        })
-        .collect();
-    all_rests_hold("exponential", &found);
+    let near = |k: i64| {
+        let x = ratio(k, 64);
+        let truth = series(ratio(1, 1), |n| -&x * ratio(1, n));
+        (given(&x).decay(exact(0.0)), [truth.clone(), truth - ratio(1, 1)])
+    };
+    rests_hold("exponential", &(0..=22).map(near).collect::<Vec<_>>());
     // Whole powers of two, where nothing is left but what the parts of the logarithm lack.
-    let log = arctangent(3, 1) * ratio(2, 1);
     for n in [1, 5, 28] {
-        let x = &log * ratio(n, 1);
+        let x = arctangent(3, 1) * ratio(2 * n, 1);
         let main = float(x.to_f64().unwrap());
         let [power, _] = given(&main).decay(given(&(x - &main)));
-        rests_hold("logarithm", vec![(power, ratio(1, 2).pow(n as i32))]);
+        rests_hold("logarithm", &[([power], [ratio(1, 2).pow(n as i32)])]);
     }
-    // Beyond what is computed: exp(-800) is zero here.
-    let far = exact(800.0).decay(exact(0.0));
-    rests_hold("far out", vec![(far[0], Exact::zero())]);
-    assert!(far[1].0[1] >= far[0].0[1]);
+    // Beyond what is computed the exponential is zero here.
+    rests_hold("far out", &[(exact(800.0).decay(exact(0.0)), [0, -1].map(|n| ratio(n, 1)))]);
 }
 
 #[test]
 fn sine_and_cosine_of_a_part_of_a_turn_leave_out_no_more_than_their_rests() {
     let two_pi = arctangent(5, -1) * ratio(32, 1) - arctangent(239, -1) * ratio(8, 1);
-    let parts = |left_out: usize, turn: &Exact, of: i64| -> Vec<([Bounded; 2], [Exact; 2])> {
+    // The last bits of the circle's constant; then, without them, the sums.
+    for (left_out, turn) in [(0, two_pi), (1, float(TAU))] {
         let at = |k: i64| {
-            let part = ratio(k, of);
+            let part = ratio(k, 64);
             LEFT_OUT.set(left_out);
             let (sine, cosine) = given(&part).sin_cos_of_part();
-            ([sine, cosine], sin_cos_exact(&(part * turn)))
+            let x = part * &turn;
+            let wave = |first: Exact, k: i64| {
+                series(first, |n| -(&x * &x) * ratio(1, (2 * n + k - 1) * (2 * n + k)))
+            };
+            ([sine, cosine], [wave(x.clone(), 1), wave(ratio(1, 1), 0)])
         };
-        (1..=8).map(at).collect()
-    };
-    // The last bits of the circle's constant; then, without them, the sums.
-    all_rests_hold("part of a turn", &parts(0, &two_pi, 64));
-    all_rests_hold("series", &parts(1, &float(TAU), 64));
+        rests_hold("part of a turn", &(1..=8).map(at).collect::<Vec<_>>());
+    }
 }
 
-/// Enough of `terms(n)`, the odd ones negative where `sign` is.
-fn sum(sign: i64, terms: impl Fn(usize) -> Exact) -> Exact {
-    (0..14).map(|n| terms(n) * ratio(sign, 1).pow(n as i32)).sum()
+/// The sum over `n` from zero of `q^(a n² + b n) (x^-n + sign x^(n + b/a)) w_n`, the odd ones times
+/// `alternating`, and where `b` is zero the first by half; with weights, of its derivative by `-log x`.
+fn theta(
+    [alternating, sign]: [i64; 2],
+    (q, a, b): (&Exact, i32, i32),
+    (x, weigh): (&Exact, i32),
+    w: &[Exact],
+) -> Exact {
+    let of = |n: i32| {
+        let size = |n: i32| ratio(n.into(), 1).pow(weigh) * x.pow(-n);
+        let both = size(n) + size(-n - b / a) * ratio(sign, 1);
+        let both = if n == 0 && b == 0 { both / ratio(2, 1) } else { both };
+        q.pow(a * n * n + b * n) * both * &w[n as usize] * ratio(alternating, 1).pow(n)
+    };
+    (0..14).map(of).sum()
 }
 
 /// `w_0`, `w_1` and so on, of which each is `twice` the one before less the one before that.
 fn waves(before: Exact, first: Exact, twice: &Exact) -> Vec<Exact> {
     let mut all = vec![before, first];
-    for n in 1..20 {
-        all.push(twice * &all[n] - &all[n - 1]);
-    }
+    (1..20).for_each(|n| all.push(twice * &all[n] - &all[n - 1]));
     all.split_off(1)
 }
 
-/// Sines and cosines of angles from 0 to a quarter turn.
-fn angles() -> impl Iterator<Item = [Exact; 2]> {
+/// Of angles from 0 to a quarter turn sine and cosine, then cosine and sine of the double; cosines and sines
+/// of all even multiples, and sines and cosines of all odd ones.
+fn angles() -> impl Iterator<Item = ([[Exact; 2]; 2], [Vec<Exact>; 4])> {
     (0..=6).map(|k| {
-        let t = ratio(k, 6);
-        let square = &t * &t;
-        let length = Exact::one() + &square;
-        [ratio(2, 1) * t / &length, (Exact::one() - square) / length]
+        let (one, two, t) = (ratio(1, 1), ratio(2, 1), ratio(k * k, 36));
+        let length = &one + &t * &t;
+        let [sin, cos] = [&two * &t / &length, (&one - &t * &t) / &length];
+        let [c, s] = [&cos * &cos - &sin * &sin, &two * &sin * &cos];
+        let of = |before: &Exact, first: &Exact| waves(before.clone(), first.clone(), &(&c * &two));
+        let all = [of(&c, &one), of(&-&s, &Exact::zero()), of(&-&sin, &sin), of(&cos, &cos)];
+        ([[sin, cos], [c, s]], all)
     })
 }
 
-/// Cosine and sine of `2z`; then cosines and sines of all `2nz`, and sines and cosines of all `(2n+1)z`.
-fn double([sin, cos]: &[Exact; 2]) -> ([Exact; 2], [Vec<Exact>; 4]) {
-    let (c, s) = (cos * cos - sin * sin, ratio(2, 1) * sin * cos);
-    let twice = &c * ratio(2, 1);
-    let all = [
-        waves(c.clone(), Exact::one(), &twice),
-        waves(-s.clone(), Exact::zero(), &twice),
-        waves(-sin.clone(), sin.clone(), &twice),
-        waves(cos.clone(), cos.clone(), &twice),
-    ];
-    ([c, s], all)
-}
-
 /// Nomes up to the largest of the direct series, exp(-0.775 pi) = 0.08762.
-fn nomes() -> [Exact; 3] {
-    [ratio(877, 10_000), ratio(3, 100), ratio(1, 1000)]
-}
+const NOMES: [(i64, i64); 3] = [(877, 10_000), (3, 100), (1, 1000)];
 
 /// Roots of complementary nomes up to the largest, exp(-pi/1.55) = 0.13176.
-fn roots() -> [Exact; 3] {
-    [ratio(1318, 10_000), ratio(5, 100), ratio(1, 1000)]
-}
-
-fn power(x: &Exact, n: usize) -> Exact {
-    x.pow(n as i32)
-}
+const ROOTS: [(i64, i64); 3] = [(1318, 10_000), (5, 100), (1, 1000)];
 
 #[test]
 fn the_direct_sums_leave_out_no_more_than_their_rests() {
-    for q in nomes() {
+    for (q, one) in NOMES.map(|(a, b)| (ratio(a, b), ratio(1, 1))) {
         let sums = DirectSeries::new(given(&q));
-        let both =
-            |sign: i64, w: &[Exact]| sum(sign, |n| power(&q, n * n) * &w[n] * ratio(2, 1)) - Exact::one();
-        let odd = |sign: i64, w: &[Exact]| sum(sign, |n| power(&q, n * (n + 1)) * &w[n]);
-        let found: Vec<_> = angles()
-            .map(|angle| {
-                let ([c, _], [even, ..]) = double(&angle);
-                // Sines and cosines of the odd multiples, over the first.
-                let [sine, cosine] = [-1, 1].map(|n| waves(ratio(n, 1), Exact::one(), &(&c * ratio(2, 1))));
-                let truth = [both(1, &even), both(-1, &even), odd(1, &cosine), odd(-1, &sine)];
-                (sums.thetas(given(&c)), truth)
-            })
-            .collect();
-        all_rests_hold("direct sums", &found);
+        let at = |([_, [c, _]], [even, ..]): ([[Exact; 2]; 2], [Vec<Exact>; 4])| {
+            let both = |sign: i64| theta([sign, 1], (&q, 1, 0), (&one, 0), &even);
+            // Sines and cosines of the odd multiples, over the first.
+            let odd = |sign: i64| {
+                let w = waves(ratio(sign, 2), ratio(1, 2), &(&c * ratio(2, 1)));
+                theta([sign, 1], (&q, 1, 1), (&one, 0), &w)
+            };
+            (sums.thetas(given(&c)), [both(1), both(-1), odd(1), odd(-1)])
+        };
+        rests_hold("direct sums", &angles().map(at).collect::<Vec<_>>());
     }
 }
 
 #[test]
 fn the_direct_pair_leaves_out_no_more_than_its_rests() {
-    for q in nomes() {
+    for (q, one) in NOMES.map(|(a, b)| (ratio(a, b), ratio(1, 1))) {
         let mut found = Vec::new();
         // From no depth to the greatest, and both orders of the axes.
-        for (f, sense) in [(ratio(1, 1), 1), (ratio(1, 2), -1), (q.clone(), 1), (q.clone(), -1)] {
+        for (f, sense) in [(one.clone(), 1), (ratio(1, 2), -1), (q.clone(), 1), (q.clone(), -1)] {
             let sense = ratio(sense, 1);
-            let less = &f - Exact::one();
-            let pair = DirectPair::new(given(&q), [&f, &less].map(given), given(&(&q / &f)), given(&sense));
-            let fall = |n: usize, sign: i64, more: usize| {
-                power(&f, n).recip() + power(&f, n + more) * ratio(sign, 1)
-            };
-            for angle in angles() {
-                let (doubled, [even, even_sine, sine, cosine]) = double(&angle);
-                let outer =
-                    |sign: i64, w: &[Exact]| sum(-1, |n| power(&q, 2 * n * n) * fall(n, sign, 0) * &w[n]);
-                let inner = |sign: i64, w: &[Exact]| {
-                    sum(-1, |n| power(&q, 2 * n * (n + 1)) * fall(n, sign, 1) * &w[n])
-                };
-                let truth = [
-                    outer(1, &even) - Exact::one(),
-                    &sense * outer(-1, &even_sine),
-                    inner(1, &sine),
-                    -&sense * inner(-1, &cosine),
-                ];
-                found.push((pair.sums(doubled.each_ref().map(given), angle.each_ref().map(given)), truth));
+            let fall = [&f, &(&f - &one)].map(given);
+            let pair = DirectPair::new(given(&q), fall, given(&(&q / &f)), given(&sense));
+            for ([angle, double], [even, even_sine, sine, cosine]) in angles() {
+                let of = |b: i32, sign: i64, w: &[Exact]| theta([-1, sign], (&q, 2, b), (&f, 0), w);
+                let [turned, along] = [&sense * of(0, -1, &even_sine), -&sense * of(2, -1, &cosine)];
+                let sums = pair.sums(double.each_ref().map(given), angle.each_ref().map(given));
+                found.push((sums, [of(0, 1, &even), turned, of(2, 1, &sine), along]));
             }
         }
-        all_rests_hold("direct pair", &found);
+        rests_hold("direct pair", &found);
     }
 }
 
 #[test]
 fn the_complementary_sums_leave_out_no_more_than_their_rests() {
-    for root in roots() {
+    for (root, one) in ROOTS.map(|(a, b)| (ratio(a, b), ratio(1, 1))) {
         let p = &root * &root;
-        let plain = |sign: i64| sum(sign, |n| power(&p, n * n) * ratio(2, 1)) - Exact::one();
-        let second = sum(1, |n| power(&p, n * (n + 1)));
-        let constants = ComplementarySeries::constants(given(&p));
-        all_rests_hold("constants", &[(constants, [second, plain(1), plain(-1)])]);
+        let of = |sign: i64, both: i64, b: i32, e: &Exact| {
+            theta([sign, both], (&p, 1, b), (e, 0), &vec![ratio(1, 1); 20])
+        };
+        let truth = [of(1, 1, 1, &one) / ratio(2, 1), of(1, 1, 0, &one), of(-1, 1, 0, &one)];
+        rests_hold("constants", &[(ComplementarySeries::constants(given(&p)), truth)]);
         let sums = ComplementarySeries::new(given(&p), exact(1.0), exact(1.0));
         // From the flip to the middle between it and the saddle.
-        let found: Vec<_> = (0..=5)
-            .map(|k| {
-                let e = &root + (Exact::one() - &root) * ratio(k, 5);
-                let odd = |sign: i64| {
-                    let wave = |n| power(&e, n).recip() + power(&e, n + 1) * ratio(sign, 1);
-                    sum(sign, |n| power(&p, n * (n + 1)) * wave(n))
-                };
-                let even = |sign: i64| {
-                    let wave = |n| power(&e, n).recip() + power(&e, n);
-                    sum(sign, |n| power(&p, n * n) * wave(n)) - Exact::one()
-                };
-                let less = Exact::one() - &e;
-                let found = sums.sums(given(&e), given(&less), given(&(&p / &e)));
-                (found, [odd(-1), odd(1), even(-1), even(1)])
-            })
-            .collect();
-        all_rests_hold("complementary sums", &found);
+        let at = |k: i64| {
+            let e = &root + (&one - &root) * ratio(k, 5);
+            let found = sums.sums(given(&e), given(&(&one - &e)), given(&(&p / &e)));
+            (found, [of(-1, -1, 1, &e), of(1, 1, 1, &e), of(-1, 1, 0, &e), of(1, 1, 0, &e)])
+        };
+        rests_hold("complementary sums", &(0..=5).map(at).collect::<Vec<_>>());
     }
 }
 
 #[test]
 fn the_complementary_pair_leaves_out_no_more_than_its_rests() {
-    for p in roots() {
+    for (p, one) in ROOTS.map(|(a, b)| (ratio(a, b), ratio(1, 1))) {
         let (mut found, mut at_saddle) = (Vec::new(), Vec::new());
-        for (angle, sense) in angles().zip([1, -1].into_iter().cycle()) {
-            let (_, [_, _, sine, cosine]) = double(&angle);
-            let [sin, cos] = angle.each_ref().map(given);
-            let pair =
-                ComplementaryPair::new(given(&p), ComplementaryPair::waves(sin, cos), exact(sense as f64));
-            let sense = ratio(sense, 1);
+        for (([[sin, cos], _], [_, _, sine, cosine]), sense) in angles().zip([1, -1].into_iter().cycle()) {
+            let waves = ComplementaryPair::waves(given(&sin), given(&cos));
+            let pair = ComplementaryPair::new(given(&p), waves, exact(sense as f64));
+            let turned = sine.iter().map(|x| x * ratio(-sense, 1)).collect::<Vec<_>>();
             for k in 0..=5 {
-                let e = &p + (Exact::one() - &p) * ratio(k, 5);
-                // With the weights of the terms, to differentiate.
-                let total = |alternating: i64, sign: i64, w: &[Exact], weigh: usize| {
-                    let weight = |n: usize| ratio(n as i64, 1).pow(weigh as i32);
-                    let term = |n| {
-                        weight(n) * power(&e, n).recip() + weight(n + 1) * power(&e, n + 1) * ratio(sign, 1)
-                    };
-                    sum(alternating, |n| power(&p, n * (n + 1)) * term(n) * &w[n])
-                };
-                let truth = [
-                    total(1, 1, &cosine, 0),
-                    -&sense * total(1, -1, &sine, 0),
-                    total(-1, -1, &cosine, 0),
-                    -&sense * total(-1, 1, &sine, 0),
-                ];
+                let e = &p + (&one - &p) * ratio(k, 5);
+                let of = |signs: [i64; 2], weigh: i32, w: &[Exact]| theta(signs, (&p, 1, 1), (&e, weigh), w);
+                let a = |weigh: i32| [of([1, 1], weigh, &cosine), of([1, -1], weigh, &turned)];
+                let b = [of([-1, -1], 0, &cosine), of([-1, 1], 0, &turned)];
+                found.push((
+                    pair.sums(given(&e), given(&(&p * &p / &e))),
+                    [a(0), b].concat().try_into().unwrap(),
+                ));
                 if k == 0 {
-                    let [a, change] = pair.at_saddle();
-                    let rates = [total(1, -1, &cosine, 1), -&sense * total(1, 1, &sine, 1)];
-                    let [re, im, ..] = truth.clone();
-                    let [d_re, d_im] = rates;
-                    at_saddle.push(([a[0], a[1], change[0], change[1]], [re, im, d_re, d_im]));
+                    at_saddle.push((
+                        pair.at_saddle().concat().try_into().unwrap(),
+                        [a(0), a(1)].concat().try_into().unwrap(),
+                    ));
                 }
-                found.push((pair.sums(given(&e), given(&(&p * &p / &e))), truth));
             }
         }
-        all_rests_hold("complementary pair", &found);
-        all_rests_hold("at the saddle", &at_saddle);
+        rests_hold("complementary pair", &found);
+        rests_hold::<4>("at the saddle", &at_saddle);
     }
 }
