@@ -266,7 +266,7 @@ fn the_complementary_sums_leave_out_no_more_than_their_rests() {
     for (root, one) in ROOTS.map(|(a, b)| (ratio(a, b), ratio(1, 1))) {
         let p = &root * &root;
         let of = |sign: i64, both: i64, b: i32, e: &Exact| {
-            theta([sign, both], (&p, 1, b), (e, 0), &vec![ratio(1, 1); 20])
+            theta([sign, both], (&p, 1, b), (e, 0), &[(); 20].map(|()| ratio(1, 1)))
         };
         let truth = [of(1, 1, 1, &one) / ratio(2, 1), of(1, 1, 0, &one), of(-1, 1, 0, &one)];
         rests_hold("constants", &[(ComplementarySeries::constants(given(&p)), truth)]);
