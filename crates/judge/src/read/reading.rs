@@ -276,7 +276,7 @@ impl Reading {
         }
         // Some ways turn alike: the fewest mistakes, and the law, decide between them.
         let worth = |way: &Self| {
-            let (alike, _) = way.law(pairs, moments);
+            let (alike, _) = law(way.pairs(pairs, moments), moments);
             let mistakes: f64 = way
                 .mistakes()
                 .iter()
@@ -322,14 +322,10 @@ impl Reading {
         found.map_or(self, |(spin, time)| Self { spin, time, ..self })
     }
 
-    fn law(&self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> (f64, f64) {
-        law(self.pairs(pairs, moments), moments)
-    }
-
     /// Without an attitude, the law alone decides: a spin of another unit changes too fast or too slow, one
     /// of the other hand backward.
     fn by_law(self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
-        let (alike, size) = self.law(pairs, moments);
+        let (alike, size) = law(self.pairs(pairs, moments), moments);
         if alike.abs() < LAW_DECIDES {
             return self;
         }

@@ -45,7 +45,7 @@ impl Advice {
     ) -> Vec<Self> {
         let one = match confidence {
             Confidence::NoneFits if !floor.few => {
-                with(STEPS, "Compare the engine's rule with those that are known.")
+                with(STEPS, "Compare the engine's rule with the known ones.")
             }
             Confidence::Accurate => with(
                 STEPS,

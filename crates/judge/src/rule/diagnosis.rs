@@ -184,9 +184,8 @@ impl Ranked {
 
     /// Without the place in the step where damping acts, if it might be another.
     fn placed(mut self, found: &[Explanation], floor: Floor) -> Self {
-        let is_damped = |rule: &Rule| matches!(rule.alteration, Some(Alteration::Damped { .. }));
         let best = self.best.rule;
-        let other = |rule: &Rule| rule.base == best.base && is_damped(rule);
+        let other = |rule: &Rule| rule.base == best.base && rule.is_damped();
         let places: Vec<_> = found.iter().filter(|x| other(&x.rule)).copied().collect();
         if let Some(Alteration::Damped { when, .. }) = &mut self.best.rule.alteration
             && places.iter().filter(|x| alike_to_best(&places, floor)(x)).count() > 1
@@ -238,17 +237,15 @@ fn settled(
 /// record's do: rounding is much less in a sum. Nor does a record keep what a rule changes step by step, or
 /// what the rule without its damping does.
 fn is_biased(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> bool {
-    let is_damped = matches!(rule.alteration, Some(Alteration::Damped { .. }));
-    let undamped = is_damped.then(|| Rule::plain(rule.base));
+    let undamped = rule.is_damped().then(|| Rule::plain(rule.base));
     let [count, root] = [pairs.len() as f64, (pairs.len() as f64).sqrt()];
     let turned: f64 = pairs.iter().map(|pair| pair.from.omega.norm() * pair.h).sum();
-    let follow = |two: &&[Pair]| two[0].to.line == two[1].from.line;
-    let parts = (pairs.len() - pairs.windows(2).filter(follow).count()) as f64;
+    let parts = 1 + pairs.windows(2).filter(|two| two[0].to.line != two[1].from.line).count();
     let [ends, turns, each, kept] = BIASED.map(|roundings| roundings * floor.size);
     // What is rounded where it is written is in two steps, with opposite signs but for the turn; the engine's
     // own rounding may add up.
     let [allowed, kept] = match floor.is_of_writing() {
-        true => [ends * parts.sqrt() + turns * turned / root, kept * root],
+        true => [ends * (parts as f64).sqrt() + turns * turned / root, kept * root],
         false if floor.size > FITS_FEW_FROM => [each * count, kept * root],
         false => [floor.limits()[1] * count; 2],
     };
@@ -288,16 +285,20 @@ pub(crate) fn diagnose(
     let floor = known.floor;
     // Of attitudes alone each rule's spin has to be found first, step by step: fewer steps do.
     let sought = sample.pairs().iter().any(|pair| pair.to.ahead.is_some());
-    let pairs = if sought { some(sample.pairs(), TRIED_TURNS) } else { sample.pairs().to_vec() };
-    let pairs = pairs.as_slice();
+    let pairs = &*if sought { some(sample.pairs(), TRIED_TURNS) } else { sample.pairs().to_vec() };
     let found = tried(subject, pairs, known, sought);
-    let mut ranked = Ranked::of(&found, floor)?;
+    let (mut ranked, mut error) = (Ranked::of(&found, floor)?, None);
     let (mut confidence, mut jumps) = confidence_in(subject, pairs, &ranked, known, whole.share);
-    // A rule that keeps a law is not nearly that of a record that does not.
-    if confidence == Confidence::Near && whole.unkept.iter().any(|law| ranked.best.rule.keeps(*law)) {
-        confidence = Confidence::NoneFits;
+    if confidence == Confidence::Near {
+        let Explanation { rule, median, .. } = ranked.best;
+        // What is left of a rule without fitted numbers is random, and what it keeps is kept.
+        let is_plain = rule.alteration.is_none() && !matches!(rule.base, Base::MomentumForSpin(_));
+        let [own, seen] = changes(subject, pairs, &rule);
+        let drifts = is_plain && (own - seen).amax() > BIASED[0] * median * (pairs.len() as f64).sqrt();
+        if drifts || whole.unkept.iter().any(|law| rule.keeps(*law)) {
+            confidence = Confidence::NoneFits;
+        }
     }
-    let mut error = None;
     if confidence == Confidence::NoneFits && !sought {
         (ranked, confidence, error) = unnamed(subject, pairs, &found, ranked, whole.fails, floor);
     }
@@ -313,7 +314,7 @@ pub(crate) fn diagnose(
     let Ranked { best, alike, second } = ranked.placed(&found, floor);
     let header = known.said.engine.as_deref().unwrap_or_default();
     let named =
-        confidence.names_a_rule() && !(confidence == Confidence::ToRounding && best.rule == Rule::EXACT);
+        confidence.names_a_rule() && (confidence != Confidence::ToRounding || best.rule != Rule::EXACT);
     let own: Vec<_> = engines(header, std::iter::once(&best.rule).chain(&alike));
     let leading = first_named(&best.rule, if named { &alike } else { &[] }, own.first().map(|own| own.0));
     Some(Diagnosis {
@@ -347,8 +348,9 @@ pub(super) fn jumps(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor
     let off: Vec<Jump> = pairs.iter().filter_map(jump).collect();
     let far = off.iter().filter(|jump| jump.size > JUMP_IN_LIMITS * most).count();
     let rare = far == off.len() && far * JUMP_EVERY <= pairs.len() && far <= RESETS;
-    // Of attitudes alone one push is in two turns.
+    // Of attitudes alone one push is in two turns; and what is before it is the rule's too.
     let apart = off.windows(3).all(|three| three[2].line > three[0].line + 2);
+    let apart = apart && off.first().zip(pairs.first()).is_some_and(|(x, first)| x.line > first.to.line);
     if far == 0 { Some(Vec::new()) } else { (rare && apart).then_some(off) }
 }
 

@@ -75,7 +75,7 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
     }
     if with_attitude && of_spin {
         let turned = |base: Base| [Turn::Old, Turn::Late].map(|turn| base.but(Alteration::Turned(turn)));
-        all.extend(Base::of_one_part().into_iter().flat_map(turned));
+        all.extend(Base::all().into_iter().chain(Base::every()).flat_map(turned));
     }
     all
 }

@@ -148,6 +148,10 @@ impl Rule {
         }
     }
 
+    pub(crate) const fn is_damped(&self) -> bool {
+        matches!(self.alteration, Some(Alteration::Damped { .. }))
+    }
+
     /// Whether it says nothing of the attitude.
     pub(crate) const fn is_of_spin(&self) -> bool {
         matches!(self.alteration, Some(Alteration::Term(_) | Alteration::Turned(Turn::Otherwise)))
@@ -186,7 +190,7 @@ impl Base {
     }
 
     /// Every rule that a step can be cut into parts of.
-    fn every() -> impl Iterator<Item = Self> {
+    pub(crate) fn every() -> impl Iterator<Item = Self> {
         let methods = Method::ALL.iter().map(|&method| Self::Method(method, 1));
         let straight =
             [Method::SemiImplicitEuler, Method::ConstantSpin].map(|method| Self::Straight(method, 1));
@@ -203,11 +207,6 @@ impl Base {
         let others = [Method::RungeKutta4, Method::ImplicitMidpoint, Method::RotationSplitting2];
         all.extend(others.map(|method| Self::Method(method, 1)));
         distinct(all)
-    }
-
-    /// These, and every other rule in one part.
-    pub(crate) fn of_one_part() -> Vec<Self> {
-        distinct(Self::all().into_iter().chain(Self::every()).collect())
     }
 
     /// With this alteration.
