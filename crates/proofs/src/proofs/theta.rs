@@ -28,8 +28,7 @@ proofs! {
             but "the theta of the direct series": complementary_pair(THETA_4),
         "half-periods": half_periods([THETA_4, THETA_1], [THETA_2, THETA_1]),
             "By the signs of the terms: where z moves by pi, theta4 stays and theta1 changes its sign; where it moves by a quasi-period, theta2 stays and theta1 changes its sign, but for the factor \
-            exp(-2 i z)/q of both; by half of that, theta1 becomes theta4 and theta2 theta3, but for such a factor. That the factors \
-            are these is no part of it.";
+            exp(-2 i z)/q of both; by half of that, theta1 becomes theta4 and theta2 theta3, but for such a factor.";
             but "b without alternating signs": half_periods([THETA_4, THETA_2], [THETA_2, THETA_2]),
     }
 }
