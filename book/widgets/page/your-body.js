@@ -5,7 +5,7 @@ tumblingLive.widget("your-body", async (stage, from) => {
     const { load, module, fixed, short, raised, draw, arrow, drawing, sayer } = tumblingLive;
     const [body, exact] = await Promise.all([...["your-body", "tumble"].map(module), load(`${from}live.bodies.js`), load(`${from}your-body.saves.js`), load(`${from}your-body.shapes.js`)]);
     const { rows, clock } = tumblingLive.bodies;
-    const { typed, refused, exactly, around, within, question, faces, seen, robot } = tumblingLive.yourBodyShapes;
+    const { typed, refused, exactly, around, within, question, faces, seen, robot, fromText } = tumblingLive.yourBodyShapes;
     const field = (id) => stage.querySelector(`#your-body-${id}`);
     const shown = (what) => stage.querySelector(`[data-shows=${what}]`);
     const say = sayer(stage);
@@ -269,13 +269,6 @@ tumblingLive.widget("your-body", async (stage, from) => {
     const CALLED = field("name").value;
     const called = () => field("name").value.trim() || CALLED;
     const words = () => `${MARK}${new URLSearchParams([["kind", kind.value], ...given(), ...(called() === CALLED ? [] : [["name", called()]]), ...parts.map(({ kind, numbers, at }) => ["part", [kind, ...numbers, ...at].join("_")])])}`;
-    /** A part as the address has it: `box_0.2_0.077_0.0078_0.16_0_0_0`. */
-    function fromText(text) {
-        const [kind, ...numbers] = text.split("_");
-        const count = Object.hasOwn(KINDS, kind) ? 1 + (KINDS[kind].length || TENSOR.length) : 0;
-        const whole = count > 0 && numbers.length === count + 3 && numbers.every((x) => x !== "" && Number.isFinite(Number(x)));
-        return whole ? [{ kind, numbers: numbers.slice(0, count).map(Number), at: numbers.slice(count).map(Number) }] : [];
-    }
     function fromAddress() {
         if (!location.hash.startsWith(MARK)) return;
         const said = new URLSearchParams(location.hash.slice(MARK.length));
@@ -285,14 +278,13 @@ tumblingLive.widget("your-body", async (stage, from) => {
             if (value !== null && (value === "" || Number.isFinite(Number(value)))) fill(name, value);
         }
         if (said.has("name")) field("name").value = said.get("name").slice(0, 60);
-        parts = said.getAll("part").flatMap(fromText).slice(0, MOST_PARTS);
+        parts = said.getAll("part").flatMap((text) => fromText(text, (kind) => (Object.hasOwn(KINDS, kind) ? 1 + (KINDS[kind].length || TENSOR.length) : 0))).slice(0, MOST_PARTS);
         if (parts.length > 0) field("many").open = true;
     }
     let later = 0;
     function keep() {
         clearTimeout(later);
-        // Browsers count how often an address changes.
-        later = setTimeout(() => history.replaceState(null, "", words()), 400);
+        later = setTimeout(() => history.replaceState(null, "", words()), 400); // browsers count how often an address changes
     }
 
     const turns = (perRadian) => `once in ${digits(1 / perRadian)} turns`;

@@ -121,5 +121,12 @@ tumblingLive.yourBodyShapes = (() => {
         }
         return mass > 0 ? { tensor, mass, turned } : { why: "The mass must be above zero." };
     }
-    return { typed, refused, exactly, around: AROUND, within: WITHIN, question, faces, seen, robot };
+    /** A part as the address has it, `box_0.2_0.077_0.0078_0.16_0_0_0`, with the number of numbers of a kind; a list of one or none. */
+    function fromText(text, count) {
+        const [kind, ...numbers] = text.split("_");
+        const n = count(kind);
+        const whole = n > 0 && numbers.length === n + 3 && numbers.every((x) => x !== "" && Number.isFinite(Number(x)));
+        return whole ? [{ kind, numbers: numbers.slice(0, n).map(Number), at: numbers.slice(n).map(Number) }] : [];
+    }
+    return { typed, refused, exactly, around: AROUND, within: WITHIN, question, faces, seen, robot, fromText };
 })();

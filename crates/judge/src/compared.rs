@@ -166,7 +166,7 @@ pub struct Apart {
     pub off: [Off; 3],
     /// The number of rows at the same times.
     pub rows: usize,
-    /// Where the second origin is in the axes of the first body, in the records' unit; none without positions.
+    /// Where the second origin is in the axes of the first body, in the records' unit; with positions only.
     pub origin: Option<Vector3<f64>>,
 }
 
