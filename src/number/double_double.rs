@@ -140,9 +140,11 @@ impl<T: Lane> DoubleDouble<T> {
         let more = rest.hi.round_ties_even();
         let (left, zero) = (rest.hi - more, splat::<T>(0.0));
         let finite = left.finite();
-        let whole = T::select(finite, whole + more, zero);
+        let [whole, more] = [whole, more].map(|x| T::select(finite, x, zero));
+        let below_four = |x: T| x - (x * 0.25).round_ties_even() * 4.0;
         let rest = Self { hi: T::select(finite, left, zero), lo: T::select(finite, rest.lo, zero) };
-        (whole, whole - (whole * 0.25).round_ties_even() * 4.0, rest)
+        // Their sum may be rounded.
+        (whole + more, below_four(whole) + below_four(more), rest)
     }
 
     /// [`whole_and_rest`](Self::whole_and_rest) with what is left in one number that has all its digits.
