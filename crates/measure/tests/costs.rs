@@ -21,10 +21,9 @@ fn whatever_is_left_out_makes_a_state_cheaper() {
     cheaper("principal spin; spin alone", GENERAL, 0.2);
     cheaper("ball", GENERAL, 0.4);
     cheaper("principal spin", GENERAL, 0.4);
-    // Its sines are now those that lanes share, the same to the last bit, and take a tenth more than the C
-    // library's did.
-    cheaper("two equal moments", GENERAL, 0.85);
-    cheaper("two equal moments; spin alone", "three moments; spin alone", 0.7);
+    // Elliptic functions are sums of few products: sines save little.
+    cheaper("two equal moments", GENERAL, 0.95);
+    cheaper("two equal moments; spin alone", "three moments; spin alone", 0.75);
     cheaper("two equal moments; spin alone", "two equal moments", 0.6);
     cheaper("three moments; spin alone", GENERAL, 0.7);
     // Few digits; and no torque, of what is done once: a state under a torque is a value of a series.

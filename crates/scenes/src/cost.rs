@@ -18,7 +18,7 @@ pub struct Cost {
 
 /// A plan with elliptic functions: two thirds of it for the sensitivities that bound their accuracy, where
 /// that is in question.
-const ELLIPTIC: f64 = 29_500.0;
+const ELLIPTIC: f64 = 28_000.0;
 
 impl Plan<'_> {
     /// The expected cost.
@@ -32,12 +32,12 @@ impl Plan<'_> {
         }
         let (once, state) = match self.strategy {
             Strategy::Nothing if outputs.flips => (ELLIPTIC, 85.0),
-            Strategy::Nothing | Strategy::Constant => (2900.0, 114.0),
-            Strategy::Rotation => (3000.0, 380.0),
-            Strategy::SymmetricTop if outputs.attitude => (3650.0, 880.0),
-            Strategy::SymmetricTop => (3650.0, 400.0),
-            Strategy::EllipticSpin => (ELLIPTIC, 635.0),
-            Strategy::Elliptic | Strategy::Adaptive => (ELLIPTIC, 1155.0),
+            Strategy::Nothing | Strategy::Constant => (3000.0, 114.0),
+            Strategy::Rotation => (3100.0, 325.0),
+            Strategy::SymmetricTop if outputs.attitude => (3800.0, 765.0),
+            Strategy::SymmetricTop => (3800.0, 335.0),
+            Strategy::EllipticSpin => (ELLIPTIC, 475.0),
+            Strategy::Elliptic | Strategy::Adaptive => (ELLIPTIC, 830.0),
         };
         Cost { once, state }
     }
