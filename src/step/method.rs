@@ -19,7 +19,7 @@ use nalgebra::Vector3;
 /// torques, [`Gauss6`](Self::Gauss6); for an error tolerance instead of a step,
 /// [`Stepper::adaptive`](crate::step::Stepper::adaptive). Free motion needs no steps: see
 /// [`exact`](crate::exact). The rules of physics engines, from [`ConstantSpin`](Self::ConstantSpin) on, are
-/// here to be compared with; which engine goes by which says `PHYSICS_ENGINES` of the crate `tumbling-judge`.
+/// here to be compared with; `PHYSICS_ENGINES` of the crate `tumbling-judge` says which engine uses which.
 ///
 /// [Order](crate::step::MethodInfo::order) and conserved quantities are those of free motion. Under a torque,
 /// the methods that apply it as half kicks before and after the free step (Buss, SPIRAL, rotation splitting,
