@@ -147,7 +147,7 @@ export async function questions(open, base, pages, fault) {
       const below = await box.evaluate((box) => [...document.querySelectorAll("main :is(h2, p, li, dd, pre, figcaption, svg text)")].filter((e) => {
         const down = e.getBoundingClientRect().top - box.getBoundingClientRect().bottom;
         return !e.closest(".question") && e.checkVisibility() && down >= 0 && down < 720; // a screen
-      }).map((e) => e.textContent).join(" "));
+      }).map((e) => e.innerText).join(" "));
       wants(`within a screen below it stands its answer, "${right}"`, !below.toLowerCase().includes(right.toLowerCase()));
       const address = page.url();
       const options = box.locator("ul button");

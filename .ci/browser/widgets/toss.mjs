@@ -81,7 +81,7 @@ export async function tossPlay(page, wants) {
 /** Three books and one error of the hand: one flips, as often as was said, and later the smaller the error is; the others do not. */
 export async function tosses(page, wants) {
   const text = asInEnglish((await page.textContent("main")).replace(/\s+/g, " "));
-  const [, beat] = text.match(/A toss to the ceiling.*?every (1\.\d\d s)/) ?? [];
+  const [, beat] = text.match(/every (1\.\d\d s)/) ?? [];
   await set(page, "#tosses-slip", Math.log10(0.05));
   wants(`off by a twentieth it flips every ${await shown(page, "tosses", "beat")}, as the chapter says`, (await shown(page, "tosses", "beat")) === beat);
   const first = async () => parseFloat(await shown(page, "tosses", "first"));
