@@ -41,7 +41,7 @@ impl Language {
     /// A file that cannot be read, or a translation that has other numbers or links than the original.
     pub(crate) fn read(code: &str) -> Result<Self, String> {
         let file = paths::book().join(format!("words.{code}.toml"));
-        let text = files::text(&file).map_err(|_| format!("there is no `{code}`; there is only de"))?;
+        let text = files::text(&file).map_err(|_| format!("there is no book/words.{code}.toml"))?;
         Self::parse(code, &text)
     }
 

@@ -31,7 +31,7 @@ pub(crate) const NOME_RATIO: f64 = 0.775;
 /// what is left keeps all its digits.
 #[inline(always)]
 pub(crate) fn sin_cos_of_turns<T: Lane>(turns: DoubleDouble<T>) -> (T, T) {
-    let (_, quarters, left) = turns.signed(splat(4.0)).whole_and_rest();
+    let (_, quarters, left) = turns.times_exact(splat(4.0)).whole_and_rest();
     let (sin, cos) = left.hi().sin_cos_of_quarter();
     quarters.after_quarters(sin, cos)
 }

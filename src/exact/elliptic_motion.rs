@@ -91,7 +91,7 @@ impl EllipticMotion {
             return Clock::Once(-argument / rate);
         }
         // (C36)
-        let half = quarter.signed(2.0);
+        let half = quarter.times_exact(2.0);
         Clock::Evenly { offset: argument / half, rate: rate / half }
     }
 
@@ -151,14 +151,14 @@ impl<T: Real> EllipticMotion<T> {
     /// Half the spin's period, in scaled time, where the motion returns.
     pub(crate) fn span_of_half_period(&self) -> T {
         let Constants { rate, quarter, .. } = self.constants;
-        (quarter.signed(splat(2.0)) / rate.abs()).hi()
+        (quarter.times_exact(splat(2.0)) / rate.abs()).hi()
     }
 
     /// Half periods until scaled time `time`, from the flip nearest to the start, where the motion returns.
     pub(crate) fn half_periods_since_flip(&self, time: T) -> T {
         let Constants { rate, quarter, argument, .. } = self.constants;
         // (C36)
-        ((rate * time).plus(argument) / (quarter.signed(splat(2.0)))).hi()
+        ((rate * time).plus(argument) / (quarter.times_exact(splat(2.0)))).hi()
     }
 
     /// The spin at scaled time `time`.

@@ -102,10 +102,10 @@ impl<T: Lane> DoubleDouble<T> {
         Self { lo: self.lo.up_to(rest), ..self }
     }
 
-    /// With both parts multiplied by 1, -1 or another power of two.
+    /// Times 1, -1 or a power of two, which rounds nothing.
     #[inline(always)]
-    pub(crate) fn signed(self, sign: T) -> Self {
-        Self { hi: self.hi * sign, lo: self.lo * sign }
+    pub(crate) fn times_exact(self, factor: T) -> Self {
+        Self { hi: self.hi * factor, lo: self.lo * factor }
     }
 
     /// `yes` where the mask holds, `no` elsewhere.

@@ -458,6 +458,15 @@ fn an_axis_that_passes_exactly_through_the_vertical_has_neither_cusps_nor_loops(
     for (upright, across, spin) in
         [(true, 0.8, 9.0), (true, 0.8, -1.5), (false, 1.1, 3.0), (false, 0.2, -4.0)]
     {
-        assert_eq!(through(upright, across, spin).regime(), TopRegime::Nutation, "{upright} {across} {spin}");
+        let top = through(upright, across, spin);
+        assert_eq!(top.regime(), TopRegime::Nutation, "{upright} {across} {spin}");
+        // The mean of that rate over a period, by sums that converge as powers do.
+        let (n, period) = (0.7 * spin, top.period().unwrap().unwrap());
+        let rate = |k: i32| {
+            let axis = (top.attitude(period * f64::from(k) / 4000.0).unwrap() * Vector3::z()).z;
+            if upright { n / (1.0 + axis) } else { -n / (1.0 - axis) }
+        };
+        let mean = (0..4000).map(rate).sum::<f64>() / 4000.0;
+        assert!((top.precession_rate() / mean - 1.0).abs() < 1e-12, "{} {mean}", top.precession_rate());
     }
 }

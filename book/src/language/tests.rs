@@ -60,6 +60,6 @@ fn a_label_is_known_as_a_whole_or_by_its_parts() {
     );
     let (said, wrong) = german.markup("<p aria-label=\"Again\">t = 2.5 s</p><p>spinning</p>");
     assert_eq!(said, "<p aria-label=\"Noch einmal\">t = 2,5 s</p><p>spinning</p>");
-    assert_eq!(Language::read("fr").unwrap_err(), "there is no `fr`; there is only de");
+    assert_eq!(Language::read("fr").unwrap_err(), "there is no book/words.fr.toml");
     assert!(wrong.len() == 1 && wrong[0].contains("`spinning` is not known"), "{wrong:?}");
 }

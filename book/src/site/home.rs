@@ -26,14 +26,16 @@ pub(crate) fn line() -> String {
 
 /// `, ADDRESS`, once it is set.
 pub(crate) fn address() -> String {
-    let address = CITATION.lines().find_map(|line| line.strip_prefix("url: "));
-    address.map_or_else(String::new, |address| format!(", {}", address.trim_matches('"')))
+    value(CITATION, "url: ").map_or_else(String::new, |address| format!(", {address}"))
+}
+
+fn value<'a>(citation: &'a str, key: &str) -> Option<&'a str> {
+    Some(citation.lines().find_map(|line| line.strip_prefix(key))?.trim_matches('"'))
 }
 
 fn listed(citation: &str) -> Vec<String> {
-    let value = |key: &str| citation.lines().find_map(|line| line.strip_prefix(key));
     let shown = |value: &str| if value.starts_with("http") { format!("<{value}>") } else { value.to_owned() };
-    let line = |(key, name): (&str, &str)| Some(format!("{name}: {}", shown(value(key)?.trim_matches('"'))));
+    let line = |(key, name): (&str, &str)| Some(format!("{name}: {}", shown(value(citation, key)?)));
     FIELDS.into_iter().filter_map(line).collect()
 }
 

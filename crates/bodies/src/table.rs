@@ -35,13 +35,13 @@ table! {
         pub(crate) shape: String,
         #[serde(default, deserialize_with = "sizes")]
         pub(crate) sides: Vec<f64>,
-        #[serde(default, deserialize_with = "size::<_, 0>")]
+        #[serde(default, deserialize_with = "size::<_, LENGTH>")]
         pub(crate) radius: f64,
-        #[serde(default, deserialize_with = "size::<_, 0>")]
+        #[serde(default, deserialize_with = "size::<_, LENGTH>")]
         pub(crate) inner: f64,
-        #[serde(default, deserialize_with = "size::<_, 0>")]
+        #[serde(default, deserialize_with = "size::<_, LENGTH>")]
         pub(crate) height: f64,
-        #[serde(default, deserialize_with = "size::<_, 0>")]
+        #[serde(default, deserialize_with = "size::<_, LENGTH>")]
         pub(crate) length: f64,
         #[serde(default, deserialize_with = "three_sizes")]
         pub(crate) semiaxes: [f64; 3],
@@ -50,7 +50,7 @@ table! {
         #[serde(default, deserialize_with = "lists")]
         pub(crate) points: Vec<[f64; 4]>,
         pub(crate) mesh: String,
-        #[serde(default, deserialize_with = "size::<_, 0>")]
+        #[serde(default, deserialize_with = "size::<_, LENGTH>")]
         pub(crate) unit: f64,
         pub(crate) part: Vec<Spanned<Table>>,
         #[serde(default, deserialize_with = "list")]
@@ -69,9 +69,9 @@ table! {
         /// Of a body in a scene: body to world, a unit quaternion, scalar part first.
         #[serde(default, deserialize_with = "list")]
         pub attitude: [f64; 4],
-        #[serde(default, deserialize_with = "size::<_, 1>")]
+        #[serde(default, deserialize_with = "size::<_, MASS>")]
         pub(crate) mass: f64,
-        #[serde(default, deserialize_with = "size::<_, 2>")]
+        #[serde(default, deserialize_with = "size::<_, DENSITY>")]
         pub(crate) density: f64,
         #[serde(default, deserialize_with = "three_sizes")]
         pub(crate) at: [f64; 3],
@@ -107,6 +107,11 @@ fn vertices<'de, D: Deserializer<'de>>(from: D) -> Field<[[f64; 3]; 4], D::Error
     let four = whole(found.into_inner(), "lists of 3 numbers each").map_err(D::Error::custom)?;
     Ok(Some(Spanned::new(span, four)))
 }
+
+// What a size is of.
+const LENGTH: usize = 0;
+const MASS: usize = 1;
+const DENSITY: usize = 2;
 
 /// A length, a mass or a density: a number of m, kg or kg/m³, or a text with its unit.
 struct Size<const OF: usize>(f64);
@@ -151,7 +156,7 @@ fn size<'de, D: Deserializer<'de>, const OF: usize>(from: D) -> Field<f64, D::Er
 }
 
 fn sizes<'de, D: Deserializer<'de>>(from: D) -> Field<Vec<f64>, D::Error> {
-    let found = Spanned::<Vec<Size<0>>>::deserialize(from)?;
+    let found = Spanned::<Vec<Size<LENGTH>>>::deserialize(from)?;
     let span = found.span();
     Ok(Some(Spanned::new(span, found.into_inner().into_iter().map(|size| size.0).collect())))
 }

@@ -9,7 +9,7 @@ use crate::options::Options;
 use crate::read::{Kind, Reading, Rows, angle_between, in_world, rounding};
 use crate::thresholds::PROBE_ROWS;
 use crate::verdict::plain_number;
-use nalgebra::{Matrix3x6, Matrix6, Quaternion, Vector3, Vector6};
+use nalgebra::{Matrix3, Matrix3x6, Matrix6, Quaternion, Vector3, Vector6};
 use std::fmt;
 use std::io::BufRead;
 use tumbling::attitude::{product, rotation_matrix};
@@ -87,15 +87,14 @@ impl Motion {
                 off[0].take(here.t, (here.spin[1] - there.spin[1]).norm() / fastest);
             }
         }
-        let mut origin = Vector3::zeros();
-        if both[1] {
+        let origin = both[1].then(|| {
             let way = |(here, _): &(&Instant, &Instant)| (here.position - a.position).norm();
             let way = common.iter().map(way).fold(f64::MIN_POSITIVE, f64::max);
-            let (found, left) = positions(&common);
-            origin = found;
+            let (origin, left) = positions(&common);
             common.iter().zip(left).for_each(|((here, _), left)| off[2].take(here.t, left / way));
-        }
-        Some(Apart { off, rows: common.len(), origin: both[1].then_some(origin) })
+            origin
+        });
+        Some(Apart { off, rows: common.len(), origin })
     }
 
     /// The rows of both at the same times.
@@ -139,7 +138,7 @@ fn positions(common: &[(&Instant, &Instant)]) -> (Vector3<f64>, Vec<f64>) {
 }
 
 /// How far two motions are apart: of the spin as a share of the fastest, of the attitude in rad, of the
-/// position as a share of the way.
+/// position as a share of the greatest distance from the start.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Off {
     /// At most.
@@ -180,7 +179,9 @@ impl Apart {
 #[derive(Debug, Clone)]
 pub struct Comparison {
     names: Vec<String>,
-    /// Those that are one motion, the most there are, and how far each is from the first of them.
+    /// That to which the others are compared: of those that are alike the first.
+    pub reference: usize,
+    /// Those that are one motion, the most there are, and how far each is from the reference.
     pub alike: Vec<(usize, Apart)>,
     /// Each of the others, and how far it is from that motion.
     pub others: Vec<(usize, Apart)>,
@@ -190,28 +191,46 @@ pub struct Comparison {
 
 /// Compares records of one object, each with its name, at the times that they have in common.
 ///
+/// ```
+/// use tumbling_judge::{Motion, Options, compare};
+/// // A body turns evenly about z; once its own x axis points along the room's x, once along its y.
+/// let record = |start: f64| {
+///     let mut text = String::from("t,qw,qx,qy,qz,wx,wy,wz\n");
+///     for i in 0..100 {
+///         let (t, half) = (0.1 * f64::from(i), 0.5 * (start + 0.3 * f64::from(i)));
+///         text += &format!("{t},{},0,0,{},0,0,3\n", half.cos(), half.sin());
+///     }
+///     Motion::read(text.as_bytes(), &Options::default())
+/// };
+/// let records = [("one".into(), record(0.0)?), ("turned".into(), record(std::f64::consts::FRAC_PI_2)?)];
+/// let found = compare(&records)?;
+/// assert!(found.others.is_empty() && found.alike[1].1.rows == 100);
+/// # Ok::<(), tumbling_judge::Error>(())
+/// ```
+///
 /// # Errors
 /// No record, or two with fewer than two times in common.
 pub fn compare(records: &[(String, Motion)]) -> Result<Comparison, Error> {
-    let mut best: Option<Vec<Apart>> = None;
+    let wrong = |problem: String| Error::Compared { problem };
+    let mut best: Option<(usize, Vec<Apart>)> = None;
     let count = |all: &[Apart]| all.iter().filter(|apart| apart.is_alike()).count();
-    for (name, one) in records {
+    for (k, (name, one)) in records.iter().enumerate() {
         let apart = |(other, motion): &(String, Motion)| {
-            let problem = || format!("{name} and {other} have fewer than two times in common");
-            one.to(motion).ok_or_else(|| Error::Row { row: 1, problem: problem() })
+            one.to(motion)
+                .ok_or_else(|| wrong(format!("{name} and {other} have fewer than two times in common")))
         };
         let all = records.iter().map(apart).collect::<Result<Vec<_>, _>>()?;
-        if best.as_ref().is_none_or(|best| count(&all) > count(best)) {
-            best = Some(all);
+        if best.as_ref().is_none_or(|(_, best)| count(&all) > count(best)) {
+            best = Some((k, all));
         }
     }
-    let (Some(all), Some((_, first))) = (best, records.first()) else { return Err(Error::Empty) };
+    let (reference, all) = best.ok_or_else(|| wrong("there is no record".into()))?;
     let (alike, others): (Vec<_>, Vec<_>) =
         all.into_iter().enumerate().partition(|(_, apart)| apart.is_alike());
     let inertia =
         if others.is_empty() { Vec::new() } else { records.iter().map(|(_, one)| one.inertia()).collect() };
     let names = records.iter().map(|(name, _)| name.clone()).collect();
-    Ok(Comparison { names, alike, others, inertia, start: first.rows[0].t })
+    Ok(Comparison { names, reference, alike, others, inertia, start: records[reference].1.rows[0].t })
 }
 
 impl Comparison {
@@ -219,17 +238,25 @@ impl Comparison {
     fn tensors(&self, one: usize, other: usize) -> Option<String> {
         let [a, b] = [one, other].map(|k| self.inertia.get(k).copied().flatten());
         let (a, b) = (a?, b?);
-        let cosine = (0..3).map(|i| a.axes.column(i).dot(&b.axes.column(i)).abs()).fold(1.0, f64::min);
         let ratio =
             |x: &FittedInertia| (x.moments / x.moments.x).map(|x| format!("{x:.4}")).as_slice().join(" : ");
         let turned = match (a.alike, b.alike) {
             (None, None) => {
-                format!(", about axes turned by up to {:.1}°", cosine.min(1.0).acos().to_degrees())
+                format!(", about axes turned by {:.1}°", turn_of_axes(&a.axes, &b.axes).to_degrees())
             }
             _ => String::new(),
         };
         Some(format!("Its spins are those of moments {}{turned}; the others' of {}.", ratio(&b), ratio(&a)))
     }
+}
+
+/// The smallest turn that takes one set of axes to another, rad: an axis has no sense, but both sets are
+/// right-handed.
+fn turn_of_axes(a: &Matrix3<f64>, b: &Matrix3<f64>) -> f64 {
+    let cosines = (a.transpose() * b).diagonal();
+    let mirrored = cosines.product() < 0.0;
+    let trace = cosines.abs().sum() - if mirrored { 2.0 * cosines.abs().min() } else { 0.0 };
+    ((trace - 1.0) / 2.0).clamp(-1.0, 1.0).acos()
 }
 
 impl fmt::Display for Comparison {
@@ -238,7 +265,7 @@ impl fmt::Display for Comparison {
         let most = |i: usize| self.alike.iter().map(|(_, apart)| apart.off[i].most).fold(0.0, f64::max);
         let rows = self.alike.iter().chain(&self.others).map(|(_, apart)| apart.rows).min().unwrap_or(0);
         match self.alike[..] {
-            [(one, _)] => writeln!(f, "FAILED: no two of these are one motion. Against {}:", name(one))?,
+            [_] => writeln!(f, "FAILED: no two of these are one motion. Against {}:", name(self.reference))?,
             _ => {
                 let grade = if self.others.is_empty() { "PASSED" } else { "FAILED" };
                 let alike = self.alike.iter().map(|(k, _)| name(*k)).collect::<Vec<_>>().join(", ");
@@ -256,9 +283,9 @@ impl fmt::Display for Comparison {
                 let left = plain_number(apart.off[2].most);
                 writeln!(
                     f,
-                    "{}: its origin is at {x}, {y}, {z} in the axes of {}, to {left} of the way.",
+                    "{}: its origin is at {x}, {y}, {z} in the axes of {}, to {left} of the greatest distance from the start.",
                     name(*k),
-                    name(self.alike[0].0)
+                    name(self.reference)
                 )?;
             }
         }
@@ -279,7 +306,11 @@ impl Comparison {
     fn why(&self, f: &mut fmt::Formatter<'_>, k: usize, apart: &Apart) -> fmt::Result {
         let words =
             ["the spin is off by up to", "the attitude is off by up to", "the position is off by up to"];
-        for ((off, words), unit) in apart.off.iter().zip(words).zip(["of the fastest", "rad", "of the way"]) {
+        for ((off, words), unit) in apart.off.iter().zip(words).zip([
+            "of the fastest",
+            "rad",
+            "of the greatest distance from the start",
+        ]) {
             if let Some(since) = off.since {
                 let [most, limit] = [off.most, off.limit].map(plain_number);
                 writeln!(f, "  {words} {most} {unit}, and by more than {limit} from {since:.4} s on.")?;
@@ -301,7 +332,7 @@ impl Comparison {
             _ => "",
         };
         writeln!(f, "  {words}")?;
-        match self.tensors(self.alike[0].0, k).filter(|_| turns.is_some_and(|t| t > self.start)) {
+        match self.tensors(self.reference, k).filter(|_| turns.is_some_and(|t| t > self.start)) {
             Some(words) => writeln!(f, "  {words}"),
             None => Ok(()),
         }

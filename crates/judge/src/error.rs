@@ -56,6 +56,11 @@ pub enum Error {
     },
     /// Neither a header nor the caller gives the moments.
     NoMoments,
+    /// Records that cannot be compared.
+    Compared {
+        /// Why not.
+        problem: String,
+    },
     /// A threshold that is no number above zero.
     Threshold {
         /// The law that it is for; all laws, where there is none.
@@ -82,6 +87,7 @@ impl fmt::Display for Error {
             Self::OneRow => f.write_str("there is one row: a motion takes two at least"),
             Self::Line { line, problem } => write!(f, "line {line}: {problem}"),
             Self::Row { row, problem } => write!(f, "row {row}: {problem}"),
+            Self::Compared { problem } => f.write_str(problem),
             Self::Field { line, column, name, problem } => {
                 write!(f, "line {line}, column {column} (`{name}`): {problem}")
             }

@@ -15,24 +15,24 @@ pub(crate) fn quarter_period_from_root<T: Real>(
     root: DoubleDouble<T>,
 ) -> DoubleDouble<T> {
     let half = splat::<T>(0.5);
-    let (mut a, mut g) = ((DoubleDouble::from(T::one()) + complement).signed(half), root);
+    let (mut a, mut g) = ((DoubleDouble::from(T::one()) + complement).times_exact(half), root);
     // (C45): each step doubles the digits, once the first ten at most have brought 1e-162 up to where that
     // sets in.
     for _ in 0..24 {
         let difference = (a - g).hi();
-        let mean = (a + g).signed(half);
+        let mean = (a + g).times_exact(half);
         if difference.abs() <= a.hi() * NEAR {
             // What the next step would take off, but for its square.
             let (square, size) = (difference * difference, mean.hi());
             let taken = (square / (size * 16.0)).up_to(|| square * square / (size * size * size));
-            return DoubleDouble::pi().signed(half) / (mean - DoubleDouble::from(taken));
+            return DoubleDouble::pi().times_exact(half) / (mean - DoubleDouble::from(taken));
         }
         g = (a * g).sqrt();
         a = mean;
     }
     // (C8); the mean lies between the two.
     let between = a.up_to(|| (a - g).hi());
-    DoubleDouble::pi().signed(half) / between
+    DoubleDouble::pi().times_exact(half) / between
 }
 
 /// In `f64`: `pi / (2 agm(1, complement))`; infinite for 0.

@@ -134,7 +134,7 @@ impl<'a, T: Real> Preparation<'a, T> {
             amplitudes: motion.amplitudes(lift),
             omega: spin,
             // (C6), with its sign
-            rate: motion.rate().signed(splat(direction)),
+            rate: motion.rate().times_exact(splat(direction)),
             sign: splat(sign),
             cyclic,
             // (C1)
@@ -240,7 +240,7 @@ impl<'a, T: Real> Preparation<'a, T> {
         let series = DirectSeries::new(nome);
         let pair = DirectPair::of_shape(nome, &self.shape(shares, quarter));
         // (C13)
-        let turns = self.rate / self.quarter.signed(splat(4.0));
+        let turns = self.rate / self.quarter.times_exact(splat(4.0));
         let turns_per_argument = splat::<T>(0.25) / quarter;
         let [sin, cos] = phase_at_start(self.values(), self.complement, quarter);
         let (amplitudes, shift) = self.meeting_the_start(series.values(sin, cos));
@@ -252,8 +252,8 @@ impl<'a, T: Real> Preparation<'a, T> {
         // (C20)
         let about = (self.twice_energy + self.momentum * circled) / (self.momentum + circled * i_c);
         // (C25)
-        let circle = DoubleDouble::pi().signed(splat(4.0));
-        let drift = about.signed(self.sign) / circle - turns * pair.turning_at_zero();
+        let circle = DoubleDouble::pi().times_exact(splat(4.0));
+        let drift = about.times_exact(self.sign) / circle - turns * pair.turning_at_zero();
         let amplitudes_in_series = self.in_series(amplitudes);
         let axes = Axes::new(self.axes());
         let spin = DirectSpin { series, start, turns, amplitudes: amplitudes_in_series, axes };
@@ -281,8 +281,8 @@ impl<'a, T: Real> Preparation<'a, T> {
         let (argument, reduction) = (start - DoubleDouble::from(shift), reduction.back(shift));
         let start = of_length_one(reduction.argument(zero).pair(&pair));
         let (turned, half) = (rate * (stretch * pair.turning_at_saddle()), splat(0.5));
-        let circle = DoubleDouble::pi().signed(splat(2.0));
-        let drift = (self.rate_about_momentum().signed(half) - turned) / circle;
+        let circle = DoubleDouble::pi().times_exact(splat(2.0));
+        let drift = (self.rate_about_momentum().times_exact(half) - turned) / circle;
         // (C33)
         let step = pair.angle_at_saddle() * 2.0 / (pi::<T>() * 2.0);
         let axes = Axes::new(self.axes());
@@ -302,7 +302,7 @@ impl<'a, T: Real> Preparation<'a, T> {
         let signed_distance = sign * self.motion.distance_from_separatrix();
         let l = self.momentum.hi();
         let rest = -(signed_distance + l * slow * (i_c - i_m)) / (i_m * (l + i_c * slow));
-        (lead + DoubleDouble::from(rest)).signed(self.sign)
+        (lead + DoubleDouble::from(rest)).times_exact(self.sign)
     }
 
     /// The amplitudes scaled, and Jacobi's argument at the start shifted back, by roundings, so that the
@@ -370,5 +370,5 @@ pub(crate) fn argument_at_start<T: Real>(
         let left = cn / dn * elliptic::rf_of_roots(root * sn.abs(), root, T::one());
         quarter - DoubleDouble::from(left)
     };
-    size.signed(T::one().with_sign(from_flip + 0.0))
+    size.times_exact(T::one().with_sign(from_flip + 0.0))
 }

@@ -56,7 +56,7 @@ impl<T: Real> Reduction<T> {
         if !quarter.hi().finite() {
             return Self { start, rate, quarter, half: quarter, stretch, nome_root: T::zero(), turn };
         }
-        let half = quarter.signed(splat(2.0));
+        let half = quarter.times_exact(splat(2.0));
         // (C9)
         let nome_root = (-(pi * 0.5) / (other / quarter.hi())).exp();
         Self { start: start / half, rate: rate / half, quarter, half, stretch, nome_root, turn }
@@ -98,9 +98,9 @@ impl<T: Lane> Reduction<T> {
     #[inline(always)]
     fn reduced(&self, [halves, by_four]: [T; 2], u: DoubleDouble<T>) -> ReducedArgument<T> {
         let sign = u.hi().sign();
-        let from_flip = u.signed(sign);
+        let from_flip = u.times_exact(sign);
         let near_saddle = (self.quarter.hi() * 0.5).lt(from_flip.hi());
-        let from_saddle = self.quarter.plus(from_flip.signed(splat::<T>(-1.0)));
+        let from_saddle = self.quarter.plus(from_flip.times_exact(splat::<T>(-1.0)));
         let distance = DoubleDouble::select(near_saddle, from_saddle, from_flip);
         // Rounding may leave it a hair beyond the saddle.
         let main = distance.hi();

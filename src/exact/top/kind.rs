@@ -84,11 +84,10 @@ impl TopRegime {
         // Next to a cusp it is a rounding of its parts, or of the spin that the start was made from.
         let rounding = 1e-15 * about.hi().abs().max(spin.abs().min(1e12 * low.hi().abs()));
         // A path through the vertical itself has neither cusps nor loops.
-        if integrals.bottoms[0].hi() == 0.0 || integrals.tops[1].hi() == 0.0 {
-            Self::Nutation
-        } else if high.hi().abs() <= rounding {
+        let through = integrals.bottoms[0].hi() == 0.0 || integrals.tops[1].hi() == 0.0;
+        if !through && high.hi().abs() <= rounding {
             Self::Cusped
-        } else if same > 0.0 {
+        } else if through || same > 0.0 {
             Self::Nutation
         } else {
             Self::Looping

@@ -2,7 +2,7 @@
 
 use crate::law::LawName;
 use crate::read::Pair;
-use crate::rule::{Limits, PHYSICS_ENGINES, PhysicsEngine, Subject};
+use crate::rule::{Limits, PHYSICS_ENGINES, PhysicsEngine};
 use crate::thresholds::{BEYOND, MORE_PARTS, PARTS};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use tumbling::attitude;
@@ -278,7 +278,7 @@ pub(crate) fn of_parts(parts: u32) -> Vec<Rule> {
 }
 
 /// The tensor frozen as it stood at the record's first attitude, where that is another than the identity.
-pub(crate) fn frozen_at(_: &Subject, pairs: &[Pair], _: f64) -> Vec<Rule> {
+pub(crate) fn frozen_at(pairs: &[Pair]) -> Vec<Rule> {
     let first = pairs.first().and_then(|pair| pair.from.attitude);
     let first = first.map(|q| q / q.norm()).filter(|q| q.imag().norm() > 0.0 && q.norm().is_finite());
     let both = |q| [Steps::First, Steps::Fourth].map(|steps| Rule::plain(Base::FrozenTensor(q, steps)));

@@ -52,7 +52,7 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
         found.extend(in_parts);
     }
     found.extend(equals(&found, floor).into_iter().filter_map(explained));
-    let more: [Fitted; 3] = [frozen_at, compound, other_bodies];
+    let more: [Fitted; 3] = [|_, pairs, _| frozen_at(pairs), compound, other_bodies];
     for rules in more {
         if free && !fits(&found) {
             found.extend(rules(subject, pairs, floor.size).into_iter().filter_map(explained));
