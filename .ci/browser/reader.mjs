@@ -81,17 +81,19 @@ export async function codeFolds(page, base, fault) {
 /** What a reader would type is found, leads to its page, and shows no words that the page does not. */
 export async function search(page, base, fault) {
   const where = `search, ${base.slice(0, 4)}`;
-  for (const [typed, leads] of [["book", /highlight=book/], ["gyroscopic", /eulers|pitfalls|stepping|break|glossary/], ["R I R^T", /body-and-world/], ["tennis racket", /index|introduction|dzhanibekov|toss/], ["separatrix", /dzhanibekov/], ["coin", /coin/],
+  const words = [["book", /highlight=book/], ["gyroscopic", /eulers|pitfalls|stepping|break|glossary/], ["R I R^T", /body-and-world/], ["tennis racket", /index|introduction|dzhanibekov|toss/], ["separatrix", /dzhanibekov/], ["coin", /coin/],
     ["inertia tensor", /matrix-mass/], ["polhode", /dzhanibekov/], ["quaternion", /notation/], ["momentum", /matrix-mass/], ["parallel axis", /principal-axes/], ["theta function", /closed-form/], ["energy", /eulers/], ["gap", /two-arrows/], ["slip", /eulers/], ["flip", /dzhanibekov|toss/], ["torque", /eulers/],
-    ["precession", /a-top/], ["nutation", /a-top/], ["principal axes", /principal-axes/], ["moment of inertia", /matrix-mass/], ["Coriolis", /why/], ["hammer", /principal-axes/], ["Feynman", /coin/], ["middle axis", /why/]]) {
+    ["precession", /a-top/], ["nutation", /a-top/], ["principal axes", /principal-axes/], ["moment of inertia", /matrix-mass/], ["Coriolis", /why/], ["hammer", /principal-axes/], ["Feynman", /coin/], ["middle axis", /why/]];
+  // Of a server the first alone: its index is the same.
+  for (const [typed, leads] of words.slice(0, base.startsWith("file") ? words.length : 4)) {
     await page.goto(base + "index.html");
     await page.keyboard.press("/");
     await page.locator("#mdbook-searchbar").pressSequentially(typed); // it listens to keys
     const hits = page.locator("#mdbook-searchresults li a");
     try {
       await hits.first().waitFor({ timeout: 60000 });
-      const words = await page.textContent("#mdbook-searchresults");
-      if (/With JavaScript|A table of squares|Small plots, one for each|\bassert(_eq)?!|use tumbling|Checked by/.test(words)) fault(where, `for \`${typed}\` it shows what no page shows`);
+      const shown = await page.textContent("#mdbook-searchresults");
+      if (/With JavaScript|A table of squares|Small plots, one for each|\bassert(_eq)?!|use tumbling|Checked by/.test(shown)) fault(where, `for \`${typed}\` it shows what no page shows`);
       await hits.first().click();
       await page.waitForURL(leads);
     } catch {
