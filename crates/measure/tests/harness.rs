@@ -52,21 +52,6 @@ fn a_ladder_doubles_the_steps() {
     assert!(fine.right() && fine.attitude.unwrap() < 1e-6 && fine.seconds.unwrap() > 0.0, "{fine:?}");
 }
 
-/// The table of 30 digits and the closed form in doubles meet to rounding, as far as the motion magnifies it.
-#[test]
-fn the_exact_motion_is_where_the_table_says() {
-    for story in story::all().unwrap().iter().filter(|story| story.is_free()) {
-        let omega = story.system.omega(&story.start.momentum);
-        let there = FreeMotion::new((*story.system.moments()).try_into().unwrap(), &omega)
-            .unwrap()
-            .at(story.end)
-            .unwrap();
-        let off = turn(there.attitude.quaternion(), &story.truth.motion.attitude);
-        // A radian of turn loses at most some units of rounding.
-        assert!(off < 4.0 * f64::EPSILON * story.speed() * story.end, "{}: {off:e}", story.name);
-    }
-}
-
 /// What must hold of the true end of each story, whoever computed it.
 #[test]
 fn the_table_keeps_the_laws() {
