@@ -1,10 +1,10 @@
 //! Scenes of bodies under torques: the method follows from the torque and the accuracy, and it is right.
 
-use crate::common::{ALL, BOTH, SPIN, apart, one, states};
-use nalgebra::{UnitQuaternion, Vector3};
+use crate::common::{BOTH, SPIN, apart, one, states};
+use nalgebra::Vector3;
 use proptest::prelude::*;
 use tumbling::step::Torque;
-use tumbling_scenes::{Error, InitialState, Outputs, Plan, Scene, Start, Strategy, Times};
+use tumbling_scenes::{Error, InitialState, Outputs, Scene, Strategy, Times};
 
 fn agree(a: &Scene, b: &Scene) -> f64 {
     let (a, b) = (a.plan(0).unwrap(), b.plan(0).unwrap());

@@ -1,6 +1,6 @@
 //! Scenes of free bodies: the cheapest way is taken, and it is right.
 
-use crate::common::{ALL, BOTH, SPIN, apart, one, states};
+use crate::common::{ALL, BOTH, SPIN, one, states};
 use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::exact::FreeMotion;

@@ -1,6 +1,6 @@
 //! Every torque of a scene, held against a Runge-Kutta solver of its own that knows the law in world axes.
 
-use crate::common::{ALL, BOTH, SPIN, one, states};
+use crate::common::{ALL, BOTH, one, states};
 use nalgebra::{Matrix3, Quaternion, Rotation3, Unit, UnitQuaternion, Vector3};
 use tumbling::step::Torque;
 use tumbling_scenes::{InitialState, Scene, Start, Strategy, Times};
