@@ -22,7 +22,8 @@ fn signed() -> impl Strategy<Value = f64> {
 
 /// Once in a while no number at all.
 fn given() -> impl Strategy<Value = f64> {
-    prop_oneof![9 => signed(), 1 => anything()]
+    let none = prop::sample::select(vec![f64::NAN, f64::INFINITY, f64::NEG_INFINITY]);
+    prop_oneof![18 => signed(), 1 => anything(), 1 => none]
 }
 
 /// Of a possible body of any size, thin and flat ones too.

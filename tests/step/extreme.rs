@@ -19,7 +19,8 @@ fn vector_of_any_size() -> impl Strategy<Value = Vector3<f64>> {
 
 /// Once in a while no number at all.
 fn given() -> impl Strategy<Value = f64> {
-    prop_oneof![9 => of_any_size(), 1 => anything()]
+    let none = prop::sample::select(vec![f64::NAN, f64::INFINITY, f64::NEG_INFINITY]);
+    prop_oneof![18 => of_any_size(), 1 => anything(), 1 => none]
 }
 
 /// Of a top, a satellite, a motor and drag.
