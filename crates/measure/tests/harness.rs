@@ -5,7 +5,7 @@ use std::path::Path;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, State};
 use tumbling_measure::contestant::{About, Contestant, Exact, Group, Knob, Ours, Setting, ours};
-use tumbling_measure::errors::{Ended, Observed, Observer, Outcome, turn};
+use tumbling_measure::errors::{Ended, Observed, Observer, Outcome};
 use tumbling_measure::measure::{Effort, measure};
 use tumbling_measure::record::{self, Long, Record, Work};
 use tumbling_measure::story::{self, Story, in_world};
