@@ -114,6 +114,7 @@ proptest! {
             }
         }
     }
+
     #[test]
     fn a_position_stage_and_an_engine_end_in_finite_unit_attitudes_or_say_that_they_took_no_step(
         a in of_any_size(), b in of_any_size(), unit in attitude(), omega in vector_of_any_size(),
@@ -134,10 +135,6 @@ proptest! {
             }
         }
     }
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
 }
 
 /// The body for which a step of ten seconds by nine splittings in one was called reversible.

@@ -2,7 +2,6 @@
 
 use super::{adaptive, changes, free, free_motion, start};
 use nalgebra::{Quaternion, Vector3};
-use proptest::prelude::*;
 use tumbling::step::{Method, State, System};
 
 /// Errors of spin (relative) and attitude at `t`.
@@ -66,10 +65,6 @@ fn what_a_method_is_said_to_keep_it_keeps_to_rounding_and_the_rest_it_loses() {
             (back.momentum - from.momentum).norm() + (back.attitude.coords - from.attitude.coords).norm();
         assert_eq!(off < 1e-12, keeps.reversible, "{method:?}: the way back off by {off:e}");
     }
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(512))]
 }
 
 #[test]
