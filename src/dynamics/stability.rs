@@ -76,12 +76,7 @@ impl fmt::Display for Stability {
 pub fn of_spin(moments: PrincipalMoments, axis: Axis, omega: f64) -> Result<Stability, Error> {
     let sorted = moments.sorted();
     let speed = finite(Subject::Spin, omega)?.abs();
-    let about = sorted[axis.index()];
-    let [first, second] = match axis {
-        Axis::Smallest => [sorted[1], sorted[2]],
-        Axis::Middle => [sorted[0], sorted[2]],
-        Axis::Largest => [sorted[0], sorted[1]],
-    };
+    let [about, first, second] = [0, 1, 2].map(|k| sorted[(axis.index() + k) % 3]);
     // Rooted factor by factor, so that neither a tiny moment nor a tiny spin underflows.
     let relative = |other: f64| ((about - other).abs().sqrt() / other.sqrt()).abs();
     let factor = relative(first) * relative(second);

@@ -208,17 +208,13 @@ impl FreeMotion {
     ) -> Result<SpinDerivatives, Error> {
         Ok(match &self.law {
             Motion::AtRest | Motion::Steady(_) => {
-                let moving = [0, 1, 2].map(|k| omega[k] != 0.0);
-                match moving {
-                    [true, false, false] => elementary::principal(moments, 0, omega[0], time),
-                    [false, true, false] => elementary::principal(moments, 1, omega[1], time),
-                    [false, false, true] => elementary::principal(moments, 2, omega[2], time),
-                    _ => {
-                        let equal = |axis: &usize| moments[(axis + 1) % 3] == moments[(axis + 2) % 3];
-                        let axis = (0..3).find(equal).unwrap_or(2);
-                        elementary::top(moments, axis, omega, DoubleDouble::ZERO, time)
-                    }
+                let alone = |k: &usize| omega[(k + 1) % 3] == 0.0 && omega[(k + 2) % 3] == 0.0;
+                if let Some(axis) = (0..3).find(alone) {
+                    return Ok(elementary::principal(moments, axis, omega[axis], time));
                 }
+                let equal = |axis: &usize| moments[(axis + 1) % 3] == moments[(axis + 2) % 3];
+                let axis = (0..3).find(equal).unwrap_or(2);
+                elementary::top(moments, axis, omega, DoubleDouble::ZERO, time)
             }
             Motion::Symmetric(top) => elementary::top(moments, top.axis, omega, top.spin.nutation, time),
             Motion::Elliptic(motion) => {

@@ -170,38 +170,3 @@ pub(super) fn nearest_possible(moments: &Vector3<f64>) -> Vector3<f64> {
     }
     nearest
 }
-
-#[cfg(test)]
-mod tests {
-    use super::nearest_possible;
-    use nalgebra::Vector3;
-    use proptest::prelude::*;
-
-    proptest! {
-        /// The nearest point `p` of a cone is the one in it with `(x - p) . p = 0` and `(x - p) . r <= 0`
-        /// along each edge `r`.
-        #[test]
-        fn the_nearest_moments_meet_the_conditions_of_a_projection_onto_the_cone_of_bodies(
-            x in prop::array::uniform3(-2.0..3.0_f64),
-        ) {
-            let x = Vector3::from(x);
-            let p = nearest_possible(&x);
-            let off = x - p;
-            prop_assert!((0..3).all(|i| p[i] >= 0.0 && p[i] <= (p[(i + 1) % 3] + p[(i + 2) % 3]) * (1.0 + 1e-15)));
-            prop_assert!(off.dot(&p).abs() <= 1e-14, "{x:?} {p:?}: {:e}", off.dot(&p));
-            for axis in 0..3 {
-                prop_assert!(off[(axis + 1) % 3] + off[(axis + 2) % 3] <= 1e-14, "{x:?} {p:?}");
-            }
-        }
-    }
-
-    #[test]
-    fn each_way_out_of_the_cone_leads_to_the_nearest_flat_body_or_rod() {
-        // Excess 0.3: a third of it on each moment. A negative moment: the rod with the mean of the other
-        // two.
-        let flat = nearest_possible(&Vector3::new(1.0, 3.3, 2.0));
-        assert!((flat - Vector3::new(1.1, 3.2, 2.1)).amax() < 1e-15, "{flat:?}");
-        assert_eq!(nearest_possible(&Vector3::new(1.0, -0.25, 1.25)), Vector3::new(1.125, 0.0, 1.125));
-        assert_eq!(nearest_possible(&Vector3::new(-1.0, -0.25, -2.0)), Vector3::zeros());
-    }
-}

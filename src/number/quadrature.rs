@@ -117,17 +117,6 @@ mod tests {
         }
     }
 
-    /// `P2 = (3 x^2 - 1)/2`, `P3 = (5 x^3 - 3 x)/2`.
-    #[test]
-    fn the_recurrence_gives_legendres_polynomials() {
-        for x in [-0.7, 0.0, 0.3, 1.0] {
-            let [p0, p1, p2, p3] = legendre(x);
-            assert_eq!([p0, p1], [1.0, x]);
-            assert!((p2 - (1.5 * x * x - 0.5)).abs() < 1e-15, "{x}");
-            assert!((p3 - (2.5 * x * x * x - 1.5 * x)).abs() < 1e-15, "{x}");
-        }
-    }
-
     #[test]
     fn the_quadrature_integrates_the_powers_that_it_should() {
         for power in 0..16 {

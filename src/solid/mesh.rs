@@ -187,6 +187,10 @@ fn enclosed<'a>(
     }
     // Eight half units for each term, as in a tetrahedron, and one for each addition.
     let rounding = size * Extended::from((8.0 + count) * 0.5 * f64::EPSILON);
+    above_rounding(six_volumes, rounding)
+}
+
+fn above_rounding(six_volumes: Extended, rounding: Extended) -> Result<(), Error> {
     let sixth = |x: Extended| (x / Extended::from(6.0)).nearest();
     Refusal::NoVolume { volume: sixth(six_volumes), tolerance: sixth(rounding) }
         .when(!(six_volumes - rounding).is_positive())
@@ -195,9 +199,7 @@ fn enclosed<'a>(
 /// That some body could have this tensor, to the rounding of a sum of `count` terms: a surface that passes
 /// through itself may give one that none has.
 fn possible(tensor: &Matrix3<Extended>, count: usize) -> Result<(), Error> {
-    let largest = tensor
-        .diagonal()
-        .fold(Extended::zero(), |a, b| if (b.abs() - a).is_positive() { b.abs() } else { a });
+    let largest = shells::largest(&tensor.diagonal());
     let moments = moments_of(&tensor.map(|x| (x / largest).nearest()));
     let tolerance = (64.0 + count as f64) * ulp(moments[2]);
     let excess = (moments[2] - moments[1]) - moments[0];
@@ -259,11 +261,7 @@ impl Tetrahedron {
             finite_vector(Subject::Vertex, vertex)?;
         }
         let (six_volume, rounding) = six_volume(&vertices);
-        if (six_volume - rounding).is_positive() {
-            return Ok(Self { vertices });
-        }
-        let sixth = |x: Extended| (x / Extended::from(6.0)).nearest();
-        Err(Refusal::NoVolume { volume: sixth(six_volume), tolerance: sixth(rounding) }.into())
+        above_rounding(six_volume, rounding).map(|()| Self { vertices })
     }
 }
 

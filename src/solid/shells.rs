@@ -182,7 +182,7 @@ fn steepness(vertices: &[Vector3<Extended>], face: &[usize; 3]) -> (Vector3<Exte
     (up, largest(&up))
 }
 
-fn largest(v: &Vector3<Extended>) -> Extended {
+pub(super) fn largest(v: &Vector3<Extended>) -> Extended {
     v.fold(Extended::zero(), |a, b| if (b.abs() - a).is_positive() { b.abs() } else { a })
 }
 

@@ -1,5 +1,6 @@
 //! The contract of a stepper: motion in, motion out, and the method's order and laws.
 
+use super::info::{Conserved, MethodInfo};
 use super::methods::{averaged, engine_rules, gauss, moser_veselov, runge_kutta, splitting};
 use crate::body::State;
 use crate::error::{Error, Refusal, Subject};
@@ -8,90 +9,134 @@ use crate::step::system::System;
 use core::fmt;
 use nalgebra::Vector3;
 
-/// A way to step a body through time.
-///
-/// One step takes a [`State`] (attitude, and angular momentum in body axes) to the one `h` seconds later.
-/// Nothing else is carried along, so a run may be stopped, stored and taken up anywhere, and the step may
-/// change at will.
-///
-/// Which one to choose: for a fixed rate such as 60 Hz, [`fixed_rate`](fn@crate::step::fixed_rate), or
-/// [`RotationSplitting4`](Self::RotationSplitting4), which needs no iteration; for accuracy under smooth
-/// torques, [`Gauss6`](Self::Gauss6); for an error tolerance instead of a step,
-/// [`Stepper::adaptive`](crate::step::Stepper::adaptive). Free motion needs no steps: see
-/// [`exact`](crate::exact). The rules of physics engines, from [`ConstantSpin`](Self::ConstantSpin) on, are
-/// here to be compared with; `PHYSICS_ENGINES` of the crate `tumbling-judge` says which engine uses which.
-///
-/// [Order](crate::step::MethodInfo::order) and conserved quantities are those of free motion. Under a torque,
-/// the methods that apply it as half kicks before and after the free step (Buss, SPIRAL, rotation splitting,
-/// symmetric top, Moser-Veselov) are of order 2.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-#[non_exhaustive]
-pub enum Method {
+/// The methods, each in one row: its [`MethodInfo`], and its step.
+macro_rules! methods {
+    ($(#[$meta:meta])* |$system:ident, $start:ident, $h:ident| $(
+        $(#[$doc:meta])* $Name:ident(
+            $name:literal, $order:literal, $implicit:ident, $conserved:ident, $source:expr
+        ) => $step:expr;
+    )*) => {
+        $(#[$meta])*
+        pub enum Method {
+            $($(#[$doc])* $Name,)*
+        }
+
+        impl Method {
+            /// All of them.
+            pub const ALL: &[Self] = &[$(Self::$Name),*];
+
+            /// Its name, order and conserved quantities.
+            #[must_use]
+            pub const fn info(self) -> MethodInfo {
+                let (name, order, implicit, conserved, source) = match self {
+                    $(Self::$Name => ($name, $order, $implicit, Conserved::$conserved, $source),)*
+                };
+                MethodInfo { name, order, implicit, conserved, source }
+            }
+
+            #[inline(always)]
+            fn end<T: Analytic>(
+                self, $system: &System<T>, $start: &State<T>, $h: &T,
+            ) -> Result<State<T>, Error> {
+                Ok(match self {
+                    $(Self::$Name => $step,)*
+                })
+            }
+        }
+    };
+}
+
+const ENGINES: &str = "a rule of physics engines";
+const EXPLICIT: bool = false;
+const IMPLICIT: bool = true;
+
+methods! {
+    /// A way to step a body through time.
+    ///
+    /// One step takes a [`State`] (attitude, and angular momentum in body axes) to the one `h` seconds later.
+    /// Nothing else is carried along, so a run may be stopped, stored and taken up anywhere, and the step may
+    /// change at will.
+    ///
+    /// Which one to choose: for a fixed rate such as 60 Hz, [`fixed_rate`](fn@crate::step::fixed_rate), or
+    /// [`RotationSplitting4`](Self::RotationSplitting4), which needs no iteration; for accuracy under smooth
+    /// torques, [`Gauss6`](Self::Gauss6); for an error tolerance instead of a step,
+    /// [`Stepper::adaptive`](crate::step::Stepper::adaptive). Free motion needs no steps: see
+    /// [`exact`](crate::exact). The rules of physics engines, from [`ConstantSpin`](Self::ConstantSpin) on,
+    /// are here to be compared with; `PHYSICS_ENGINES` of the crate `tumbling-judge` says which engine uses
+    /// which.
+    ///
+    /// [Order](crate::step::MethodInfo::order) and conserved quantities are those of free motion. Under a
+    /// torque, the methods that apply it as half kicks before and after the free step (Buss, SPIRAL, rotation
+    /// splitting, symmetric top, Moser-Veselov) are of order 2.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+    #[non_exhaustive]
+
+    |system, start, h|
     /// Straight ahead along the rates at the start.
-    ExplicitEuler,
+    ExplicitEuler("explicit Euler", 1, EXPLICIT, NONE, "Eul68") => runge_kutta::euler(system, start, h);
     /// The classical Runge-Kutta method, the attitude's length left as it comes.
-    RungeKutta4,
+    RungeKutta4("Runge-Kutta 4", 4, EXPLICIT, NONE, "Kut01") => runge_kutta::rk4_step(system, start, h);
     /// The step of order 5 of Dormand and Prince's pair, the attitude's length left as it comes.
-    DormandPrince5,
+    DormandPrince5("Dormand-Prince 5", 5, EXPLICIT, NONE, "DP80") => runge_kutta::dormand_prince(system, start, h);
     /// Runge-Kutta in the turn since the start of the step, so that the attitude stays a rotation and a free
     /// body's momentum stays where it is in the world.
-    MuntheKaas4,
+    MuntheKaas4("Munthe-Kaas 4", 4, EXPLICIT, MOMENTUM, "MK98") => runge_kutta::munthe_kaas(system, start, h);
     /// Buss's augmented method: one turn by an averaged spin, the momentum kept in the world.
-    Buss,
+    Buss("Buss's augmented", 2, EXPLICIT, MOMENTUM, "Bus00") => averaged::buss(system, start, h);
     /// SPIRAL, in its synchronous form.
-    Spiral,
+    Spiral("SPIRAL", 2, EXPLICIT, UNIT, "Val24") => averaged::spiral(system, start, h);
     /// The implicit midpoint rule, attitude and momentum turned as one.
-    ImplicitMidpoint,
+    ImplicitMidpoint("implicit midpoint", 2, IMPLICIT, ALL, "HLW06") => gauss::midpoint(system, start, h)?;
     /// Gauss's collocation with two stages.
-    Gauss4,
+    Gauss4("Gauss 4", 4, IMPLICIT, SQUARES, "But64") => gauss::gauss_4(system, start, h)?;
     /// Gauss's collocation with three stages.
-    Gauss6,
+    Gauss6("Gauss 6", 6, IMPLICIT, SQUARES, "But64") => gauss::gauss_6(system, start, h)?;
     /// An exact turn about each principal axis, there and back.
-    RotationSplitting2,
+    RotationSplitting2("three rotations", 2, EXPLICIT, ALL_BUT_ENERGY, "McL93") => splitting::order_2(system, start, h);
     /// Seven steps of [`RotationSplitting2`](Self::RotationSplitting2) in one.
-    RotationSplitting4,
+    RotationSplitting4("three rotations, 7 in 1", 4, EXPLICIT, ALL_BUT_ENERGY, "our own weights") => splitting::order_4(system, start, h);
     /// Nine steps of [`RotationSplitting2`](Self::RotationSplitting2) in one.
-    RotationSplitting6,
+    RotationSplitting6("three rotations, 9 in 1", 6, EXPLICIT, ALL_BUT_ENERGY, "KL97") => splitting::order_6(system, start, h);
     /// The exact motion of a symmetric top, and turns that make up for the rest. Best for bodies whose first
     /// two moments are the nearest.
-    SymmetricTop,
+    SymmetricTop("symmetric top", 2, EXPLICIT, ALL_BUT_ENERGY, "DLM97") => splitting::symmetric_top(system, start, h);
     /// The discrete Moser-Veselov algorithm. It and the four after it refuse a step that turns the body by a
     /// quarter turn or more.
-    MoserVeselov2,
+    MoserVeselov2("Moser-Veselov", 2, IMPLICIT, ALL, "MV91") => moser_veselov::step(system, start, h, 2)?;
     /// Moser and Veselov's algorithm with the moments preprocessed to order 4.
-    MoserVeselov4,
+    MoserVeselov4("Moser-Veselov 4", 4, IMPLICIT, ALL, "HV06") => moser_veselov::step(system, start, h, 4)?;
     /// Moser and Veselov's algorithm with the moments preprocessed to order 6.
-    MoserVeselov6,
+    MoserVeselov6("Moser-Veselov 6", 6, IMPLICIT, ALL, "HV06") => moser_veselov::step(system, start, h, 6)?;
     /// Moser and Veselov's algorithm with the moments preprocessed to order 8.
-    MoserVeselov8,
+    MoserVeselov8("Moser-Veselov 8", 8, IMPLICIT, ALL, "HV06") => moser_veselov::step(system, start, h, 8)?;
     /// Moser and Veselov's algorithm with the moments preprocessed to order 10.
-    MoserVeselov10,
+    MoserVeselov10("Moser-Veselov 10", 10, IMPLICIT, ALL, "HV06") => moser_veselov::step(system, start, h, 10)?;
     /// No gyroscopic term: the spin is carried unchanged in the world and turns the attitude. Energy and
     /// `|L|` stay, but the spin never flips or precesses, and the momentum wanders in the world with the
     /// body; at any step, so that its order is 0.
-    ConstantSpin,
+    ConstantSpin("no gyroscopic term", 0, EXPLICIT, SQUARES, ENGINES) => engine_rules::constant_spin(system, start, h);
     /// An explicit gyroscopic step of the momentum, then a turn by the new spin. It gains energy, in time
     /// without bound: a stable spin is lost.
-    SemiImplicitEuler,
+    SemiImplicitEuler("explicit gyroscopic step", 1, EXPLICIT, UNIT, ENGINES) => engine_rules::semi_implicit(system, start, h);
     /// An explicit gyroscopic step, with the momentum brought back to its length before the turn. It keeps
     /// `|L|` and turns a body that spins stably about its largest moment toward the middle one.
-    Rescaled,
+    Rescaled("explicit, rescaled", 1, EXPLICIT, LENGTHS, ENGINES) => engine_rules::rescaled(system, start, h);
     /// [`Rescaled`](Self::Rescaled), with the attitude moved straight along its rate and normalised.
-    RescaledLinearAttitude,
+    RescaledLinearAttitude("rescaled, turned straight", 1, EXPLICIT, LENGTHS, ENGINES) => engine_rules::rescaled_straight(system, start, h);
     /// One Newton step of implicit Euler for the gyroscopic term, the torques applied apart from it
     /// [Cat15](crate::references). It takes energy and momentum from most bodies that tumble; a step that
     /// turns by a radian or more can multiply the energy.
-    ImplicitOneNewton,
+    ImplicitOneNewton("one Newton step", 1, IMPLICIT, UNIT, "Cat15") => engine_rules::one_newton(system, start, h);
     /// Implicit Euler linearised at the start, with the torques inside and of them the derivative of the
     /// damping. For a free body the same as [`ImplicitOneNewton`](Self::ImplicitOneNewton).
-    LinearisedImplicit,
+    LinearisedImplicit("linearised implicit", 1, IMPLICIT, UNIT, ENGINES) => engine_rules::linearised(system, start, h);
     /// Runge-Kutta 4 for the spin, one turn by the mean of its four spins. The spin is right to the fourth
     /// order, the attitude to the second.
-    MeanSpinRungeKutta4,
+    MeanSpinRungeKutta4("Runge-Kutta 4, mean spin", 2, EXPLICIT, UNIT, ENGINES) => engine_rules::mean_spin(system, start, h);
     /// Runge-Kutta 4 with each of the four spins corrected to the rate of the turn since the step's start, as
     /// [MK98](crate::references). Unlike [`MuntheKaas4`](Self::MuntheKaas4) it steps the momentum in body
     /// axes.
-    TurnedRungeKutta4,
+    TurnedRungeKutta4("Runge-Kutta 4, turned", 4, EXPLICIT, UNIT, "MK98") => engine_rules::corrected(system, start, h);
 }
 
 impl Method {
@@ -122,35 +167,7 @@ impl Method {
     pub fn step<T: Analytic>(self, system: &System<T>, start: &State<T>, h: T) -> Result<State<T>, Error> {
         let h = &h;
         check_square_underflow(&system.omega(&start.momentum), h)?;
-        let end = match self {
-            Self::ExplicitEuler => runge_kutta::euler(system, start, h),
-            Self::RungeKutta4 => runge_kutta::rk4_step(system, start, h),
-            Self::DormandPrince5 => runge_kutta::dormand_prince(system, start, h),
-            Self::MuntheKaas4 => runge_kutta::munthe_kaas(system, start, h),
-            Self::Buss => averaged::buss(system, start, h),
-            Self::Spiral => averaged::spiral(system, start, h),
-            Self::ImplicitMidpoint => gauss::midpoint(system, start, h)?,
-            Self::Gauss4 => gauss::gauss_4(system, start, h)?,
-            Self::Gauss6 => gauss::gauss_6(system, start, h)?,
-            Self::RotationSplitting2 => splitting::order_2(system, start, h),
-            Self::RotationSplitting4 => splitting::order_4(system, start, h),
-            Self::RotationSplitting6 => splitting::order_6(system, start, h),
-            Self::SymmetricTop => splitting::symmetric_top(system, start, h),
-            Self::MoserVeselov2 => moser_veselov::step(system, start, h, 2)?,
-            Self::MoserVeselov4 => moser_veselov::step(system, start, h, 4)?,
-            Self::MoserVeselov6 => moser_veselov::step(system, start, h, 6)?,
-            Self::MoserVeselov8 => moser_veselov::step(system, start, h, 8)?,
-            Self::MoserVeselov10 => moser_veselov::step(system, start, h, 10)?,
-            Self::ConstantSpin => engine_rules::constant_spin(system, start, h),
-            Self::SemiImplicitEuler => engine_rules::semi_implicit(system, start, h),
-            Self::Rescaled => engine_rules::rescaled(system, start, h),
-            Self::RescaledLinearAttitude => engine_rules::rescaled_straight(system, start, h),
-            Self::ImplicitOneNewton => engine_rules::one_newton(system, start, h),
-            Self::LinearisedImplicit => engine_rules::linearised(system, start, h),
-            Self::MeanSpinRungeKutta4 => engine_rules::mean_spin(system, start, h),
-            Self::TurnedRungeKutta4 => engine_rules::corrected(system, start, h),
-        };
-        end.checked()
+        self.end(system, start, h)?.checked()
     }
 }
 

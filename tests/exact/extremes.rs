@@ -31,7 +31,7 @@ fn body() -> impl Strategy<Value = PrincipalMoments> {
 
 fn spin() -> impl Strategy<Value = Vector3<f64>> {
     let alike = (vector(1.0), size()).prop_map(|(direction, size)| direction * size);
-    let any = (signed(), signed(), signed()).prop_map(|(x, y, z)| Vector3::new(x, y, z));
+    let any = prop::array::uniform3(prop_oneof![9 => signed(), 1 => anything()]).prop_map(Vector3::from);
     prop_oneof![any, alike]
 }
 
@@ -51,6 +51,15 @@ fn constants(regime: Regime) -> Vec<f64> {
 
 /// Whether all that can be read off a motion is a number, and its flips are in order.
 fn holds(motion: &FreeMotion, t: f64, u: f64) -> Result<(), TestCaseError> {
+    for none in [f64::NAN, f64::INFINITY] {
+        let errors = [
+            motion.at(none).err(),
+            motion.next_flip(none).err(),
+            motion.flips(none, u).err(),
+            motion.sensitivities(none).err(),
+        ];
+        prop_assert!(errors.iter().all(|e| e.as_ref().is_some_and(|e| e.kind() == ErrorKind::NotFinite)));
+    }
     let at = motion.at(t).unwrap();
     prop_assert!(is_state(&at), "{at:?}");
     prop_assert_eq!((motion.omega(t).unwrap(), motion.attitude(t).unwrap()), (at.omega, at.attitude));
@@ -131,6 +140,7 @@ proptest! {
         for start in [start, UnitQuaternion::identity()] {
             let Ok(top) = LagrangeTop::new(moments, start, &omega, &(Vector3::y() * arm), weight) else { continue };
             prop_assert!(is_state(&top.at(t).unwrap()), "{top:?}");
+            prop_assert!(top.at(f64::NAN).is_err() && top.at(f64::INFINITY).is_err());
             prop_assert!(top.period().ok().flatten().is_none_or(|x| x.is_finite() && x > 0.0), "{top:?}");
             let numbers = [top.energy(), top.momentum_about_axis(), top.precession_rate()];
             prop_assert!(numbers.iter().chain(&top.lean()).all(|x| x.is_finite()), "{top:?}");

@@ -8,9 +8,8 @@ use crate::common::*;
 use nalgebra::{Matrix3, SMatrix, Vector3, Vector6};
 use proptest::prelude::*;
 use serde_json::Value;
-use tumbling::dynamics::euler;
 use tumbling::exact::FreeMotion;
-use tumbling::{Error, ErrorKind, PrincipalMoments};
+use tumbling::{Error, ErrorKind};
 
 const NAMES: [&str; 4] = ["spin by spin", "spin by tensor", "turn by spin", "turn by tensor"];
 
@@ -181,68 +180,6 @@ proptest! {
         prop_assert!(agree(&by_moments, &diagonal(&omega), size, condition), "{by_moments}");
     }
 
-    // Energy and the momentum's length are the start's, and so are their changes.
-    #[test]
-    fn the_change_of_energy_and_of_the_length_of_the_momentum_is_that_of_the_start(
-        m in body(), omega in spin(), t in time(),
-    ) {
-        let motion = free_motion(m, &omega);
-        let (now, change) = (motion.omega(t).unwrap(), derivatives(&motion, t).unwrap());
-        let bound = |size: f64| 32.0 * ROUNDING * condition(&omega, t) * size;
-        for power in [1, 2] {
-            // Half of sum I^power w²: weights of the change of the spin, and of the moments.
-            let by_spin = |w: &Vector3<f64>| Vector3::from_fn(|k, _| m[k].powi(power) * w[k]);
-            let by_moment = |w: &Vector3<f64>| Vector3::from_fn(|k, _| 0.5 * f64::from(power) * m[k].powi(power - 1) * w[k] * w[k]);
-            let weights = by_spin(&now);
-            // The spin there is right to roundings of its length, not of each component.
-            let heavy = by_spin(&Vector3::repeat(now.norm()));
-            let later = change.omega_by_omega.tr_mul(&weights);
-            let size = change.omega_by_omega.abs().tr_mul(&heavy).amax();
-            prop_assert!((later - by_spin(&omega)).amax() <= bound(size), "{later} {}", by_spin(&omega));
-            let later = change.omega_by_moments().tr_mul(&weights) + by_moment(&now);
-            let size = change.omega_by_tensor.abs().tr_mul(&heavy).amax() + by_moment(&now).amax();
-            prop_assert!((later - by_moment(&omega)).amax() <= bound(size), "{later} {}", by_moment(&omega));
-        }
-    }
-
-    // Only ratios of the moments matter; and a motion with all spins larger is the same, run faster.
-    #[test]
-    fn a_heavier_body_moves_alike_and_a_faster_start_runs_ahead(m in body(), omega in spin(), t in time()) {
-        let motion = free_motion(m, &omega);
-        let (at, change) = (motion.at(t).unwrap(), derivatives(&motion, t).unwrap());
-        let bound = |m: &Matrix3<f64>, v: &Vector3<f64>| 32.0 * ROUNDING * condition(&omega, t) * (m.abs() * v.abs()).norm();
-        for block in [&change.omega_by_tensor, &change.turn_by_tensor] {
-            // Each block is right relative to its own norm, whichever of its columns is the small one.
-            let size = norm(block) * m.norm() * condition(&omega, t);
-            let along = block.fixed_columns::<3>(0) * m;
-            prop_assert!(along.norm() <= 32.0 * ROUNDING * size, "{along}");
-        }
-        let rate = euler::angular_acceleration(&m, &at.omega, &Vector3::zeros());
-        let faster = change.omega_by_omega * omega;
-        let off = (faster - (at.omega + rate * t)).norm();
-        prop_assert!(off <= bound(&change.omega_by_omega, &omega), "{faster}");
-        let ahead = change.turn_by_omega * omega;
-        let off = (ahead - at.attitude * at.omega * t).norm();
-        prop_assert!(off <= bound(&change.turn_by_omega, &omega), "{ahead}");
-    }
-
-    // A start a little later on the same motion: spin and attitude are those a little later.
-    #[test]
-    fn a_start_further_along_the_motion_stays_as_far_along(m in body(), omega in spin(), t in time()) {
-        let motion = free_motion(m, &omega);
-        let (at, change) = (motion.at(t).unwrap(), derivatives(&motion, t).unwrap());
-        let rate = |w: &Vector3<f64>| euler::angular_acceleration(&m, w, &Vector3::zeros());
-        let start = rate(&omega);
-        let bound = |m: &Matrix3<f64>| 32.0 * ROUNDING * condition(&omega, t) * (m.abs() * start.abs()).norm();
-        let later = change.omega_by_omega * start;
-        let off = (later - rate(&at.omega)).norm();
-        prop_assert!(off <= bound(&change.omega_by_omega), "{later} {}", rate(&at.omega));
-        let turned = change.turn_by_omega * start;
-        let expected = at.attitude * at.omega - omega;
-        let size = bound(&change.turn_by_omega) + 32.0 * ROUNDING * condition(&omega, t) * omega.norm();
-        prop_assert!((turned - expected).norm() <= size, "{turned} {expected}");
-    }
-
     // The chain rule: over two spans, the changes of the first are the start of the second. Of ordinary
     // bodies: the start between is rounded, and what that does is not bounded by first derivatives on a
     // needle.
@@ -272,18 +209,6 @@ proptest! {
         let size = growth * (norm(&a.omega_by_tensor) * norm(&b.turn_by_omega) + norm(&b.turn_by_tensor) + norm(&a.turn_by_tensor));
         let chained = rotation * (b.turn_by_omega * a.omega_by_tensor + b.turn_by_tensor) + a.turn_by_tensor;
         prop_assert!(agree(&chained, &whole.turn_by_tensor, size, condition), "{chained} {whole:?}");
-    }
-
-    #[test]
-    fn no_input_makes_the_derivatives_panic(
-        m in prop_oneof![any_vector(), (body(), -200..200_i32).prop_map(|(m, power)| m * 10_f64.powi(power))],
-        omega in any_vector(), t in anything(),
-    ) {
-        if let Ok(motion) = PrincipalMoments::try_from(m).and_then(|m| FreeMotion::new(m, &omega)) {
-            for found in motion.sensitivities(t).into_iter().flat_map(|(a, b)| [a, b]) {
-                prop_assert!(found.iter().all(|x| x.is_finite()));
-            }
-        }
     }
 }
 

@@ -130,17 +130,6 @@ fn a_sphere_has_the_bodys_own_axes() {
 }
 
 #[test]
-fn needles_and_scales_from_1e_minus_200_to_1e_150_come_out_exactly_when_given_along_their_axes() {
-    for scale in [1e-200, 1e-20, 1.0, 1e20, 1e150] {
-        for needle in [1e-12, 1e-6, 0.5] {
-            let tensor = Inertia::from_moments(scale, needle * scale, scale).unwrap();
-            assert_eq!(tensor.principal().moments(), Vector3::new(needle * scale, scale, scale));
-            assert_eq!(tensor.principal().axis(Axis::Smallest), Vector3::y());
-        }
-    }
-}
-
-#[test]
 fn a_turned_needle_is_found_to_rounding_of_its_largest_moment() {
     let q = UnitQuaternion::from_euler_angles(0.3, 1.1, -2.0);
     for scale in [1e-200, 1.0, 1e150] {

@@ -2,7 +2,7 @@
 
 use super::cloud::{assert_same, moved, size, together, vector};
 use crate::common::{any_vector, anything, refused};
-use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use num_rational::Ratio;
 use proptest::prelude::*;
 use tumbling::solid::*;
@@ -59,38 +59,6 @@ proptest! {
         let turned = points.map(|(m, p)| (m, q * p));
         let whole = MassProperties::of_points(&points).unwrap().turned(q).unwrap();
         assert_same("points", &MassProperties::of_points(&turned).unwrap(), &whole, 1e-14, 10.0);
-    }
-
-    #[test]
-    fn turning_there_and_back_leaves_moments_and_centre(q in attitude()) {
-        let body = lopsided();
-        let back = body.turned(q).unwrap().turned(q.inverse()).unwrap();
-        assert_same("back", &back, &body, 1e-14, 1.0);
-    }
-
-    // In exact arithmetic, from any reference, and grouped in any way.
-    #[test]
-    fn combining_parts_one_by_one_or_all_at_once_is_exactly_the_same_in_fractions(
-        masses in proptest::array::uniform3(1_i128..9),
-        places in proptest::array::uniform9(-9_i128..9), reference in proptest::array::uniform3(-9_i128..9),
-    ) {
-        let n = Ratio::<i128>::from_integer;
-        let part = |i: usize| MassMoments {
-            mass: n(masses[i]),
-            centre: Vector3::new(places[3 * i], places[3 * i + 1], places[3 * i + 2]).map(n),
-            inertia: Matrix3::from_diagonal(&Cuboid::moments(&n(masses[i]), [&n(2), &n(1), &n(3)])),
-        };
-        let [origin, elsewhere] = [[0; 3], reference].map(|r| Vector3::from(r).map(n));
-        let at_once = combined(&[part(0), part(1), part(2)], &origin);
-        let pair = combined(&[part(0), part(1)], &elsewhere);
-        prop_assert_eq!(&combined(&[pair, part(2)], &elsewhere), &at_once);
-        // Independent: sum about the origin, then off with the whole as a point.
-        let mut about_origin = Matrix3::repeat(n(0));
-        for i in 0..3 {
-            about_origin += part(i).inertia + tumbling::inertia::point_mass(&part(i).mass, &part(i).centre);
-        }
-        about_origin -= tumbling::inertia::point_mass(&at_once.mass, &at_once.centre);
-        prop_assert_eq!(about_origin, at_once.inertia);
     }
 
     #[test]
@@ -210,19 +178,4 @@ fn what_is_no_body_is_refused_by_name() {
     let bad = refused(bad, ErrorKind::NotFinite, "part 1: the offset is NaN");
     let of_the_part = std::error::Error::source(&bad).unwrap();
     assert_eq!(bad.to_string(), format!("part 1: {of_the_part}"));
-}
-
-#[test]
-fn flat_plates_are_bodies_at_every_scale_in_every_attitude() {
-    for power in -20..=20 {
-        let scale = 10.0_f64.powi(power);
-        for mass in [1e-20, 0.3, 1e20] {
-            let plate = ThinPlate::new(0.7 * scale, 1.9 * scale).unwrap().with_mass(mass).unwrap();
-            let [x, y, z] = <[f64; 3]>::from(plate.inertia().matrix().diagonal());
-            assert!(Inertia::from_moments(x, y, z).is_ok(), "{scale:e}");
-            let turn = UnitQuaternion::from_euler_angles(0.3 * f64::from(power), 1.0, 2.0);
-            let turned = plate.turned(turn).unwrap().inertia().matrix();
-            assert!(Inertia::try_from(turned).is_ok(), "{scale:e}");
-        }
-    }
 }

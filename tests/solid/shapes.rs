@@ -3,7 +3,6 @@
 use super::cloud::{Cloud, assert_integrates, assert_same, decades, gauss, size, slices};
 use crate::common::refused;
 use nalgebra::Vector3;
-use num_rational::Ratio;
 use proptest::prelude::*;
 use tumbling::solid::*;
 use tumbling::{ErrorKind, Inertia};
@@ -144,71 +143,7 @@ proptest! {
         prop_assert_eq!(diagonal(&ThinPlate::new(a, b).unwrap()), ThinPlate::moments(&m, [&a, &b]));
         prop_assert_eq!(diagonal(&ThinDisk::new(a).unwrap()), ThinDisk::moments(&m, [&a]));
     }
-
-    // In exact arithmetic there is no tolerance: whole = bored + core, capsule = cylinder + half balls.
-    #[test]
-    fn bored_and_capped_shapes_add_up_exactly_in_fractions(
-        i in 1_i128..9, d in 1_i128..9, h in 1_i128..9, den in 1_i128..5,
-    ) {
-        let q = |n: i128| Ratio::new(n, den);
-        let (i, o, h) = (q(i), q(i + d), q(h));
-        let sum = |p: Vector3<Q>, r: Vector3<Q>| p + r;
-        let (whole, core) = (o * o, i * i);
-        prop_assert_eq!(
-            sum(Cylinder::moments(&(whole - core), [&i, &o, &h]), Cylinder::moments(&core, [&i, &h])),
-            Cylinder::moments(&whole, [&o, &h])
-        );
-        let (whole, core) = (o * o * o, i * i * i);
-        prop_assert_eq!(
-            Ball::moments(&(whole - core), [&i, &o]).x + Ball::moments(&core, [&i]).x,
-            Ball::moments(&whole, [&o]).x
-        );
-        // Masses over pi r^2 / 3: the cylinder 3h, each half ball 2r.
-        let (r, n) = (o, Ratio::from_integer);
-        let cap = |side: i128| {
-            let mass = n(2) * r;
-            let across = Ratio::new(83, 320) * mass * r * r;
-            MassMoments {
-                mass,
-                centre: Vector3::new(n(0), n(0), n(side) * (h / n(2) + Ratio::new(3, 8) * r)),
-                inertia: nalgebra::Matrix3::from_diagonal(&Vector3::new(
-                    across, across, Ratio::new(2, 5) * mass * r * r,
-                )),
-            }
-        };
-        let cylinder = MassMoments {
-            mass: n(3) * h,
-            centre: Vector3::repeat(n(0)),
-            inertia: nalgebra::Matrix3::from_diagonal(&Cylinder::moments(&(n(3) * h), [&r, &h])),
-        };
-        let built = combined(&[cylinder, cap(1), cap(-1)], &Vector3::repeat(n(7)));
-        prop_assert_eq!(built.centre, Vector3::repeat(n(0)));
-        prop_assert_eq!(built.inertia.diagonal(), Capsule::moments(&built.mass, [&r, &h]));
-    }
-
-    #[test]
-    fn six_tetrahedra_fill_a_box_exactly_in_fractions(
-        a in 1_i128..9, b in 1_i128..9, c in 1_i128..9, at in proptest::array::uniform3(-9_i128..9),
-    ) {
-        let n = Ratio::from_integer;
-        let start = Vector3::from(at).map(n);
-        let edges = [[a, 0, 0], [0, b, 0], [0, 0, c]].map(|e| Vector3::from(e).map(n));
-        // From one corner to the opposite one, along the three edges in every order.
-        let orders = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
-        let share = n(a * b * c) / n(6);
-        let parts = orders.map(|[i, j, k]| {
-            let (p, q) = (start + edges[i], start + edges[i] + edges[j]);
-            tetrahedron_moments(&share, &[start, p, q, q + edges[k]])
-        });
-        let built = combined(&parts, &Vector3::repeat(n(5)));
-        let half = Ratio::new(1, 2);
-        prop_assert_eq!(built.centre, start + (edges[0] + edges[1] + edges[2]) * half);
-        let moments = Cuboid::moments(&n(a * b * c), [&n(a), &n(b), &n(c)]);
-        prop_assert_eq!(built.inertia, nalgebra::Matrix3::from_diagonal(&moments));
-    }
 }
-
-type Q = Ratio<i128>;
 
 fn every_shape(a: f64, b: f64, c: f64) -> Vec<Box<dyn Solid>> {
     vec![
@@ -233,13 +168,6 @@ fn every_shape(a: f64, b: f64, c: f64) -> Vec<Box<dyn Solid>> {
             .unwrap(),
         ),
     ]
-}
-
-#[test]
-fn the_worked_example_is_exact_in_fractions() {
-    let n = Ratio::<i128>::from_integer;
-    let moments = Cuboid::moments(&n(1), [&n(2), &n(1), &n(3)]);
-    assert_eq!(moments, Vector3::new(Ratio::new(5, 6), Ratio::new(13, 12), Ratio::new(5, 12)));
 }
 
 #[test]

@@ -76,31 +76,6 @@ fn an_adaptive_run_is_finite_or_refused_and_soon() {
 }
 
 #[test]
-fn a_pendulum_let_go_from_rest_swings_under_controlled_error() {
-    // A compass needle a tenth of a radian off the field: with the field along x and its moment too, small
-    // swings about z of period 2 pi sqrt(I / (m B)), a little longer by a sixteenth of the square of the
-    // angle.
-    let (moment, pull, angle) = (2.0_f64, 3.0_f64, 0.1_f64);
-    let aligning = Torque::Aligning { arm: Vector3::x(), field: Vector3::x() * pull };
-    let system = under([1.0, 1.5, moment], vec![aligning]);
-    let attitude = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), angle).into_inner();
-    let from = State { attitude, momentum: Vector3::zeros() };
-    // The pendulum's period through the arithmetic-geometric mean of 1 and cos(angle / 2).
-    let (mut a, mut g) = (1.0_f64, (angle / 2.0).cos());
-    for _ in 0..5 {
-        (a, g) = (0.5 * (a + g), (a * g).sqrt());
-    }
-    let period = std::f64::consts::TAU * (moment / pull).sqrt() / a;
-    for tolerance in [1e-6, 1e-9, 1e-12] {
-        let mut left = 1_000_000;
-        let end = adaptive(&system, &from, period, tolerance, &mut left).unwrap();
-        let off = (end.attitude.coords - attitude.coords).norm() + end.momentum.norm();
-        assert!(off < 100.0 * tolerance, "{tolerance:e}: {off:e}");
-        assert!(left < 999_999);
-    }
-}
-
-#[test]
 fn a_body_at_rest_is_set_turning_by_a_torque_that_comes_later() {
     // About a principal axis the spin is the torque's integral over the moment.
     let moments = Vector3::new(1.0, 2.0, 2.5);

@@ -1,11 +1,8 @@
 //! Every stepping method against the exact motion, and against what it says of itself.
 
-use super::{adaptive, changes, finite, free, free_motion, start};
-use crate::common::*;
+use super::{adaptive, changes, free, free_motion, start};
 use nalgebra::{Quaternion, Vector3};
-use proptest::prelude::*;
-use tumbling::PrincipalMoments;
-use tumbling::step::{Method, State, System, Torque, fixed_rate};
+use tumbling::step::{Method, State, System};
 
 /// Errors of spin (relative) and attitude at `t`.
 fn error(method: Method, moments: &Vector3<f64>, omega: &Vector3<f64>, t: f64, count: usize) -> f64 {
@@ -67,29 +64,6 @@ fn what_a_method_is_said_to_keep_it_keeps_to_rounding_and_the_rest_it_loses() {
         let off =
             (back.momentum - from.momentum).norm() + (back.attitude.coords - from.attitude.coords).norm();
         assert_eq!(off < 1e-12, keeps.reversible, "{method:?}: the way back off by {off:e}");
-    }
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(512))]
-
-    #[test]
-    fn any_numbers_at_all_give_a_finite_state_or_an_error(
-        moments in any_vector(), momentum in any_vector(), torque in any_vector(), driven in any::<bool>(),
-        q in [anything(), anything(), anything(), anything()], h in anything(),
-    ) {
-        let from = State { attitude: Quaternion::new(q[0], q[1], q[2], q[3]), momentum };
-        let torques = if driven { vec![Torque::InWorld(torque), Torque::Damping(torque.abs())] } else { Vec::new() };
-        let on = |moments: PrincipalMoments| System::with(moments, torques.clone()).ok();
-        let sound = on(PrincipalMoments::new(1.0, 2.0, 2.5)?);
-        // Also numbers that the constructor refuses.
-        let systems = [moments.try_into().ok().and_then(on), sound, Some(System::of_numbers(moments, Vec::new()))];
-        for system in systems.into_iter().flatten() {
-            for &method in Method::ALL {
-                prop_assert!(method.step(&system, &from, h).map_or(true, |end| finite(&end)), "{method:?}");
-            }
-            prop_assert!(fixed_rate(&system, &from, h).map_or(true, |end| finite(&end)));
-        }
     }
 }
 

@@ -17,7 +17,6 @@ mod position_stage;
 mod position_stage_in_c;
 mod position_stage_in_one_file;
 mod requests;
-mod rk4;
 mod stepper;
 mod stiff;
 mod top;

@@ -1,6 +1,6 @@
 //! Bodies under torques, against motions that are known exactly.
 
-use super::{apart, free, free_motion, start, under};
+use super::{apart, free, under};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use tumbling::PrincipalMoments;
 use tumbling::step::{Method, State, Stepper, System, Torque};
@@ -31,33 +31,6 @@ fn go_to(truth: &State<f64>, system: &System<f64>, from: &State<f64>, t: f64) {
 }
 
 #[test]
-fn drag_in_proportion_to_the_momentum_only_slows_the_free_motion_down() {
-    // L' = L x w - c L: the spin is e^(-ct) times the free one at the time (1 - e^(-ct))/c. Substitute and
-    // see.
-    let (moments, omega, c, t) = (Vector3::new(1.0, 2.0, 2.6), Vector3::new(0.4, 1.5, -0.3), 0.3_f64, 4.0);
-    let system = under(moments, vec![Torque::Damping(moments * c)]);
-    let left = (-c * t).exp();
-    let free = free_motion(moments, &omega).at((1.0 - left) / c).unwrap();
-    let truth =
-        State { attitude: free.attitude.into_inner(), momentum: system.momentum(&(free.omega * left)) };
-    let from = start(&system, &omega);
-    go_to(&truth, &system, &from, t);
-}
-
-#[test]
-fn a_thruster_along_a_principal_axis_speeds_the_spin_up_evenly() {
-    let (moments, rate, push, t) = (Vector3::new(1.0, 2.0, 2.6), 0.7, 0.5, 3.0);
-    let system = under(moments, vec![Torque::InBody(Vector3::new(0.0, push, 0.0))]);
-    let angle = rate * t + 0.5 * push / moments.y * t * t;
-    let truth = State {
-        attitude: UnitQuaternion::from_axis_angle(&Vector3::y_axis(), angle).into_inner(),
-        momentum: Vector3::new(0.0, moments.y * rate + push * t, 0.0),
-    };
-    let from = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.0, moments.y * rate, 0.0) };
-    go_to(&truth, &system, &from, t);
-}
-
-#[test]
 fn a_heavy_top_precesses_steadily_where_weight_and_spin_balance() {
     // Tilt theta, precession P about the vertical, spin s about the axis: (C - A) P^2 cos theta + C s P =
     // weight times arm.
@@ -79,19 +52,6 @@ fn a_heavy_top_precesses_steadily_where_weight_and_spin_balance() {
         State { attitude: attitude.into_inner(), momentum: system.momentum(&omega) }
     };
     go_to(&motion(t), &system, &motion(0.0), t);
-}
-
-#[test]
-fn a_torque_that_stands_in_the_world_adds_evenly_to_the_momentum_there() {
-    let push = Vector3::new(0.3, -0.2, 0.1);
-    let system = under([1.0, 2.0, 2.6], vec![Torque::InWorld(push)]);
-    let from = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.4, 3.0, -0.8) };
-    for method in methods() {
-        let end = run(method, &system, &from, 4.0, 4000);
-        let world = tumbling::attitude::rotation_matrix(&end.attitude.normalize()) * end.momentum;
-        let off = (world - from.momentum - push * 4.0).norm();
-        assert!(off < 1e-2, "{method}: {off}");
-    }
 }
 
 /// At 1 s, where a step ends and the next begins, one of two torques acts: the first has ended.

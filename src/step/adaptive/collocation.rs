@@ -318,19 +318,6 @@ fn node(count: usize, i: usize) -> f64 {
 mod tests {
     use super::*;
 
-    #[test]
-    fn the_nodes_are_those_of_radau_iia_of_order_5() {
-        let radau = Radau::new(3);
-        let root = 6.0_f64.sqrt();
-        for (node, expected) in radau.nodes.iter().zip([1.0, (4.0 + root) / 10.0, (4.0 - root) / 10.0]) {
-            assert!((node - expected).abs() < 1e-15, "{node}");
-        }
-        let last = [1.0 / 9.0, (16.0 + root) / 36.0, (16.0 - root) / 36.0];
-        for (weight, expected) in radau.integrals[0].iter().zip(last) {
-            assert!((weight - expected).abs() < 1e-15, "{weight}");
-        }
-    }
-
     /// Up to the order `2 n - 2` at the end, and up to `n - 1` at all nodes.
     #[test]
     fn powers_are_integrated_to_rounding() {

@@ -133,6 +133,10 @@ fn a_plan_explains_itself_in_words() {
             "since a torque acts",
         ),
         (
+            reason([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![Torque::Damping(Vector3::repeat(8.0))], BOTH),
+            "since damping acts",
+        ),
+        (
             reason([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![], Outputs::NOTHING),
             "nothing that moves is requested",
         ),

@@ -1,6 +1,6 @@
 //! Every torque of a scene, held against a Runge-Kutta solver of its own that knows the law in world axes.
 
-use crate::common::{ALL, BOTH, SPIN, one, states};
+use crate::common::{ALL, BOTH, one, states};
 use nalgebra::{Matrix3, Quaternion, Rotation3, Unit, UnitQuaternion, Vector3};
 use tumbling::step::Torque;
 use tumbling_scenes::{InitialState, Scene, Start, Strategy, Times};
@@ -172,23 +172,6 @@ fn torques_begin_and_end_at_their_times() {
         torque
     };
     held(torques, law, &[0.5, 0.75, 1.5, 2.625, 2.0]);
-}
-
-/// Two N m for 0.3 s on 4 kg m², and drag of 8 N m s for a second: `w = 0.15 exp(-2)`.
-#[test]
-fn a_thruster_and_then_a_brake() {
-    let body = InitialState::spinning(Vector3::new(2.0, 3.0, 4.0), Vector3::zeros());
-    let torques = vec![
-        Torque::during(0.5, 0.8, Torque::InBody(Vector3::z() * 2.0)),
-        Torque::during(2.0, 3.0, Torque::Damping(Vector3::new(8.0, 8.0, 8.0))),
-    ];
-    let scene = one(body, torques, Times::Given(vec![0.5, 0.65, 1.0, 5.0]), SPIN, 1e-10);
-    let plan = scene.plan(0).unwrap();
-    assert!(plan.explain().contains("since damping acts"), "{}", plan.explain());
-    let expected = [0.0, 0.075, 0.15, 0.15 * (-2.0_f64).exp()];
-    for (state, expected) in states(&plan).iter().zip(expected) {
-        assert!((state.spin.unwrap().z - expected).abs() < 1e-11, "at {} s", state.time);
-    }
 }
 
 #[test]
