@@ -1,7 +1,7 @@
 //! Quotients of polynomials: the field in which every law of the library can run.
 
 use super::monomial::Monomial;
-use super::ops::operator;
+use super::ops::{from, operator};
 use super::polynomial::Polynomial;
 use super::rational::Rational;
 use super::symbol::Symbol;
@@ -276,31 +276,11 @@ impl PartialEq for Fraction {
     }
 }
 
-impl From<Polynomial> for Fraction {
-    fn from(numerator: Polynomial) -> Self {
-        Self { numerator, denominator: Polynomial::one() }
-    }
-}
-
-impl From<Symbol> for Fraction {
-    fn from(symbol: Symbol) -> Self {
-        Polynomial::from(symbol).into()
-    }
-}
-
-impl From<i64> for Fraction {
-    fn from(n: i64) -> Self {
-        Polynomial::from(n).into()
-    }
-}
-
-impl From<Rational> for Fraction {
-    fn from(value: Rational) -> Self {
-        match Polynomial::constant(&value) {
-            Some(constant) => constant.into(),
-            None => Self::ratio(1, 0),
-        }
-    }
+from! {
+    Fraction, Polynomial: |numerator| Self { numerator, denominator: Polynomial::one() };
+    Fraction, Symbol: |symbol| Polynomial::from(symbol).into();
+    Fraction, i64: |n| Polynomial::from(n).into();
+    Fraction, Rational: |x| Polynomial::constant(&x).map_or_else(|| Self::ratio(1, 0), Self::from);
 }
 
 impl Zero for Fraction {

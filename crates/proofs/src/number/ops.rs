@@ -35,3 +35,15 @@ macro_rules! operator {
     };
 }
 pub(crate) use operator;
+
+/// Implements how a number is made of another kind.
+macro_rules! from {
+    ($($T:ty, $From:ty: |$x:ident| $by:expr;)*) => {$(
+        impl From<$From> for $T {
+            fn from($x: $From) -> Self {
+                $by
+            }
+        }
+    )*};
+}
+pub(crate) use from;

@@ -1,7 +1,7 @@
 //! Polynomials in named variables over exact rationals, in canonical form.
 
 use super::monomial::Monomial;
-use super::ops::operator;
+use super::ops::{from, operator};
 use super::rational::Rational;
 use super::symbol::Symbol;
 use num_bigint::BigInt;
@@ -273,22 +273,10 @@ impl Neg for Polynomial {
     }
 }
 
-impl From<Symbol> for Polynomial {
-    fn from(symbol: Symbol) -> Self {
-        Self::term(Monomial::power(symbol, 1), BigRational::one())
-    }
-}
-
-impl From<i64> for Polynomial {
-    fn from(n: i64) -> Self {
-        BigRational::from(BigInt::from(n)).into()
-    }
-}
-
-impl From<BigRational> for Polynomial {
-    fn from(value: BigRational) -> Self {
-        Self::term(Monomial::default(), value)
-    }
+from! {
+    Polynomial, Symbol: |symbol| Self::term(Monomial::power(symbol, 1), BigRational::one());
+    Polynomial, i64: |n| BigRational::from(BigInt::from(n)).into();
+    Polynomial, BigRational: |value| Self::term(Monomial::default(), value);
 }
 
 impl Zero for Polynomial {

@@ -1,6 +1,6 @@
 //! Exact fractions of whole numbers of any size.
 
-use super::ops::operator;
+use super::ops::{from, operator};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
@@ -149,16 +149,9 @@ impl Neg for Rational {
     }
 }
 
-impl From<i64> for Rational {
-    fn from(n: i64) -> Self {
-        BigRational::from(BigInt::from(n)).into()
-    }
-}
-
-impl From<BigRational> for Rational {
-    fn from(value: BigRational) -> Self {
-        Self(Some(value))
-    }
+from! {
+    Rational, i64: |n| BigRational::from(BigInt::from(n)).into();
+    Rational, BigRational: |value| Self(Some(value));
 }
 
 impl Zero for Rational {
