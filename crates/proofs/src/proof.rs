@@ -173,14 +173,6 @@ pub fn positive(claim: &str, x: &Fraction) -> Outcome {
     }
 }
 
-/// That `x` is zero, or above zero wherever all its variables are.
-///
-/// # Errors
-/// A coefficient of the wrong sign.
-pub fn not_negative(claim: &str, x: &Fraction) -> Outcome {
-    if x.is_zero() { Ok(()) } else { positive(claim, x) }
-}
-
 /// That a check fails, as a broken law must: what it left over.
 ///
 /// # Errors

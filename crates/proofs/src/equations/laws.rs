@@ -154,7 +154,7 @@ laws! {
     FIRST_OF_A_PIECE = law("L_x", &[bodies::moving_piece], "the first row of inertia::point_mass times the spin", );
     PRODUCT_WITHOUT_MINUS = bare(r"\sum mxy", &[bodies::product_without_minus], "the product in inertia::point_mass of any points, without the minus", );
     RATE_SEEN_FROM_THE_BODY = law(r"\dot{\mathbf{v}}", &[motion::seen_from_the_body], "the rate by euler::momentum_rate of an arrow that nothing turns in the room", );
-    FROM_REST = law(r"\dot{\boldsymbol{\omega}}", &[motion::at_rest], "euler::tensor_times_acceleration without spin");
+    FROM_REST = law(r"\dot{\boldsymbol{\omega}}", &[rates::at_rest], "euler::tensor_times_acceleration without spin");
     LINEARISED_A = law(r"I_a\dot{\omega}_a", &[motion::linearised], "euler::angular_acceleration across a spin");
     LINEARISED_B = law(r"I_b\dot{\omega}_b", &[motion::linearised], "euler::angular_acceleration across a spin");
     LINEARISED_TWICE = law(r"\ddot{\omega}_a", &[motion::linearised], "the second rate by euler::angular_acceleration, and stability::rate_squared");

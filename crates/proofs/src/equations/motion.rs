@@ -100,7 +100,16 @@ pub(crate) mod rates {
 
     /// Any axes: the momentum follows from the spin.
     pub(crate) fn by_spin() -> Scope {
-        let (tensor, omega, torque) = (symmetric("I"), vector("omega"), vector("tau"));
+        with_spin(vector("omega"))
+    }
+
+    /// Without spin.
+    pub(in super::super) fn at_rest() -> Scope {
+        with_spin(Vector::zeros())
+    }
+
+    fn with_spin(omega: Vector) -> Scope {
+        let (tensor, torque) = (symmetric("I"), vector("tau"));
         let rate = tensor_times_acceleration(&tensor, &omega, &torque);
         let inverse = invert(&tensor);
         let rates = [&inverse * &rate, rate];
@@ -313,17 +322,6 @@ pub(super) fn seen_from_the_body() -> Scope {
         .with(r"\mathbf{v}", arrow)
         .with(r"\dot{\mathbf{v}}", rate)
         .with(r"\boldsymbol{\omega}", omega)
-}
-
-/// A body at rest under a torque, in any axes.
-pub(super) fn at_rest() -> Scope {
-    let (tensor, torque) = (symmetric("I"), vector("tau"));
-    let rate = tensor_times_acceleration(&tensor, &Vector::zeros(), &torque);
-    let acceleration = invert(&tensor) * rate;
-    Scope::default()
-        .with("I", tensor)
-        .with(r"\boldsymbol{\tau}", torque)
-        .with(r"\dot{\boldsymbol{\omega}}", acceleration)
 }
 
 /// Two small components near a spin that stays, and the second rate of the first.

@@ -5,7 +5,7 @@ use super::{
     hollow_sphere_moments, plate_moments, rod_moments, tube_moments,
 };
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
-use crate::proof::{Outcome, Residue, not_negative, same, same_entries};
+use crate::proof::{Outcome, Residue, positive, same, same_entries};
 use crate::region::{Region, Sums};
 use crate::symbols::{Matrix, Vector, diagonal, square, variables};
 use crate::tex::Scope;
@@ -248,7 +248,10 @@ pub(super) fn triangle_inequality(
     for (name, moments) in &all {
         for i in 0..3 {
             let [one, other, third] = [0, 1, 2].map(|j| &moments[(i + j) % 3]);
-            not_negative(name, &(one + other - third))?;
+            let rest = one + other - third;
+            if !rest.is_zero() {
+                positive(name, &rest)?;
+            }
         }
     }
     let flat = [plate_moments(&m, &a, &b), disk_moments(&m, &r)];
