@@ -1,7 +1,7 @@
 //! Lists the proofs with the time each takes, and what their altered laws leave over.
 //!
 //! `cargo run --example proofs [-- [mutants] [NAME ...]]`; with `widths` or `errors` alone, the table of
-//! enclosures or that of the bounds of rounding errors.
+//! enclosures or those of the bounds of rounding errors and of the measured ones.
 
 use std::time::Instant;
 use tumbling_proofs::interval::{forward, motion};
@@ -15,6 +15,7 @@ fn main() {
     }
     if names == ["errors"] {
         forward::table().iter().flatten().for_each(|row| println!("{row}"));
+        forward::measured().iter().flatten().for_each(|row| println!("{row}"));
         return;
     }
     let with_mutants = names.iter().any(|name| name == "mutants");

@@ -23,7 +23,9 @@ mod motion;
 mod steps;
 mod tops;
 
+pub(crate) use closed::{of_motion, variation};
 pub use laws::{Exemption, Law};
+pub(crate) use motion::{in_order, rates, slant};
 
 use crate::tex::{Node, Statement, parse};
 use std::fmt;

@@ -8,7 +8,6 @@
 
 use crate::number::Fraction;
 use crate::proof::{Outcome, Residue, same};
-use crate::symbols::variables;
 use num_traits::Zero;
 
 /// The signs repeat when twice an index moves by this.
@@ -104,6 +103,14 @@ impl Pairs {
         same(&format!("{claim}: unequal terms of 64"), &Fraction::from(unequal as i64), &Fraction::zero())
     }
 
+    /// With a symbol for each of the 64 terms.
+    pub(crate) fn in_symbols(&self) -> Fraction {
+        let terms = self.0.iter().flatten().enumerate();
+        terms.fold(Fraction::zero(), |sum, (n, x)| {
+            sum + Fraction::variable(&format!("c{n}")) * Fraction::from(*x)
+        })
+    }
+
     /// The sum over `s` at `w = 0` for each `2r`, term by term of equal size: of the terms themselves, or of
     /// the terms times `s`.
     fn at_zero(&self, weighed: bool) -> Vec<[i64; 5]> {
@@ -130,15 +137,4 @@ impl Pairs {
         }
         same(claim, &Fraction::from(left), &Fraction::zero())
     }
-}
-
-/// That the exponents of the sums above are what their description says; `over` is two.
-pub(crate) fn exponents(over: i64) -> Outcome {
-    let [r, s, n] = variables(["r", "s", "n"]);
-    let (two, over) = (Fraction::from(2), Fraction::from(over));
-    let (m, k) = ((&r + &s) / &over, (&r - &s) / &over);
-    same("m² + n²", &(m.pow(2) + k.pow(2)), &((r.pow(2) + s.pow(2)) / &two))?;
-    let half = Fraction::ratio(1, 2);
-    same("(n + 1/2)²", &(&n + &half).pow(2), &(n.pow(2) + &n + half.pow(2)))?;
-    same("(n + 1)²", &(&n + Fraction::from(1)).pow(2), &(n.pow(2) + two * &n + Fraction::from(1)))
 }

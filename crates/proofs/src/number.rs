@@ -13,6 +13,7 @@ mod symbol;
 
 pub use fraction::Fraction;
 pub use monomial::Monomial;
+pub(crate) use ops::from;
 pub use polynomial::Polynomial;
 pub use rational::Rational;
 pub use relations::{Circular, Derivation, Relations};

@@ -2,6 +2,7 @@
 
 use crate::number::{Fraction, Relations};
 pub use crate::residue::{Outcome, Residue};
+use crate::tex::{Node, Scope, parse};
 use nalgebra::SMatrix;
 use num_traits::Zero;
 
@@ -12,10 +13,13 @@ pub struct Proof {
     pub name: &'static str,
     /// What it is about: the part of the library.
     pub part: &'static str,
-    /// What the check checks, and no more, in plain words.
+    /// What the check checks, and no more, in plain words, with formulas in TeX between dollar signs: the
+    /// check works them out as they stand there.
     pub statement: &'static str,
     /// What is left over, if the claim is false.
     pub check: fn() -> Outcome,
+    /// What the names in the formulas mean, in each case that the check looks at.
+    pub cases: fn() -> Result<Vec<Scope>, Residue>,
     /// The claim about an altered law, or an altered claim about the law: each must fail.
     pub mutants: &'static [Mutant],
 }
@@ -27,6 +31,69 @@ pub struct Mutant {
     pub change: &'static str,
     /// The check, which must leave something over.
     pub check: fn() -> Outcome,
+}
+
+/// What a check hands over for the formulas of its sentence, if there are any.
+pub(crate) trait Cases {
+    /// What their names mean.
+    fn cases(self) -> Result<Vec<Scope>, Residue>;
+}
+
+macro_rules! cases {
+    ($($T:ty: |$found:ident| $all:expr;)*) => {$(
+        impl Cases for $T {
+            fn cases(self) -> Result<Vec<Scope>, Residue> {
+                let $found = self;
+                Ok($all)
+            }
+        }
+    )*};
+}
+cases! {
+    (): |_none| Vec::new();
+    Scope: |one| vec![one];
+    Vec<Scope>: |all| all;
+}
+
+impl<T: Cases> Cases for Result<T, Residue> {
+    fn cases(self) -> Result<Vec<Scope>, Residue> {
+        self.and_then(T::cases)
+    }
+}
+
+/// The formulas of a sentence.
+pub fn formulas(sentence: &str) -> impl Iterator<Item = &str> {
+    sentence.split('$').skip(1).step_by(2)
+}
+
+/// That a check leaves nothing over, and that the formulas of its sentence hold of what it ran on.
+pub(crate) fn hold(sentence: &str, found: impl Cases) -> Outcome {
+    let cases = found.cases()?;
+    formulas(sentence).try_for_each(|tex| holds_in(&cases, tex))
+}
+
+/// That maths in TeX holds in each of these cases that knows its names, of which there must be one; a bare
+/// expression is a name.
+///
+/// # Errors
+/// What is left over, or why it has no meaning.
+pub fn holds_in(cases: &[Scope], tex: &str) -> Outcome {
+    let meaningless = |why: &str| Residue::Missing { claim: format!("`{tex}`, {why}") };
+    for statement in parse(tex).map_err(|error| meaningless(&error.to_string()))? {
+        let sides = || std::iter::once(&statement.left).chain(statement.others.iter().map(|(_, side)| side));
+        if statement.others.is_empty() && !matches!(statement.left.tree, Node::Name(_)) {
+            return Err(meaningless("which states nothing"));
+        }
+        let knows = |case: &&Scope| sides().all(|side| case.value(&side.tree).is_ok());
+        let mut known = cases.iter().filter(knows).peekable();
+        if known.peek().is_none() {
+            return Err(meaningless("whose names mean something together"));
+        }
+        known
+            .try_for_each(|case| statement.prove(case))
+            .map_err(|left| Residue::Formula { tex: tex.to_owned(), left })?;
+    }
+    Ok(())
 }
 
 /// That `x` is zero under the relations.
@@ -104,14 +171,6 @@ pub fn positive(claim: &str, x: &Fraction) -> Outcome {
         true => Ok(()),
         false => Err(Residue::NotOneSign { claim, quantity: x.clone() }),
     }
-}
-
-/// That `x` is zero, or above zero wherever all its variables are.
-///
-/// # Errors
-/// A coefficient of the wrong sign.
-pub fn not_negative(claim: &str, x: &Fraction) -> Outcome {
-    if x.is_zero() { Ok(()) } else { positive(claim, x) }
 }
 
 /// That a check fails, as a broken law must: what it left over.

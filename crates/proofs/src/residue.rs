@@ -16,6 +16,13 @@ pub enum Residue {
         /// Left side minus right side.
         left: Fraction,
     },
+    /// A formula of a sentence that does not hold of what was checked.
+    Formula {
+        /// As it stands there.
+        tex: String,
+        /// What is left over.
+        left: String,
+    },
     /// A quantity claimed to have one sign for all positive values, whose coefficients do not show it.
     NotOneSign {
         /// The claim, in a few words.
@@ -51,6 +58,7 @@ impl fmt::Display for Residue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::NotZero { claim, left } => write!(f, "{claim}: leaves {}", shortened(left)),
+            Self::Formula { tex, left } => write!(f, "`{tex}`: {left}"),
             Self::NotOneSign { claim, quantity } => {
                 write!(f, "{claim}: mixed signs in {}", shortened(quantity))
             }

@@ -247,52 +247,8 @@ proptest! {
 
 /// Pieces of TeX in any order.
 fn tex_like() -> impl Strategy<Value = String> {
-    let pieces = vec![
-        "a",
-        "b",
-        "I",
-        r"\mathbf{u}",
-        r"\boldsymbol{\omega}",
-        "2",
-        "0",
-        "0.5",
-        "+",
-        "-",
-        "=",
-        "<",
-        r"\ge",
-        "(",
-        ")",
-        ",",
-        "^2",
-        "^{-1}",
-        r"^{\mathsf{T}}",
-        "_1",
-        "_{xy}",
-        "{",
-        "}",
-        r"\frac",
-        r"\sqrt",
-        r"\sum",
-        r"\times",
-        r"\cdot",
-        "/",
-        "'",
-        r"\,",
-        r"\qquad",
-        r"\begin{pmatrix}",
-        r"\end{pmatrix}",
-        r"\begin{aligned}",
-        r"\end{aligned}",
-        "&",
-        r"\\",
-        r"\text{x}",
-        r"\dot",
-        r"\tan",
-        ".",
-        "\\",
-        "é",
-    ];
+    let pieces = r"a b I \mathbf{u} \boldsymbol{\omega} 2 0 0.5 + - = < \ge ( ) , ^2 ^{-1} ^{\mathsf{T}} _1 _{xy} { } \frac \sqrt \sum \times \cdot / ' \, \qquad \begin{pmatrix} \end{pmatrix} \begin{aligned} \end{aligned} & \\ \text{x} \dot \tan . \ é";
+    let pieces: Vec<_> = pieces.split(' ').collect();
     prop::collection::vec(prop::sample::select(pieces), 0..16).prop_map(|pieces| pieces.join(" "))
 }
 
@@ -301,18 +257,10 @@ fn tex_like() -> impl Strategy<Value = String> {
 fn jacobis_functions_are_the_quotients_of_the_librarys_sums() {
     for (law, tex, factor) in [
         (laws::SN_BY_THETAS, r"\operatorname{sn} = \frac{n_3\,\theta_1 \sin z}{n_2\,\theta_4}", "n_3"),
-        (laws::DN_BY_THETAS, r"\operatorname{dn} = \frac{n_4\,\theta_3}{n_3\,\theta_4}", "n_4"),
-        (laws::CN_NEAR_THE_FLIP, r"\operatorname{cn} = \frac{2\,e\,m_2\,\theta'_4}{m_4\,\theta'_2}", "2"),
-        (laws::SN_NEAR_THE_SADDLE, r"\operatorname{sn} = \frac{m_3\,\theta'_4}{m_4\,\theta'_3}", "m_3"),
         (
             laws::CN_NEAR_THE_SADDLE,
             r"\operatorname{cn} = \frac{k'\,m_3^2\,\theta'_1}{2\,e\,m_4\,m_2\,\theta'_3}",
             "m_4",
-        ),
-        (
-            laws::DN_NEAR_THE_SADDLE,
-            r"\operatorname{dn} = \frac{k'\,m_3\,\theta'_2}{2\,e\,m_2\,\theta'_3}",
-            "k'",
         ),
     ] {
         assert_eq!(law.holds(tex), Ok(()));

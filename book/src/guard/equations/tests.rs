@@ -36,6 +36,30 @@ fn every_equation_of_the_book_is_proven_or_exempt_with_a_reason() {
     assert!(exemptions.clone().count() > 0 && exemptions.into_iter().all(|it| it.reason.len() > 10));
 }
 
+/// What is displayed from a number on until the next, of what the proof ran on that cites the number.
+#[test]
+fn a_proof_shows_the_formulas_whose_numbers_it_cites() {
+    let (chapters, mut cited) = (chapters(), 0);
+    let chapter = &chapters.iter().find(|(name, _)| name == "closed-form").unwrap().1;
+    let text = std::fs::read_to_string(paths::chapters().join("closed-form.md")).unwrap();
+    let line = |mark: &str| text.lines().position(|line| line.contains(mark)).unwrap() + 1;
+    for proof in tumbling_proofs::proofs() {
+        let cases = (proof.cases)().unwrap();
+        for number in proof.statement.split("(C").skip(1) {
+            let number: usize = number.split(')').next().unwrap().parse().unwrap();
+            let lines = line(&format!("**(C{number})**"))..line(&format!("**(C{})**", number + 1)) + 1;
+            let shown: Vec<_> = chapter.iter().filter(|it| it.display && lines.contains(&it.line)).collect();
+            assert!(!shown.is_empty(), "{}: {number}", proof.name);
+            for it in shown {
+                let found = tumbling_proofs::proof::holds_in(&cases, &it.tex);
+                assert!(found.is_ok(), "{} (C{number}): `{}`: {found:?}", proof.name, it.tex);
+            }
+            cited += 1;
+        }
+    }
+    assert_eq!(cited, 11);
+}
+
 /// Each equation of a chapter with seven added after its sign of equality.
 #[test]
 fn an_altered_equation_is_refused() {

@@ -4,7 +4,6 @@ use crate::number::Fraction;
 use crate::symbols::{Matrix, Vector, diagonal, symmetric, variables, vector};
 use crate::tex::{Node, Scope, Statement, Value};
 use num_traits::{One, Zero};
-use tumbling::dynamics::euler::coupling;
 use tumbling::inertia::{omega_world, point_mass};
 use tumbling::solid::{Cuboid, MassMoments, Shape, combined};
 
@@ -57,13 +56,6 @@ fn of_points(places: &[Vector; 3]) -> Scope {
         .with(r"\mathbf{L}", momentum)
         .with(r"\boldsymbol{\omega}", omega)
         .with("E", energy)
-}
-
-/// A single piece.
-pub(super) fn piece() -> Scope {
-    let [m, x, y, z] = variables(["m", "x", "y", "z"]);
-    let tensor = point_mass(&m, &Vector::new(x.clone(), y.clone(), z.clone()));
-    Scope::default().with("m", m).with("x", x).with("y", y).with("z", z).with(r"I_{\text{piece}}", tensor)
 }
 
 /// Any box, of edges a, b, c along x, y, z.
@@ -129,11 +121,12 @@ pub(super) fn axis(k: usize) -> Scope {
     scope.with("I_k", moments[k].clone()).with(r"\boldsymbol{\omega}", omega)
 }
 
-/// A moving piece: its momentum by the library's tensor.
+/// A single piece, moving: its momentum by the library's tensor.
 pub(super) fn moving_piece() -> Scope {
     let (m, r, omega) = (Fraction::variable("m"), vector("r"), vector("omega"));
-    let momentum = point_mass(&m, &r) * &omega;
-    let scope = with_components(Scope::default(), "L", &momentum);
+    let tensor = point_mass(&m, &r);
+    let momentum = &tensor * &omega;
+    let scope = with_components(Scope::default(), "L", &momentum).with(r"I_{\text{piece}}", tensor);
     let scope =
         ["x", "y", "z"].into_iter().zip(&r).fold(scope, |scope, (name, x)| scope.with(name, x.clone()));
     with_components(scope, r"\omega", &omega)
@@ -179,14 +172,4 @@ pub(super) fn product_without_minus() -> Scope {
     let minus = Value::Scalar(Fraction::from(-1));
     let product = body.meaning("I_{xy}").cloned().and_then(|entry| minus.times(entry).ok());
     product.into_iter().fold(body, |scope, it| scope.with(Scope::IT, it))
-}
-
-/// The tangent of the gap of any box spun equally about x and y.
-pub(super) fn box_gap() -> Scope {
-    let [m, a, b, c] = variables(["m", "a", "b", "c"]);
-    let moments = Cuboid::moments(&m, [&a, &b, &c]);
-    let omega = Vector::new(Fraction::one(), Fraction::one(), Fraction::zero());
-    let across = -coupling(&moments, &omega).z.clone();
-    let along = omega.dot(&(diagonal(&moments) * &omega));
-    the_box().with(r"\tan(\text{gap})", across / along)
 }

@@ -11,21 +11,25 @@ use tumbling::laws::{ComplementaryPair, ComplementarySeries, DirectPair, DirectS
 
 /// The constants of the motion and the spin, at any instant; nothing has a meaning if there is none.
 pub(super) fn at_any_time() -> Scope {
-    of_motion(1, false)
+    at_an_instant(1, false)
 }
 
 /// The motion where across, middle and circled axis follow each other the other way.
 pub(super) fn in_the_other_order() -> Scope {
-    of_motion(-1, false)
+    at_an_instant(-1, false)
 }
 
 /// The motion at the saddle, where the spin across vanishes.
 pub(super) fn at_the_saddle() -> Scope {
-    of_motion(1, true)
+    at_an_instant(1, true)
 }
 
-fn of_motion(sense: i64, saddle: bool) -> Scope {
-    let Ok(motion) = motion(sense, Change::None) else { return Scope::default() };
+fn at_an_instant(sense: i64, saddle: bool) -> Scope {
+    motion(sense, Change::None).map(|motion| of_motion(motion, sense, saddle)).unwrap_or_default()
+}
+
+/// The constants of a motion and its spin, at any instant or at the saddle.
+pub(crate) fn of_motion(motion: Motion, sense: i64, saddle: bool) -> Scope {
     let [one, zero, kp] = [Fraction::one(), Fraction::zero(), Fraction::variable("kp")];
     let put = |x: &Fraction| {
         if !saddle {
@@ -47,12 +51,11 @@ fn of_motion(sense: i64, saddle: bool) -> Scope {
             .with(&format!(r"\omega_{name}"), put(&motion.omega[k]))
             .with(&format!(r"\dot{{\omega}}_{name}"), put(&rates[places[k]]));
     }
-    for name in ["sn", "cn", "dn"] {
-        let function = Fraction::variable(name);
-        scope = scope
-            .with(&format!(r"\operatorname{{{name}}}(u)"), put(&function))
-            .with(&format!(r"\operatorname{{{name}}}(u_0)"), function);
+    let names = ["sn", "cn", "dn"];
+    for name in names {
+        scope = scope.with(&format!(r"\operatorname{{{name}}}(u)"), put(&Fraction::variable(name)));
     }
+    scope = scope.with_functions(&names, "(u_0)");
     let (twice, momentum) = (&motion.twice_energy, &motion.momentum);
     let circled = put(&Fraction::variable("dn")) * gamma / delta;
     let tilt =
@@ -234,7 +237,7 @@ pub(super) fn flips() -> Scope {
 }
 
 /// A change of the spin, by the library's equations to first order; the axes counted from this one on.
-pub(super) fn variation(axis: usize) -> Scope {
+pub(crate) fn variation(axis: usize) -> Scope {
     let (moments, omega, change) = (vector("I"), vector("omega"), vector("W"));
     let rate = angular_acceleration(&moments, &omega, &Vector::zeros());
     let moved = |x: &Fraction| changing(Derivation::default(), "omega", &change).of(x);

@@ -98,15 +98,14 @@ fn cubic(height: &Fraction) -> Fraction {
     (Fraction::one() - height.pow(2)) * (e - g * height) - (l - n * height).pow(2)
 }
 
+fn with_constants<const N: usize>(x: Fraction, constants: [(&str, Fraction); N]) -> Fraction {
+    constants.into_iter().fold(x, |x, (name, value)| x.substitute(&name.into(), &value))
+}
+
 fn near(height: &Fraction) -> Scope {
     let [n, g, l, e, x] = variables(["n", "g", "l", "e", "x"]);
-    Scope::default().with(r"\dot{c}", Value::Root(cubic(height))).with_all([
-        ("n", n),
-        ("g", g),
-        ("l", l),
-        ("e", e),
-        ("x", x),
-    ])
+    let scope = Scope::default().with(r"\dot{c}", Value::Root(cubic(height)));
+    scope.with_all([("n", n), ("g", g), ("l", l), ("e", e), ("x", x)])
 }
 
 /// That square by the height above the start, with the constants of the start.
@@ -114,10 +113,8 @@ pub(super) fn from_the_start() -> Scope {
     let [v1, v2, o1, o2, c0, x, n, g] = variables(["v1", "v2", "omega1", "omega2", "c0", "x", "n", "g"]);
     let spin = o1.pow(2) + o2.pow(2);
     let momentum = &n * &c0 + &v1 * &o1 + &v2 * &o2;
-    let put = |height: &Fraction| {
-        let square = cubic(height).substitute(&"l".into(), &momentum);
-        square.substitute(&"e".into(), &(&spin + &g * &c0))
-    };
+    let constants = || [("l", momentum.clone()), ("e", &spin + &g * &c0)];
+    let put = |height: &Fraction| with_constants(cubic(height), constants());
     let by_height = put(&x).derivative(&"x".into()).substitute(&"x".into(), &c0);
     let Ok(level) = Relations::new(vec![("c0", Polynomial::one() - square("v1") - square("v2"))]) else {
         return Scope::default();
@@ -150,30 +147,20 @@ fn roots() -> Result<(Scope, [Fraction; 5], Relations), crate::residue::Residue>
         let from = |root: Polynomial| Polynomial::one() + root * Polynomial::from(sign);
         g * from(low.clone()) * from(&low + &part * &span) * from(low + span) * Polynomial::from(sign)
     };
-    let [sn, m] = ["sn", "m"].map(Polynomial::variable);
+    let [sn, m, weight, wide] = ["sn", "m", "g", "a"].map(Polynomial::variable);
+    let quarter = Polynomial::from(crate::BigRational::new(1.into(), 4.into()));
     let relations = Relations::new(vec![
         ("plus", product(1)),
         ("minus", product(-1)),
         ("cn", Polynomial::one() - sn.pow(2)),
         ("dn", Polynomial::one() - m * sn.pow(2)),
-        (
-            "eta",
-            Polynomial::variable("g")
-                * Polynomial::variable("a")
-                * Polynomial::from(crate::BigRational::new(1.into(), 4.into())),
-        ),
+        ("eta", weight * wide * quarter),
     ])?;
     let (l, n) = ((&plus + &minus) / &two, (&plus - &minus) / &two);
     let e = &g * (&low + &high + &third) - n.pow(2);
     let scope = Scope::default()
-        .with_all([
-            ("l", l.clone()),
-            ("n", n.clone()),
-            ("e", e.clone()),
-            ("g", g),
-            ("c_1", low),
-            ("c_2", high),
-        ])
+        .with_all([("l", l.clone()), ("n", n.clone()), ("e", e.clone())])
+        .with_all([("g", g), ("c_1", low), ("c_2", high)])
         .with_all([("c_3", third), ("d_2", one), ("d_3", &e / Fraction::variable("g"))])
         .with("k", Value::Root(part.clone()))
         .with("k'", Value::Root(Fraction::one() - part))
@@ -186,9 +173,7 @@ fn roots() -> Result<(Scope, [Fraction; 5], Relations), crate::residue::Residue>
 pub(super) fn any_height() -> Scope {
     let Ok((scope, [l, n, e, _, _], _)) = roots() else { return Scope::default() };
     let c = Fraction::variable("c");
-    let square = [("l", l), ("n", n), ("e", e)]
-        .into_iter()
-        .fold(cubic(&c), |square, (name, value)| square.substitute(&name.into(), &value));
+    let square = with_constants(cubic(&c), [("l", l), ("n", n), ("e", e)]);
     scope.with(r"\dot{c}", Value::Root(square)).with("c", c)
 }
 
@@ -198,18 +183,12 @@ pub(super) fn swinging() -> Scope {
     let [low, span, m, sn] = variables(["c1", "a", "m", "sn"]);
     let c = &low + &m * &span * sn.pow(2);
     let rising = Derivation::elliptic(&eta).of(&c);
-    let square = [("l", l), ("n", n), ("e", e)]
-        .into_iter()
-        .fold(cubic(&c), |square, (name, value)| square.substitute(&name.into(), &value));
+    let square = with_constants(cubic(&c), [("l", l), ("n", n), ("e", e)]);
     if !relations.reduce_fraction(&(rising.pow(2) - square)).is_zero() {
         return Scope::default();
     }
-    let scope = ["sn", "cn", "dn"].into_iter().fold(scope, |scope, name| {
-        let function = Fraction::variable(name);
-        scope
-            .with(&format!(r"\operatorname{{{name}}}(u)"), function.clone())
-            .with(&format!(r"\operatorname{{{name}}}(u_0)"), function)
-    });
+    let names = ["sn", "cn", "dn"];
+    let scope = scope.with_functions(&names, "(u)").with_functions(&names, "(u_0)");
     scope.with_all([(r"\eta", eta), ("c_0", c.clone()), ("c", c)])
 }
 
@@ -261,9 +240,6 @@ pub(super) fn sums() -> Scope {
             scope = scope.with(&format!("{name}_{frequency}"), wave(symbol, frequency));
         }
     }
-    scope.with_all([(r"\rho_j", &s * above / below), ("s_j", s), ("q", q), ("q'", other)]).with_all([
-        ("A", odd),
-        ("B", even),
-        ("N", down),
-    ])
+    let scope = scope.with_all([(r"\rho_j", &s * above / below), ("s_j", s), ("q", q), ("q'", other)]);
+    scope.with_all([("A", odd), ("B", even), ("N", down)])
 }

@@ -1,18 +1,20 @@
 //! Laws as equations in TeX, and what the names of each mean.
 
-use super::bodies::{self, axis, body, piece, planar, the_box, the_box_spun};
+use super::bodies::{self, axis, body, planar, the_box, the_box_spun};
 use super::closed;
 use super::heavy;
 use super::motion::{
-    self, attitude, energy, equal_moments, frozen, grows, momentum_for_spin, rates, summit, swings,
-    world_inverse, world_tensor,
+    self, attitude, equal_moments, frozen, grows, momentum_for_spin, rates, summit, swings, world_inverse,
+    world_tensor,
 };
 use super::steps::{self, explicit, turn};
 use super::tops;
+use crate::proofs::gap::box_gap;
 use crate::proofs::proofs;
 use crate::tex::{Scope, Statement, parse};
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
+use tumbling::solid::{Cuboid, Shape};
 
 /// An equation, and what its names stand for.
 #[derive(Debug, Clone, Copy)]
@@ -152,7 +154,7 @@ laws! {
     FIRST_OF_A_PIECE = law("L_x", &[bodies::moving_piece], "the first row of inertia::point_mass times the spin", );
     PRODUCT_WITHOUT_MINUS = bare(r"\sum mxy", &[bodies::product_without_minus], "the product in inertia::point_mass of any points, without the minus", );
     RATE_SEEN_FROM_THE_BODY = law(r"\dot{\mathbf{v}}", &[motion::seen_from_the_body], "the rate by euler::momentum_rate of an arrow that nothing turns in the room", );
-    FROM_REST = law(r"\dot{\boldsymbol{\omega}}", &[motion::at_rest], "euler::tensor_times_acceleration without spin");
+    FROM_REST = law(r"\dot{\boldsymbol{\omega}}", &[rates::at_rest], "euler::tensor_times_acceleration without spin");
     LINEARISED_A = law(r"I_a\dot{\omega}_a", &[motion::linearised], "euler::angular_acceleration across a spin");
     LINEARISED_B = law(r"I_b\dot{\omega}_b", &[motion::linearised], "euler::angular_acceleration across a spin");
     LINEARISED_TWICE = law(r"\ddot{\omega}_a", &[motion::linearised], "the second rate by euler::angular_acceleration, and stability::rate_squared");
@@ -322,10 +324,10 @@ laws! {
     MIDDLE_MOMENT = law("I_2", &[motion::in_order], "symbols::ordered_moments");
     LARGEST_MOMENT = law("I_3", &[motion::in_order], "symbols::ordered_moments");
     GROWTH = Law { attained: &[equal_moments], ..law(r"\lambda^2", grows::BOTH, "stability::rate_squared, about the middle") };
-    GAP_OF_A_BOX = law(r"\tan(\text{gap})", &[bodies::box_gap], "the tangent of the gap by solid::Cuboid::moments and euler::coupling", );
+    GAP_OF_A_BOX = law(r"\tan(\text{gap})", &[|| box_gap(|m, a, b, c| Cuboid::moments(m, [a, b, c]))], "the tangent of the gap by solid::Cuboid::moments and euler::coupling", );
     MOMENTUM = law(r"\mathbf{L}", &[body], "the momentum of any points is inertia::point_mass of them times the spin", );
     MOMENTUM_BY_ENTRY = law(r"\begin{pmatrix}L_x\\L_y\\L_z\end{pmatrix}", &[body], "the momentum of any points is inertia::point_mass of them times the spin, entry by entry");
-    TENSOR_OF_A_PIECE = law(r"I_{\text{piece}}", &[piece], "inertia::point_mass");
+    TENSOR_OF_A_PIECE = law(r"I_{\text{piece}}", &[bodies::moving_piece], "inertia::point_mass");
     BOX_ABOUT_X = law(r"I_{xx}", &[the_box], "solid::Cuboid::moments, about x");
     BOX_ABOUT_Y = law(r"I_{yy}", &[the_box], "solid::Cuboid::moments, about y");
     BOX_ABOUT_Z = law(r"I_{zz}", &[the_box], "solid::Cuboid::moments, about z");
@@ -344,7 +346,7 @@ laws! {
     EULER_1 = law(r"I_1\dot{\omega}_1", &[rates::free], "euler::angular_acceleration, first");
     EULER_2 = law(r"I_2\dot{\omega}_2", &[rates::free], "euler::angular_acceleration, second");
     EULER_3 = law(r"I_3\dot{\omega}_3", &[rates::free], "euler::angular_acceleration, third");
-    ENERGY = law("E", &[energy, body], "observe::energy, and half the sum of m v² over any points", );
+    ENERGY = law("E", &[motion::power, body], "observe::energy, and half the sum of m v² over any points", );
     WOBBLE = law(r"\lambda^2", &[motion::wobble], "stability::rate_squared");
     SWING = Law { attained: &[equal_moments], ..law(r"\lambda^2", swings::BOTH, "stability::rate_squared, about the largest and the smallest", ) };
     FROZEN_TENSOR = law(r"I_{\text{body}}\dot{\boldsymbol{\omega}}", &[frozen], "Engine::Frozen's rate, wrong as it is", );

@@ -1,9 +1,10 @@
 //! What the names mean where the book speaks of motion.
 
 use crate::number::{Derivation, Fraction};
+use crate::proofs::conserved;
 use crate::symbols::{
-    Matrix, Vector, changing, diagonal, inverse as invert, inverse_diagonal, ordered_moments, pure,
-    quaternion, symmetric, turning, variables, vector,
+    Matrix, Vector, diagonal, inverse as invert, inverse_diagonal, ordered_moments, pure, quaternion,
+    symmetric, turning, variables, vector,
 };
 use crate::tex::{Scope, Value};
 use num_traits::{One, Zero};
@@ -57,58 +58,70 @@ pub(super) fn world_inverse() -> Scope {
 }
 
 /// Rates of spin and momentum in the body.
-pub(super) mod rates {
+pub(crate) mod rates {
     use super::*;
 
     /// By each of the library's three forms, in turn.
     pub(in super::super) const ALL: &[fn() -> Scope] = &[along_principal_axes, by_momentum, by_spin];
 
     fn along_principal_axes() -> Scope {
-        pushed(&vector("tau"))
+        pushed(&vector("tau"), angular_acceleration)
     }
 
     /// Without torque.
     pub(in super::super) fn free() -> Scope {
-        pushed(&Vector::zeros())
+        pushed(&Vector::zeros(), angular_acceleration)
     }
 
-    fn pushed(torque: &Vector) -> Scope {
+    /// Along principal axes, with the acceleration by this law.
+    pub(crate) fn pushed(torque: &Vector, law: impl Fn(&Vector, &Vector, &Vector) -> Vector) -> Scope {
         let (moments, omega) = (vector("I"), vector("omega"));
         let (tensor, inverse) = (diagonal(&moments), inverse_diagonal(&moments));
-        let acceleration = angular_acceleration(&moments, &omega, torque);
+        let acceleration = law(&moments, &omega, torque);
         let momentum_rate = momentum_rate(&inverse, &(&tensor * &omega), torque);
         let scope = Scope::default().with_each("I", &moments).with_each(r"\omega", &omega);
-        let scope = scope.with_each(r"\dot{\omega}", &acceleration);
-        named(scope, tensor, inverse, omega, torque, acceleration, momentum_rate)
+        let scope = scope.with_each(r"\dot{\omega}", &acceleration).with_each(r"\tau", torque);
+        named(scope, [tensor, inverse], omega, torque, [acceleration, momentum_rate])
     }
 
-    /// Any axes: the spin follows from the momentum.
     fn by_momentum() -> Scope {
+        by_momentum_and(momentum_rate)
+    }
+
+    /// Any axes: the spin follows from the momentum, whose rate is by this law.
+    pub(crate) fn by_momentum_and(law: impl Fn(&Matrix, &Vector, &Vector) -> Vector) -> Scope {
         let (inverse, momentum, torque) = (symmetric("J"), vector("L"), vector("tau"));
-        let rate = momentum_rate(&inverse, &momentum, &torque);
+        let rate = law(&inverse, &momentum, &torque);
         let omega = &inverse * &momentum;
-        let acceleration = &inverse * &rate;
-        named(Scope::default(), invert(&inverse), inverse, omega, &torque, acceleration, rate)
+        let rates = [&inverse * &rate, rate];
+        named(Scope::default(), [invert(&inverse), inverse], omega, &torque, rates)
             .with(r"\mathbf{L}", momentum)
     }
 
     /// Any axes: the momentum follows from the spin.
-    fn by_spin() -> Scope {
-        let (tensor, omega, torque) = (symmetric("I"), vector("omega"), vector("tau"));
+    pub(crate) fn by_spin() -> Scope {
+        with_spin(vector("omega"))
+    }
+
+    /// Without spin.
+    pub(in super::super) fn at_rest() -> Scope {
+        with_spin(Vector::zeros())
+    }
+
+    fn with_spin(omega: Vector) -> Scope {
+        let (tensor, torque) = (symmetric("I"), vector("tau"));
         let rate = tensor_times_acceleration(&tensor, &omega, &torque);
         let inverse = invert(&tensor);
-        let acceleration = &inverse * &rate;
-        named(Scope::default(), tensor, inverse, omega, &torque, acceleration, rate)
+        let rates = [&inverse * &rate, rate];
+        named(Scope::default(), [tensor, inverse], omega, &torque, rates)
     }
 
     fn named(
         scope: Scope,
-        tensor: Matrix,
-        inverse: Matrix,
+        [tensor, inverse]: [Matrix; 2],
         omega: Vector,
         torque: &Vector,
-        acceleration: Vector,
-        momentum_rate: Vector,
+        [acceleration, momentum_rate]: [Vector; 2],
     ) -> Scope {
         scope
             .with(r"\mathbf{L}", &tensor * &omega)
@@ -119,13 +132,6 @@ pub(super) mod rates {
             .with(r"\dot{\boldsymbol{\omega}}", acceleration)
             .with(r"\dot{\mathbf{L}}", momentum_rate)
     }
-}
-
-/// Energy.
-pub(super) fn energy() -> Scope {
-    let (omega, momentum) = (vector("omega"), vector("L"));
-    let energy = tumbling::dynamics::observe::energy(&omega, &momentum);
-    Scope::default().with("E", energy).with(r"\boldsymbol{\omega}", omega).with(r"\mathbf{L}", momentum)
 }
 
 /// A small wobble about an axis.
@@ -212,10 +218,11 @@ fn gap_at(slope: &Fraction) -> [Fraction; 3] {
 }
 
 /// The gap for any direction of the spin between two axes.
-pub(super) fn slant() -> Scope {
+pub(crate) fn slant() -> Scope {
     let slope = Fraction::variable("t");
     let [a, b, tangent] = gap_at(&slope);
-    Scope::default().with_all([("a", a), ("b", b), (r"\tan(\theta)", slope), (r"\tan(\text{gap})", tangent)])
+    let scope = Scope::default().positive(["a", "d", "t"]).with_all([("a", a), ("b", b)]);
+    scope.with_all([(r"\tan(\theta)", slope), (r"\tan(\text{gap})", tangent)])
 }
 
 /// Where the gap between two axes is widest, and how wide: moments `a` and `b`, the larger `b`.
@@ -296,22 +303,11 @@ pub(super) fn gyroscopic() -> Scope {
 
 /// The rate of the energy, with a torque, for without one it is zero.
 pub(super) fn power() -> Scope {
-    let (moments, omega) = (vector("I"), vector("omega"));
-    let acceleration = angular_acceleration(&moments, &omega, &vector("tau"));
-    let time = changing(Derivation::default(), "omega", &acceleration);
-    let tensor = diagonal(&moments);
-    let it = time.of(&tumbling::dynamics::observe::energy(&omega, &(&tensor * &omega)));
-    Scope::default()
-        .with("I", tensor)
-        .with(r"\boldsymbol{\omega}", omega)
-        .with(r"\dot{\boldsymbol{\omega}}", acceleration)
-        .with(r"\boldsymbol{\tau}", vector("tau"))
-        .with(r"\dot{E}", it.clone())
-        .with(Scope::IT, it)
+    conserved::power(momentum_rate, angular_acceleration).swap_remove(1)
 }
 
 /// Moments in order.
-pub(super) fn in_order() -> Scope {
+pub(crate) fn in_order() -> Scope {
     let [a, b] = variables(["a", "b"]);
     let moments = ordered_moments();
     Scope::default().with("a", a).with("b", b).with_each("I", &moments)
@@ -326,17 +322,6 @@ pub(super) fn seen_from_the_body() -> Scope {
         .with(r"\mathbf{v}", arrow)
         .with(r"\dot{\mathbf{v}}", rate)
         .with(r"\boldsymbol{\omega}", omega)
-}
-
-/// A body at rest under a torque, in any axes.
-pub(super) fn at_rest() -> Scope {
-    let (tensor, torque) = (symmetric("I"), vector("tau"));
-    let rate = tensor_times_acceleration(&tensor, &Vector::zeros(), &torque);
-    let acceleration = invert(&tensor) * rate;
-    Scope::default()
-        .with("I", tensor)
-        .with(r"\boldsymbol{\tau}", torque)
-        .with(r"\dot{\boldsymbol{\omega}}", acceleration)
 }
 
 /// Two small components near a spin that stays, and the second rate of the first.

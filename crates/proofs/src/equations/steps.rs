@@ -1,13 +1,14 @@
 //! What the names mean where the book speaks of steps through time.
 
-use crate::number::{Fraction, Rational, Relations, Series};
+use crate::number::{Fraction, Relations, Series};
+use crate::proofs::methods::cases;
 use crate::symbols::{Matrix, Vector, diagonal, inverse_diagonal, symmetric, variables, vector};
 use crate::tex::Scope;
 use nalgebra::{Quaternion, Vector3};
-use num_traits::{One, Zero};
+use num_traits::Zero;
 use tumbling::attitude::rotation_matrix;
 use tumbling::dynamics::{euler, observe};
-use tumbling::step::{Method, State, System};
+use tumbling::step::Method;
 
 fn times(v: &Vector, factor: &Fraction) -> Vector {
     v.map(|x| x * factor)
@@ -28,18 +29,11 @@ pub(super) mod explicit {
 
     /// A body in numbers, the step in letters.
     fn by_the_method(method: Method) -> Scope {
-        type Number = Series<Rational>;
-        let numbers = |x: [i64; 3], d: i64| Vector3::from(x.map(|n| Series::constant(Rational::new(n, d))));
-        let system = System::of_numbers(numbers([2, 4, 3], 2), Vec::new());
-        let (one, none) = (Number::one(), Number::zero());
-        let start = State {
-            attitude: Quaternion::new(one, none.clone(), none.clone(), none),
-            momentum: system.momentum(&numbers([2, 3, 6], 1)),
-        };
+        let [(system, start), _] = cases();
         let h = Fraction::variable("h");
-        let written = |v: &Vector3<Number>| {
+        let written = |v: &Vector3<Series<Fraction>>| {
             v.map(|x| {
-                let power = |n: u32| Some(Fraction::from(x.coefficient(n as usize)?) * h.pow(n));
+                let power = |n: u32| Some(x.coefficient(n as usize)? * h.pow(n));
                 (0..=3).fold(Fraction::zero(), |sum, n| sum + power(n).unwrap_or(Fraction::ratio(1, 0)))
             })
         };

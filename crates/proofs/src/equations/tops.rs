@@ -100,28 +100,23 @@ pub(super) fn nodding() -> Scope {
 /// Jacobi's functions and their rates.
 pub(super) fn jacobi() -> Scope {
     let time = Derivation::elliptic(&Fraction::one());
+    let names = ["sn", "cn", "dn"];
     let scope = Scope::default().with("m", Fraction::variable("m")).under(Relations::elliptic());
-    ["sn", "cn", "dn"].into_iter().fold(scope, |scope, name| {
-        let function = Fraction::variable(name);
-        let rate = time.of(&function);
-        let tex = format!(r"\operatorname{{{name}}}");
-        scope.with(&format!("{tex}'"), rate).with(&tex, function)
+    names.into_iter().fold(scope.with_functions(&names, ""), |scope, name| {
+        scope.with(&format!(r"\operatorname{{{name}}}'"), time.of(&Fraction::variable(name)))
     })
 }
 
 /// The motion, its circled axis the third, if the library's equations hold along it; nothing has a meaning if
 /// not. Worked out once.
 pub(super) fn jacobi_motion() -> Scope {
-    let (Ok(()), Ok(motion)) = (momentum(1, Change::None), motion(1, Change::None)) else {
+    let (Ok(_), Ok(motion)) = (momentum(1, Change::None), motion(1, Change::None)) else {
         return Scope::default();
     };
     let mut amplitudes = motion.amplitudes.clone();
     amplitudes[2] *= Fraction::variable("sigma");
     let scope = Scope::default().with_each("I", &motion.moments).with_each("a", &amplitudes);
-    let scope =
-        ["cn", "sn", "dn"].into_iter().fold(scope.with_each(r"\omega", &motion.omega), |scope, name| {
-            scope.with(&format!(r"\operatorname{{{name}}}(u)"), Fraction::variable(name))
-        });
+    let scope = scope.with_each(r"\omega", &motion.omega).with_functions(&["sn", "cn", "dn"], "(u)");
     let [h, p] = variables(["h", "p"]);
     scope
         .with_all([("m", (h * p).pow(2)), ("p", motion.rate), ("L", motion.momentum)])

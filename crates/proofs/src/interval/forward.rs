@@ -13,8 +13,10 @@ use super::Interval;
 use super::motion::{self, Open};
 use super::paths::every_path;
 use super::rounded::Rounded;
+use crate::Rational;
 use nalgebra::Vector3;
 use num_traits::Zero;
+use tumbling::exact;
 use tumbling::laws::ClosedForm;
 
 /// How much the computed spin (rad/s) and the computed attitude (radians) are off at most, for all floats in
@@ -78,13 +80,46 @@ pub fn table() -> Result<Vec<String>, Open> {
         format!("{:.0e}", (x / unit).ceil() * unit)
     };
     let moving = motion::BODIES.into_iter().filter(|(.., omega)| !omega.contains(&0.0));
-    let row = |(name, moments, omega): (&str, [f64; 3], [f64; 3])| {
+    let row = |(name, moments, omega): motion::Body| {
         let size = omega.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
         let [_, first] = bound_of_all(moments, omega, 1.0)?;
         let [spin, last] = bound_of_all(moments, omega, 1e9)?;
         Ok(format!("| {name} | {} | {} | {} |", up(spin / size), up(first), up(last)))
     };
     moving.map(row).collect()
+}
+
+/// Of each of [`motion::BODIES`] moments and spin, four times, and spin and attitude then, to 40 digits.
+const TRUTHS: &str = include_str!("../../../../tests/data/late.json");
+
+/// A row of the book's table for each body of [`table`]: how far the library's spin is from 40 digits, for
+/// its largest component at the start and at the worst of four times, and its attitude, in radians, after
+/// one flip and after a billion. None where there are no such digits.
+#[must_use]
+pub fn measured() -> Option<Vec<String>> {
+    let numbers: Vec<_> = TRUTHS.split('"').filter(|text| text.parse::<f64>().is_ok()).collect();
+    let row = |((name, moments, omega), truth): (motion::Body, &[&str])| {
+        let motion = exact::FreeMotion::new(moments.try_into().ok()?, &omega.into()).ok()?;
+        let apart = |x: &[f64], from: usize, sign: i64| {
+            let off = |(x, truth): (&f64, &&str)| {
+                let truth = Rational::of_decimal(&truth.replace('+', ""))? * Rational::from(sign);
+                Some((Rational::of_f64(*x) - truth).to_f64().powi(2))
+            };
+            Some(x.iter().zip(&truth[from..]).map(off).sum::<Option<f64>>()?.sqrt())
+        };
+        let mut found = [[0.0; 2]; 4];
+        for (k, found) in found.iter_mut().enumerate() {
+            let now = motion.at(truth[6 + k].parse().ok()?).ok()?;
+            let [x, y, z, w] = now.attitude.coords.into();
+            let [turn, other] = [1, -1].map(|sign| apart(&[w, x, y, z], 22 + 4 * k, sign));
+            *found = [apart(now.omega.as_slice(), 10 + 3 * k, 1)?, 2.0 * turn?.min(other?)];
+        }
+        let size = omega.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+        let spin = found.iter().fold(0.0, |a: f64, x| a.max(x[0]));
+        Some(format!("| {name} | {:.0e} | {:.0e} | {:.0e} |", spin / size, found[0][1], found[3][1]))
+    };
+    let bodies = motion::BODIES.into_iter().zip(numbers.chunks_exact(46));
+    bodies.filter(|((.., omega), _)| !omega.contains(&0.0)).map(row).collect()
 }
 
 #[cfg(test)]

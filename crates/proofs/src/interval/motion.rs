@@ -153,8 +153,11 @@ impl FreeMotion {
     }
 }
 
-/// Moments (kg m²) and spins (rad/s) of six bodies, all floats: see [`widths`].
-pub const BODIES: [(&str, [f64; 3], [f64; 3]); 6] = [
+/// A body's name, its moments (kg m²) and its spin (rad/s).
+pub type Body = (&'static str, [f64; 3], [f64; 3]);
+
+/// Six bodies whose numbers are all floats: see [`widths`].
+pub const BODIES: [Body; 6] = [
     ("box", [10.0, 13.0, 5.0], [1.0, 0.25, 0.5]),
     ("racket", [1.25, 16.5, 17.75], [0.25, 10.0, 0.125]),
     ("needle", [1.0, 1.00048828125, 0.0009765625], [0.5, 0.25, 8.0]),
@@ -195,7 +198,7 @@ pub fn widths(moments: [f64; 3], omega: [f64; 3], flips: f64) -> Result<[f64; 2]
 /// # Errors
 /// As [`FreeMotion::new`].
 pub fn table() -> Result<Vec<String>, Open> {
-    let row = |(name, moments, omega): &(&str, [f64; 3], [f64; 3])| {
+    let row = |(name, moments, omega): &Body| {
         let mut found = [[0.0; 2]; 4];
         for (found, flips) in found.iter_mut().zip(FLIPS) {
             *found = widths(*moments, *omega, flips)?;

@@ -1,7 +1,7 @@
 //! Quotients of polynomials: the field in which every law of the library can run.
 
 use super::monomial::Monomial;
-use super::ops::operator;
+use super::ops::{constants, from, operator};
 use super::polynomial::Polynomial;
 use super::rational::Rational;
 use super::symbol::Symbol;
@@ -9,7 +9,6 @@ use num_rational::BigRational;
 use num_traits::{One, Zero};
 use std::collections::BTreeSet;
 use std::fmt;
-use std::ops::Neg;
 use tumbling::number::Field;
 
 /// A quotient of two polynomials, a rational function. Equality is decided, by cross multiplication.
@@ -257,12 +256,10 @@ operator!(Fraction: Sub sub SubAssign sub_assign = Fraction::difference);
 operator!(Fraction: Mul mul MulAssign mul_assign = Fraction::product);
 operator!(Fraction: Div div DivAssign div_assign = Fraction::quotient);
 
-impl Neg for Fraction {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self { numerator: -self.numerator, denominator: self.denominator }
-    }
-}
+constants!(Fraction:
+    |x| x.numerator.is_zero() && !x.is_undefined(),
+    |x| Self { numerator: -x.numerator, ..x }
+);
 
 impl PartialEq for Fraction {
     fn eq(&self, other: &Self) -> bool {
@@ -276,49 +273,14 @@ impl PartialEq for Fraction {
     }
 }
 
-impl From<Polynomial> for Fraction {
-    fn from(numerator: Polynomial) -> Self {
-        Self { numerator, denominator: Polynomial::one() }
-    }
-}
-
-impl From<Symbol> for Fraction {
-    fn from(symbol: Symbol) -> Self {
-        Polynomial::from(symbol).into()
-    }
-}
-
-impl From<i64> for Fraction {
-    fn from(n: i64) -> Self {
-        Polynomial::from(n).into()
-    }
-}
-
-impl From<Rational> for Fraction {
-    fn from(value: Rational) -> Self {
-        match Polynomial::constant(&value) {
-            Some(constant) => constant.into(),
-            None => Self::ratio(1, 0),
-        }
-    }
-}
-
-impl Zero for Fraction {
-    fn zero() -> Self {
-        Polynomial::zero().into()
-    }
-    fn is_zero(&self) -> bool {
-        self.numerator.is_zero() && !self.is_undefined()
-    }
+from! {
+    Fraction, Polynomial: |numerator| Self { numerator, denominator: Polynomial::one() };
+    Fraction, Symbol: |symbol| Polynomial::from(symbol).into();
+    Fraction, i64: |n| Polynomial::from(n).into();
+    Fraction, Rational: |x| Polynomial::constant(&x).map_or_else(|| Self::ratio(1, 0), Self::from);
 }
 
 impl tumbling::number::Series for Fraction {}
-
-impl One for Fraction {
-    fn one() -> Self {
-        Polynomial::one().into()
-    }
-}
 
 impl fmt::Display for Fraction {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -35,3 +35,43 @@ macro_rules! operator {
     };
 }
 pub(crate) use operator;
+
+/// Implements how a number is made of another kind.
+macro_rules! from {
+    ($($T:ty, $From:ty: |$x:ident| $by:expr;)*) => {$(
+        impl From<$From> for $T {
+            fn from($x: $From) -> Self {
+                $by
+            }
+        }
+    )*};
+}
+pub(crate) use from;
+
+/// Implements zero, one and the negative of a number that is made of whole numbers.
+macro_rules! constants {
+    ($T:ty: |$x:ident| $is_zero:expr, |$y:ident| $negative:expr) => {
+        impl num_traits::Zero for $T {
+            fn zero() -> Self {
+                Self::from(0)
+            }
+            fn is_zero(&self) -> bool {
+                let $x = self;
+                $is_zero
+            }
+        }
+        impl num_traits::One for $T {
+            fn one() -> Self {
+                Self::from(1)
+            }
+        }
+        impl std::ops::Neg for $T {
+            type Output = Self;
+            fn neg(self) -> Self {
+                let $y = self;
+                $negative
+            }
+        }
+    };
+}
+pub(crate) use constants;

@@ -1,7 +1,7 @@
 //! Polynomials in named variables over exact rationals, in canonical form.
 
 use super::monomial::Monomial;
-use super::ops::operator;
+use super::ops::{constants, from, operator};
 use super::rational::Rational;
 use super::symbol::Symbol;
 use num_bigint::BigInt;
@@ -10,7 +10,6 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
-use std::ops::Neg;
 
 /// A polynomial in any number of named variables, with exact rational coefficients.
 ///
@@ -47,7 +46,7 @@ impl Polynomial {
     /// `coefficient` times `monomial`.
     #[must_use]
     pub fn term(monomial: Monomial, coefficient: BigRational) -> Self {
-        let mut sum = Self::zero();
+        let mut sum = Self { terms: BTreeMap::new() };
         sum.add_term(monomial, coefficient);
         sum
     }
@@ -266,45 +265,15 @@ operator!(Polynomial: Add add AddAssign add_assign = Polynomial::sum);
 operator!(Polynomial: Sub sub SubAssign sub_assign = Polynomial::difference);
 operator!(Polynomial: Mul mul MulAssign mul_assign = Polynomial::product);
 
-impl Neg for Polynomial {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self { terms: self.terms.into_iter().map(|(m, c)| (m, -c)).collect() }
-    }
+from! {
+    Polynomial, Symbol: |symbol| Self::term(Monomial::power(symbol, 1), BigRational::one());
+    Polynomial, i64: |n| BigRational::from(BigInt::from(n)).into();
+    Polynomial, BigRational: |value| Self::term(Monomial::default(), value);
 }
 
-impl From<Symbol> for Polynomial {
-    fn from(symbol: Symbol) -> Self {
-        Self::term(Monomial::power(symbol, 1), BigRational::one())
-    }
-}
-
-impl From<i64> for Polynomial {
-    fn from(n: i64) -> Self {
-        BigRational::from(BigInt::from(n)).into()
-    }
-}
-
-impl From<BigRational> for Polynomial {
-    fn from(value: BigRational) -> Self {
-        Self::term(Monomial::default(), value)
-    }
-}
-
-impl Zero for Polynomial {
-    fn zero() -> Self {
-        Self { terms: BTreeMap::new() }
-    }
-    fn is_zero(&self) -> bool {
-        self.is_empty()
-    }
-}
-
-impl One for Polynomial {
-    fn one() -> Self {
-        Self::from(1)
-    }
-}
+constants!(Polynomial: |p| p.is_empty(), |p| {
+    Self { terms: p.terms.into_iter().map(|(m, c)| (m, -c)).collect() }
+});
 
 impl fmt::Display for Polynomial {
     /// The largest terms first, leaving out a 1 that goes without saying.

@@ -1,11 +1,10 @@
 //! Exact fractions of whole numbers of any size.
 
-use super::ops::operator;
+use super::ops::{constants, from, operator};
 use num_bigint::BigInt;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::fmt;
-use std::ops::Neg;
 
 /// An exact fraction of two whole numbers, as large as they need to be: nothing rounds or overflows.
 ///
@@ -142,39 +141,12 @@ operator!(Rational: Sub sub SubAssign sub_assign = Rational::difference);
 operator!(Rational: Mul mul MulAssign mul_assign = Rational::product);
 operator!(Rational: Div div DivAssign div_assign = Rational::quotient);
 
-impl Neg for Rational {
-    type Output = Self;
-    fn neg(self) -> Self {
-        Self(self.0.map(Neg::neg))
-    }
+from! {
+    Rational, i64: |n| BigRational::from(BigInt::from(n)).into();
+    Rational, BigRational: |value| Self(Some(value));
 }
 
-impl From<i64> for Rational {
-    fn from(n: i64) -> Self {
-        BigRational::from(BigInt::from(n)).into()
-    }
-}
-
-impl From<BigRational> for Rational {
-    fn from(value: BigRational) -> Self {
-        Self(Some(value))
-    }
-}
-
-impl Zero for Rational {
-    fn zero() -> Self {
-        BigRational::zero().into()
-    }
-    fn is_zero(&self) -> bool {
-        self.value().is_some_and(Zero::is_zero)
-    }
-}
-
-impl One for Rational {
-    fn one() -> Self {
-        BigRational::one().into()
-    }
-}
+constants!(Rational: |x| x.value().is_some_and(Zero::is_zero), |x| Self(x.0.map(std::ops::Neg::neg)));
 
 impl PartialEq for Rational {
     fn eq(&self, other: &Self) -> bool {

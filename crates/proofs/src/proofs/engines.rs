@@ -6,7 +6,7 @@ use crate::symbols::{Matrix, Vector, attitude, changing, diagonal, inverse_diago
 use nalgebra::Quaternion;
 use num_rational::BigRational;
 use num_traits::Zero;
-use tumbling::attitude::rotation_matrix;
+use tumbling::attitude::{rate, rotation_matrix};
 use tumbling::dynamics::euler::tensor_times_acceleration;
 use tumbling::inertia::turned;
 use tumbling::step::Engine;
@@ -42,8 +42,8 @@ use Kept::{Energy, Euler, LengthOfMomentum, Momentum};
 
 proofs! {
     "step" {
-        "right-engine": keeps_only(Engine::Turned, &Kept::ALL),
-            "The law of the right engine keeps all: momentum, its length, energy, Euler's equations, and the spin belongs to its momentum.";
+        "right-engine": turns(Engine::Turned).and_then(|()| keeps_only(Engine::Turned, &Kept::ALL)),
+            "The law of the right engine keeps all: momentum, its length, energy, Euler's equations, and the spin belongs to its momentum; and the attitude turns at that spin.";
             but "the frozen tensor in its place": keeps_only(Engine::Frozen, &Kept::ALL),
         "frozen-tensor": keeps_only(Engine::Frozen, &[]),
             "With the tensor frozen in the world (pitfall 1), the rates of momentum, its length and energy, and what is left of Euler's equations, are not zero for all bodies, spins and attitudes: all \
@@ -113,6 +113,14 @@ impl Run {
             Kept::SpinFromMomentum => turned(&self.rotation, &self.tensor) * &self.omega - &self.carried,
         }
     }
+}
+
+/// That the attitude turns at the spin.
+fn turns(engine: Engine) -> Outcome {
+    let run = Run::new(engine, &vector("I"));
+    let (q, spin) = (attitude().0, run.reduced(&(run.rotation.transpose() * &run.omega)));
+    let moved = q.coords.map(|x| run.time.of(&x));
+    same_entries_under(&run.unit, "the attitude's rate", &moved, &rate(&q, &spin).coords)
 }
 
 /// Checks that an engine keeps a law, for every body, attitude and spin.

@@ -5,8 +5,9 @@
 //! roots (`x1² = I1`, `p² = I2 - I1`, `q² = I3 - I2`, `r² = I3 - I1`) and of one free speed `z`.
 
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
-use crate::proof::{Outcome, Residue, same, same_entries_under, same_under, vanishes};
+use crate::proof::{Outcome, Residue, same_entries_under, vanishes};
 use crate::symbols::{Vector, changing, pure, square, variables, vector};
+use crate::tex::{Scope, Value};
 use nalgebra::Quaternion;
 use num_traits::One;
 use tumbling::attitude::{product, rate};
@@ -16,32 +17,32 @@ use tumbling::dynamics::observe::energy;
 proofs! {
     "errata" {
         "errata-rate-about-the-smallest-axis": circling(Side::Smallest, -1),
-            "With the momentum (s B13 dn, -B21 sn, B31 cn) of λ t, s = ±1, Euler's equations want the rate -s λ3.";
-            but "the rate s λ3": circling(Side::Smallest, 1),
+            r"With the momentum $m = (s B_{13}\operatorname{dn}, -B_{21}\operatorname{sn}, B_{31}\operatorname{cn})$, where $s^2 = 1$, Euler's equations want the argument's rate $u' = -s\lambda_3$.";
+            but "the rate of the other sign": circling(Side::Smallest, 1),
         "errata-rate-about-the-largest-axis": circling(Side::Largest, -1),
-            "With the momentum (B13 cn, -B23 sn, s B31 dn) of λ t, s = ±1, Euler's equations want the rate -s λ1.";
-            but "the rate s λ1": circling(Side::Largest, 1),
+            r"With the momentum $m = (B_{13}\operatorname{cn}, -B_{23}\operatorname{sn}, s B_{31}\operatorname{dn})$, where $s^2 = 1$, Euler's equations want the argument's rate $u' = -s\lambda_1$.";
+            but "the rate of the other sign": circling(Side::Largest, 1),
         "errata-signs-on-the-separatrix": separatrix([true, true]),
-            "On the separatrix the momentum (s B13 sech, G tanh, s' B31 sech) of s s' λ2 t, with two signs of its own, obeys Euler's equations.";
+            r"On the separatrix the momentum $m = (s B_{13}\operatorname{sech}, G\operatorname{tanh}, s' B_{31}\operatorname{sech})$, where $s^2 = 1$ and $s'^2 = 1$, obeys Euler's equations with the argument's rate $u' = s s'\lambda_2$.";
             but "one sign for both ends in the rate": separatrix([true, false]),
         "errata-rate-of-the-angle": rate_of_the_angle(1),
-            "The attitude that takes the momentum to the third axis by the shortest way and then turns by ψ about it obeys q' = q ω / 2 if ψ' = (2 T + G m3 / I3) / (G + m3).";
+            r"The attitude that takes the momentum to the third axis by the shortest way and then turns about it obeys the attitude's law if the angle has the rate $\psi' = (2 T + G m_3/I_3)/(G + m_3)$.";
             but "a minus in the numerator": rate_of_the_angle(-1),
-        "errata-sign-of-the-angle": closed_angle(-1, true),
-            "That rate is the derivative of G t / I3 + G I31 / (λ I1 I3) (Π - (B31 / G) (B13 / B21) arctan((B21 / B13) sd)), with -(B31 / B13)² for the characteristic of Π, and the derivatives of Π and of the arctangent put in.";
-            but "a plus before the arctangent": closed_angle(1, true),
-            but "B31 not divided by G": closed_angle(-1, false),
+        "errata-sign-of-the-angle": closed_angle(|_| Fraction::one()),
+            r"That rate, $\psi' = (2 T + G m_3/I_3)/(G + m_3)$, is $\psi' = \frac{G}{I_3} + \frac{G I_{31}}{I_1 I_3}(P - \frac{B_{31} B_{13}}{G B_{21}} A)$, with the derivatives of the integral and of the arctangent put in: $P = 1/(1 + (B_{31}/B_{13})^2\operatorname{sn}^2)$, of which the characteristic has a minus, and $A = \frac{B_{21}}{B_{13}}\operatorname{cn}/(\operatorname{dn}^2 + (B_{21}/B_{13})^2\operatorname{sn}^2)$.";
+            but "a plus before the arctangent": closed_angle(|_| Fraction::from(-1)),
+            but "the factor not divided by the momentum": closed_angle(Clone::clone),
         "errata-characteristic-on-the-separatrix": characteristic(true),
-            "On the separatrix G⁴ / (B21² B23²) is one, so that an integral over one minus it divides by zero.";
+            r"On the separatrix $G^4/(B_{21}^2 B_{23}^2) = 1$, so that an integral over one minus it divides by zero.";
             but "any energy": characteristic(false),
-        "errata-integral-of-tanh": integral_of_tanh(-1),
-            "With a² = n, the derivative of t / (1 - n) - a artanh(a tanh) / ((1 - n) λ) is 1 / (1 - n tanh²), with that of artanh(x), x' / (1 - x²), put in.";
-            but "a plus before the second term": integral_of_tanh(1),
+        "errata-integral-of-tanh": integral_of_tanh(1),
+            r"With $a^2 = n$ and $x = a\operatorname{tanh}$, where $x'$ is its rate and the derivative of the inverse of the hyperbolic tangent is put in, $\frac{1}{1 - n} - \frac{a}{(1 - n)\lambda} A = \frac{1}{1 - n\operatorname{tanh}^2}$, with $A = x'/(1 - x^2)$.";
+            but "a plus before the second term": integral_of_tanh(-1),
         "errata-acceleration": acceleration(false),
-            "By the derivatives of Jacobi's functions, which are put in, the rate of the spin (o1 cn, o2 sn, o3 dn) of λ t is λ (-o1 sn dn, o2 cn dn, -m o3 sn cn).";
+            r"By the derivatives of Jacobi's functions, which are put in, the spin $\omega = (o_1\operatorname{cn}, o_2\operatorname{sn}, o_3\operatorname{dn})$ has the rate $\omega' = \lambda(-o_1\operatorname{sn}\operatorname{dn}, o_2\operatorname{cn}\operatorname{dn}, -m o_3\operatorname{sn}\operatorname{cn})$.";
             but "the first two exchanged": acceleration(true),
         "errata-precession": precession(1),
-            "Along the motion, the rate M (I1 w1² + I2 w2²) / (M² - (I3 w3)²) of Euler's angle φ is (M / I3) (1 + I32 I31 / (I1 I32 + I3 I21 sn²)).";
+            r"Along the motion, the rate of an angle of Euler, $\phi' = M (I_1\omega_1^2 + I_2\omega_2^2)/(M^2 - I_3^2\omega_3^2)$, is $\phi' = \frac{M}{I_3}(1 + \frac{I_{32} I_{31}}{I_1 I_{32} + I_3 I_{21}\operatorname{sn}^2})$.";
             but "a minus before the quotient": precession(-1),
     }
 }
@@ -76,39 +77,57 @@ fn obeys_euler(momentum: &Vector, time: &Derivation, relations: &Relations) -> O
     same_entries_under(relations, "w'", &omega.map(|x| time.of(&x)), &expected)
 }
 
-fn circling(case: Side, sign: i64) -> Outcome {
+/// Jacobi's functions and the hyperbolic ones.
+fn functions() -> Scope {
+    Scope::default().with_functions(&["sn", "cn", "dn", "sech", "tanh"], "")
+}
+
+fn circling(case: Side, sign: i64) -> Result<Scope, Residue> {
     let [x1, x2, x3, p, q, r, k, z, s] = variables(["x1", "x2", "x3", "p", "q", "r", "k", "z", "s"]);
     let [sn, cn, dn] = variables(["sn", "cn", "dn"]);
     // Near is what lies between the circled axis and the middle one. The root of the discriminant that
     // gives the speed is z r far.
     let (near, far) = if case == Side::Smallest { (&p, &q) } else { (&q, &p) };
-    let rate = &z * &r * far * near / (&x1 * &x2 * &x3) * &s * Fraction::from(sign);
-    let small = &k * &z * near;
-    let middle = -(&x2 * &k * &z * &r * sn);
-    let momentum = match case {
-        Side::Smallest => Vector::new(&s * &x1 * far * &z * dn, middle, &x3 * small * cn),
-        Side::Largest => Vector::new(&x1 * small * cn, middle, &s * &x3 * far * &z * dn),
+    let speed = &z * &r * far * near / (&x1 * &x2 * &x3);
+    let rate = &speed * &s * Fraction::from(sign);
+    let (large, small, across) = (far * &z, &k * &z * near, &x2 * &k * &z * &r);
+    let middle = -(&across * sn);
+    let ([b13, b31], momentum, names) = match case {
+        Side::Smallest => {
+            let [b13, b31] = [&x1 * large, &x3 * small];
+            let momentum = Vector::new(&s * &b13 * dn, middle, &b31 * cn);
+            ([b13, b31], momentum, ["B_{21}", r"\lambda_3"])
+        }
+        Side::Largest => {
+            let [b13, b31] = [&x1 * small, &x3 * large];
+            let momentum = Vector::new(&b13 * cn, middle, &s * &b31 * dn);
+            ([b13, b31], momentum, ["B_{23}", r"\lambda_1"])
+        }
     };
-    obeys_euler(&momentum, &Derivation::elliptic(&rate), &relations(Vec::new())?)
+    let relations = relations(Vec::new())?;
+    obeys_euler(&momentum, &Derivation::elliptic(&rate), &relations)?;
+    let scope = functions().with_all([("B_{13}", b13), ("B_{31}", b31), (names[0], across)]);
+    Ok(scope.with_all([("s", s), ("u'", rate), (names[1], speed)]).with("m", momentum).under(relations))
 }
 
 /// With the first sign, the second or both in the rate.
-fn separatrix(in_rate: [bool; 2]) -> Outcome {
+fn separatrix(in_rate: [bool; 2]) -> Result<Scope, Residue> {
     let [x1, x2, x3, p, q, r, z, sech, tanh] =
         variables(["x1", "x2", "x3", "p", "q", "r", "z", "sech", "tanh"]);
-    let signs = variables(["s", "s'"]);
-    let mut rate = &z * &p * &q / (&x1 * &x3 * &x2.pow(2));
-    for (sign, counts) in signs.iter().zip(in_rate) {
-        rate = if counts { rate * sign.clone() } else { rate };
-    }
-    let [s, t] = signs;
+    let [s, t] = variables(["s", "s'"]);
+    let speed = &z * &p * &q / (&x1 * &x3 * &x2.pow(2));
+    let counted = [&s, &t].into_iter().zip(in_rate).filter(|(_, counts)| *counts);
+    let rate = counted.fold(speed.clone(), |rate, (sign, _)| rate * sign);
     // z is the momentum's length G.
-    let momentum =
-        Vector::new(s * &x1 * &q * &z / (&x2 * &r) * &sech, &z * tanh, t * &x3 * &p * &z / (&x2 * &r) * sech);
-    obeys_euler(&momentum, &Derivation::hyperbolic(&rate), &relations(Vec::new())?)
+    let [b13, b31] = [&x1 * &q, &x3 * &p].map(|x| x * &z / (&x2 * &r));
+    let momentum = Vector::new(&s * &b13 * &sech, &z * tanh, &t * &b31 * sech);
+    let relations = relations(Vec::new())?;
+    obeys_euler(&momentum, &Derivation::hyperbolic(&rate), &relations)?;
+    let scope = functions().with_all([("B_{13}", b13), ("B_{31}", b31), ("G", z), ("s", s), ("s'", t)]);
+    Ok(scope.with_all([("u'", rate), (r"\lambda_2", speed)]).with("m", momentum).under(relations))
 }
 
-fn rate_of_the_angle(sign: i64) -> Outcome {
+fn rate_of_the_angle(sign: i64) -> Result<Scope, Residue> {
     let (moments, m) = (vector("I"), vector("m"));
     let length = Fraction::variable("G");
     let sphere = Relations::new(vec![("G", square("m1") + square("m2") + square("m3"))])?;
@@ -119,73 +138,81 @@ fn rate_of_the_angle(sign: i64) -> Outcome {
     // The shortest way from m to the third axis, of length² N = 2 G (G + m3).
     let way = Quaternion::new(&length + &m.z, m.y.clone(), -m.x.clone(), zero());
     let shrinks = &change.z / ((&length + &m.z) * Fraction::from(2));
-    let twice_energy = energy(&omega, &m) * Fraction::from(2);
-    let angle = (twice_energy + &length * &omega.z * Fraction::from(sign)) / (&length + &m.z);
-    let about = pure(&Vector::new(zero(), zero(), angle / Fraction::from(2)));
+    let energy = energy(&omega, &m);
+    let angle = (&energy * Fraction::from(2) + &length * &omega.z * Fraction::from(sign)) / (&length + &m.z);
+    let about = pure(&Vector::new(zero(), zero(), &angle / Fraction::from(2)));
     let turned = product(&about, &way).coords;
     let left = turned + way.coords.map(|x| time.of(&x) - x * shrinks.clone()) - rate(&way, &omega).coords;
-    left.iter().try_for_each(|x| vanishes("q' - q w / 2", x, &sphere))
+    left.iter().try_for_each(|x| vanishes("q' - q w / 2", x, &sphere))?;
+    let scope = Scope::default().with_each("I", &moments).with_each("m", &m);
+    Ok(scope.with_all([("G", length), ("T", energy), (r"\psi'", angle)]).under(sphere))
 }
 
-fn closed_angle(sign: i64, divided: bool) -> Outcome {
+/// With the arctangent taken times this share of the momentum.
+fn closed_angle(times: impl Fn(&Fraction) -> Fraction) -> Result<Scope, Residue> {
     let [x1, x2, x3, p, q, r, k, z] = variables(["x1", "x2", "x3", "p", "q", "r", "k", "z"]);
     let [g, sn, cn, dn] = variables(["G", "sn", "cn", "dn"]);
     let (b13, b31, b21) = (&x1 * &q * &z, &x3 * &k * &p * &z, &x2 * &k * &z * &r);
     let third = square("x1") + square("p") + square("q");
     let length = square("z") * (square("x1") * square("q") + third * square("p") * Polynomial::variable("m"));
-    let relations = relations(vec![("G", length)])?;
     let [i1, _, i3] = moments().into();
-    // The derivatives by the argument of Π and of the arctangent of (B21 / B13) sn / dn.
+    // The derivatives by the argument of the integral and of the arctangent of (B21 / B13) sn / dn.
     let integral = Fraction::one() / (Fraction::one() + (&b31 / &b13).pow(2) * sn.pow(2));
-    let arctangent = &b21 / &b13 * cn.clone() / (dn.pow(2) + (&b21 / &b13).pow(2) * sn.pow(2));
-    let factor = &b31 * &b13 / &b21 * Fraction::from(sign);
-    let factor = if divided { factor / g.clone() } else { factor };
-    let closed = &g / &i3 + &g * &r.pow(2) / (&i1 * &i3) * (integral + factor * arctangent);
-    // The rate, with 2 T from the motion where sn is zero.
-    let twice_energy = b13.pow(2) / i1 + b31.pow(2) / i3.clone();
+    let arctangent = &b21 / &b13 * &cn / (dn.pow(2) + (&b21 / &b13).pow(2) * sn.pow(2));
+    // The rate, with the energy from the motion where sn is zero.
+    let twice_energy = b13.pow(2) / &i1 + b31.pow(2) / &i3;
     let m3 = &b31 * cn;
-    let expected = (twice_energy + &g * &m3 / i3) / (&g + m3);
-    same_under(&relations, "the angle's rate", &closed, &expected)
+    let rate = (&twice_energy + &g * &m3 / &i3) / (&g + &m3);
+    let scope = functions().with_all([("P", integral), ("A", arctangent * times(&g)), (r"\psi'", rate)]);
+    let scope = scope.with_all([("T", twice_energy / Fraction::from(2)), ("I_{31}", r.pow(2)), ("G", g)]);
+    let scope = scope.with_all([("m_3", m3), ("I_1", i1), ("I_3", i3), ("B_{13}", b13), ("B_{31}", b31)]);
+    Ok(scope.with("B_{21}", b21).under(relations(vec![("G", length)])?))
 }
 
-fn characteristic(on_it: bool) -> Outcome {
+fn characteristic(on_it: bool) -> Scope {
     let [i1, i2, i3, g, energy] = variables(["I1", "I2", "I3", "G", "T"]);
     let length2 = g.pow(2);
     let twice = if on_it { &length2 / &i2 } else { energy * Fraction::from(2) };
     let discriminant = |i: &Fraction| &length2 - &twice * i.clone();
-    let b21 = &i2 * discriminant(&i1) / (&i2 - &i1);
-    let b23 = &i2 * discriminant(&i3) / (&i2 - &i3);
-    same("the characteristic", &(length2.pow(2) / (b21 * b23)), &Fraction::one())
+    let amplitude = |i: &Fraction| Value::Root(&i2 * discriminant(i) / (&i2 - i));
+    Scope::default().with("B_{21}", amplitude(&i1)).with("B_{23}", amplitude(&i3)).with("G", g)
 }
 
-fn integral_of_tanh(sign: i64) -> Outcome {
-    let [a, rate, tanh] = variables(["a", "lambda", "tanh"]);
-    let one = Fraction::one();
-    let (inner, rest) = (&a * tanh, &one - a.pow(2));
-    let area = Derivation::hyperbolic(&rate).of(&inner) / (&one - inner.pow(2));
-    let said = &one / &rest + a * area * Fraction::from(sign) / (rest * rate);
-    same_under(&relations(Vec::new())?, "the derivative", &said, &(&one / (&one - inner.pow(2))))
+fn integral_of_tanh(sign: i64) -> Result<Scope, Residue> {
+    let [a, rate] = variables(["a", "lambda"]);
+    let inner = &a * Fraction::variable("tanh");
+    let grows = Derivation::hyperbolic(&rate).of(&inner) * Fraction::from(sign);
+    let area = &grows / (Fraction::one() - inner.pow(2));
+    let scope = functions().with_all([("x", inner), ("x'", grows), ("A", area), ("n", a.pow(2))]);
+    Ok(scope.with_all([("a", a), (r"\lambda", rate)]).under(relations(Vec::new())?))
 }
 
-fn acceleration(exchanged: bool) -> Outcome {
+fn acceleration(exchanged: bool) -> Scope {
     let [a, b, c, m, rate, sn, cn, dn] = variables(["o1", "o2", "o3", "m", "lambda", "sn", "cn", "dn"]);
-    let time = Derivation::elliptic(&rate);
     let omega = Vector::new(&a * &cn, &b * &sn, &c * &dn);
-    let (falls, rises) = (-(&sn * &dn), &cn * &dn);
-    let (first, second) = if exchanged { (rises, falls) } else { (falls, rises) };
-    let said = Vector::new(a * first, b * second, -(c * m * sn * cn)).map(|x| x * rate.clone());
-    same_entries_under(&Relations::elliptic(), "w'", &omega.map(|x| time.of(&x)), &said)
+    let mut change = omega.map(|x| Derivation::elliptic(&rate).of(&x));
+    if exchanged {
+        change.swap_rows(0, 1);
+    }
+    let scope = functions().with_each("o", &[a, b, c]).with_all([("m", m), (r"\lambda", rate)]);
+    scope.with(r"\omega", omega).with(r"\omega'", change).under(Relations::elliptic())
 }
 
-fn precession(sign: i64) -> Outcome {
+fn precession(sign: i64) -> Scope {
     let [i1, i2, i3, d, sn, cn, length] = variables(["I1", "I2", "I3", "D", "sn", "cn", "M"]);
     let (i32, i31, i21) = (&i3 - &i2, &i3 - &i1, &i2 - &i1);
     // D is 2 T I3 - M².
     let first = &d / (&i1 * &i31) * cn.pow(2);
     let second = &d / (&i2 * &i32) * sn.pow(2);
-    let numerator = &i1 * first.clone() + &i2 * second.clone();
-    let expected = &length * numerator / (i1.pow(2) * first + i2.pow(2) * second);
-    let quotient = &i32 * &i31 / (&i1 * &i32 + &i3 * i21 * sn.pow(2));
-    let said = &length / &i3 * (Fraction::one() + quotient * Fraction::from(sign));
-    same_under(&Relations::circle("cn", "sn"), "the rate of the angle", &said, &expected)
+    let across = i1.pow(2) * &first + i2.pow(2) * &second;
+    let third = (length.pow(2) - &across) / i3.pow(2);
+    let rate = &length * (&i1 * &first + &i2 * &second) / across;
+    [first, second, third]
+        .into_iter()
+        .zip(1..)
+        .fold(functions(), |scope, (square, n)| scope.with(&format!(r"\omega_{n}"), Value::Root(square)))
+        .with_each("I", &[i1, i2, i3])
+        .with_all([("I_{32}", i32), ("I_{31}", i31 * Fraction::from(sign)), ("I_{21}", i21)])
+        .with_all([("M", length), (r"\phi'", rate)])
+        .under(Relations::circle("cn", "sn"))
 }

@@ -1,19 +1,19 @@
 //! The tensor itself: what it is for one point, and how it moves with the point it is taken about.
 
 use crate::number::Fraction;
-use crate::proof::{Outcome, same, same_entries};
+use crate::proof::{Outcome, same_entries};
 use crate::symbols::{Matrix, Vector, scalar, variables, vector};
+use crate::tex::Scope;
 use tumbling::inertia::point_mass;
 use tumbling::solid::{MassMoments, combined};
 
 proofs! {
     "inertia" {
         "point-mass": point(point_mass),
-            "The tensor of a point, applied to a spin w, is its angular momentum m r x (w x r), for every point and spin.";
+            r"The tensor of a point, applied to a spin, is its angular momentum: $I\omega = m r\times (\omega\times r)$, for every point and spin.";
             but "the products without their minus": point(|m, r| Matrix::from_fn(|i, j| sign(i == j) * point_mass(m, r)[(i, j)].clone())),
         "every-body-obeys-the-triangle-inequality": triangle(point_mass),
-            "For one point and every n, half the trace less the moment is m (n.r)², which is never below zero. Tensors of points add, so that no body of points has a moment above the sum of the others; \
-            the sum is no part of this check.";
+            r"For one point and every direction, with the trace $s$, $\tfrac{1}{2} s n\cdot n - n\cdot (I n) = m (n\cdot r)^2$, which is never below zero. Tensors of points add, so that no body of points has a moment above the sum of the others; the sum is no part of this check.";
             but "the products without their minus": triangle(|m, r| Matrix::from_fn(|i, j| sign(i == j) * point_mass(m, r)[(i, j)].clone())),
         "parallel-axes": parallel_axes(1),
             "The tensor of any three points, about a point away from their centre, is that about the centre plus that of one point with all their mass.";
@@ -33,19 +33,15 @@ fn sign(plus: bool) -> Fraction {
     Fraction::from(if plus { 1 } else { -1 })
 }
 
-fn point(law: impl Fn(&Fraction, &Vector) -> Matrix) -> Outcome {
+fn point(law: impl Fn(&Fraction, &Vector) -> Matrix) -> Scope {
     let (m, r, w) = (Fraction::variable("m"), vector("r"), vector("omega"));
-    let momentum = r.cross(&w.cross(&r)).map(|x| x * m.clone());
-    same_entries("L = I w", &(law(&m, &r) * &w), &momentum)
+    Scope::default().with("I", law(&m, &r)).with("m", m).with("r", r).with(r"\omega", w)
 }
 
-fn triangle(law: impl Fn(&Fraction, &Vector) -> Matrix) -> Outcome {
+fn triangle(law: impl Fn(&Fraction, &Vector) -> Matrix) -> Scope {
     let (m, r, n) = (Fraction::variable("m"), vector("r"), vector("n"));
     let tensor = law(&m, &r);
-    let half_trace = tensor.trace() / Fraction::from(2);
-    let less_the_moment = half_trace * n.dot(&n) - n.dot(&(&tensor * &n));
-    let along = n.dot(&r);
-    same("half the trace less the moment", &less_the_moment, &(m * &along * &along))
+    Scope::default().with("s", tensor.trace()).with("I", tensor).with("m", m).with("r", r).with("n", n)
 }
 
 /// Three points: mass, first and second moments of theirs can be anything, and no more than those count.

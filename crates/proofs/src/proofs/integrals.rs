@@ -6,87 +6,76 @@
 //! squares or by their derivatives.
 
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
-use crate::proof::{Outcome, positive, same, same_under, vanishes};
+use crate::proof::{Outcome, Residue, same_under, vanishes};
 use crate::proofs::klein::{Change, Motion, motion};
 use crate::symbols::{square, variables};
+use crate::tex::Scope;
 use num_traits::One;
 
 proofs! {
     "exact" {
-        "gauss-mean": gauss(-1, 2),
-            "By u = (t - a b/t)/2, which rises with t, the integrand 1/sqrt((t² + a²)(t² + b²)) becomes that of the arithmetic and the geometric mean; for a = b = m it is 1/m by the angle of t = m tan; \
-            by t = k' tan that of 1 and k' becomes Legendre's. For all a and b; the limits of the integrals are no part of it.";
-            but "a plus in the change of variable": gauss(1, 2),
-        "last-mean": last_mean(16),
-            "Of two numbers with mean m, difference d and geometric mean g, the next mean is m - d²/(16 m), but for (m - g)²/(4 m), g being the root of m² - d²/4.";
-            but "twice as much taken off": last_mean(8),
+        "gauss-mean": gauss(-1),
+            r"By $u = \tfrac{1}{2}(t - a b/t)$, which rises with $u' > 0$, the integrand becomes that of the arithmetic and the geometric mean: $u'^2 (t^2 + a^2) (t^2 + b^2) = 4 (u^2 + (\frac{a + b}{2})^2) (u^2 + a b)$. For two equal numbers, by $v = m s/c$, it is one over their mean: $v' m = v^2 + m^2$. By $w = k' s/c$ it becomes Legendre's: $w'^2 (1 - (1 - k'^2) s^2) = (w^2 + 1) (w^2 + k'^2)$. Here $s$ and $c$ are an angle's sine and cosine; the limits of the integrals are no part of it.";
+            but "a plus in the change of variable": gauss(1),
+        "last-mean": last_mean(4),
+            r"Of two numbers $G_1$ and $G_2$ with the mean $m = \tfrac{1}{2}(G_1 + G_2)$ and the geometric mean $g^2 = G_1 G_2$, the next mean is (C45) but for the term $r = (m - g)^2/(4 m)$.";
+            but "the geometric mean nearer to the other": last_mean(8),
         "carlson-duplication": duplication(1, 3),
-            "With s = t + XY + YZ + ZX, where X² = t + x and so on, ds/sqrt((s+x)(s+y)(s+z)) is half of dt/(XYZ), and the integrands of R_D before and after differ by the derivative of 3/(Z (Y+Z) (Z+X)). \
-            Scaling and limits of the integrals are no part of it.";
+            r"With $s = t + X Y + Y Z + Z X$, where $x = X^2 - t$ and so on, the roots of the new numbers are $s + x = (X + Y) (X + Z)$, $s + y = (Y + Z) (Y + X)$ and $s + z = (Z + X) (Z + Y)$. So the integrand of the first kind is half: $\frac{s'}{(X + Y) (Y + Z) (Z + X)} = \frac{1}{2 X Y Z}$; that of the second changes by a derivative: $\frac{3}{2 X Y Z^3} - \frac{3 s'}{(X + Y) (Y + Z)^2 (Z + X)^2} = -T'$ with $T = \frac{3}{Z (Y + Z) (Z + X)}$. Scaling and limits of the integrals are no part of it.";
             but "a product of roots the other way": duplication(-1, 3),
             but "another term taken off": duplication(1, 2),
-        "legendre-by-carlson": legendre(1, 6),
-            "By t = s²/sin² - 1 Legendre's integrand becomes that of s R_F(1 - s², 1 - m s², 1), and its derivative by m that of s³ R_D(1 - s², 1, 1 - m s²)/6; cn/dn, k' sn/dn and k'/dn are the functions \
-            of what is left to the quarter period; and the squares of the theta zero's functions are tied by the complementary modulus. The limits are no part of it.";
-            but "the parameter's sign": legendre(-1, 6),
+        "legendre-by-carlson": legendre(1),
+            "By a change of variable Legendre's integrand becomes that of Carlson's first integral, and its derivative by the parameter that of the second; the functions of what is left to the quarter period obey the \
+            laws of Jacobi's three; and the squares of the theta zero's functions are tied by the complementary modulus. The limits are no part of it.";
+            but "the parameter's sign": legendre(-1),
     }
 }
 
-fn gauss(sign: i64, halves: i64) -> Outcome {
-    let [a, b, t, m] = variables(["a", "b", "t", "m"]);
-    let under = |t: &Fraction, a2: &Fraction, b2: &Fraction| (t.pow(2) + a2) * (t.pow(2) + b2);
+/// By the angle whose sine and cosine are the symbols of these names.
+fn by_angle() -> Derivation {
+    let [sin, cos] = variables(["sin", "cos"]);
+    Derivation::new([("sin", cos), ("cos", -sin)])
+}
+
+fn gauss(sign: i64) -> Scope {
+    let [a, b, t, m, sin, cos, kp] = variables(["a", "b", "t", "m", "sin", "cos", "kp"]);
     let u = (&t + &a * &b / &t * Fraction::from(sign)) / Fraction::from(2);
-    let rate = u.derivative(&"t".into());
-    let mean = (&a + &b) / Fraction::from(halves);
-    let after = under(&u, &mean.pow(2), &(&a * &b)) * Fraction::from(4);
-    same("the integrand", &(rate.pow(2) * under(&t, &a.pow(2), &b.pow(2))), &after)?;
-    positive("u rises from below all numbers to above all", &rate)?;
-    // By an angle: t = b tan.
-    let [sin, cos, kp] = variables(["sin", "cos", "kp"]);
-    let by_angle = Derivation::new([("sin", cos.clone()), ("cos", -sin.clone())]);
-    let circle = Relations::circle("cos", "sin");
-    let tangent = by_angle.of(&(&m * &sin / &cos));
-    same_under(&circle, "of two equal numbers", &tangent, &((&m * &sin / &cos).pow(2) / &m + &m))?;
-    let t = &kp * &sin / &cos;
-    let one = Fraction::one();
-    let root_squared = &one - (&one - kp.pow(2)) * sin.pow(2);
-    let left = by_angle.of(&t).pow(2) * root_squared;
-    same_under(&circle, "the quarter period", &left, &under(&t, &one, &kp.pow(2)))
+    let [v, w] = [&m, &kp].map(|x| x * &sin / &cos);
+    let [rises, v_rate, w_rate] = [u.derivative(&"t".into()), by_angle().of(&v), by_angle().of(&w)];
+    Scope::default()
+        .with_all([("a", a), ("b", b), ("t", t), ("m", m), ("k'", kp), ("s", sin), ("c", cos)])
+        .with_all([("u", u), ("v", v), ("w", w), ("u'", rises), ("v'", v_rate), ("w'", w_rate)])
+        .under(Relations::circle("cos", "sin"))
+        .positive(["a", "b", "t"])
 }
 
-fn last_mean(over: i64) -> Outcome {
-    // g is the geometric mean of the two: the root of m² - d²/4.
+/// The difference of the numbers has the square of the mean less that of the geometric mean, times `times`.
+fn last_mean(times: i64) -> Result<Scope, Residue> {
     let [m, g, d] = variables(["m", "g", "d"]);
-    let four = Polynomial::from(4);
-    let relations = Relations::new(vec![("d", (square("m") - square("g")) * four)])?;
-    let taken = &m - d.pow(2) / (&m * Fraction::from(over));
+    let relations = Relations::new(vec![("d", (square("m") - square("g")) * Polynomial::from(times))])?;
+    let half = &d / Fraction::from(2);
+    let rest = (&m - &g).pow(2) / (&m * Fraction::from(4));
     let next = (&m + &g) / Fraction::from(2);
-    same_under(&relations, "the next mean", &(taken - next), &((&m - &g).pow(2) / (&m * Fraction::from(4))))
+    let scope = Scope::default().with_all([("G_1", &m + &half), ("G_2", &m - half), ("G", next + &rest)]);
+    Ok(scope.with_all([("m", m), ("g", g), ("r", rest)]).under(relations))
 }
 
-fn duplication(sign: i64, thrice: i64) -> Outcome {
+fn duplication(sign: i64, thrice: i64) -> Scope {
     let [x, y, z, t] = variables(["X", "Y", "Z", "t"]);
     let two = Fraction::from(2);
-    let by_t = ["Y", "Z"].iter().fold(
-        Derivation::new([("t", Fraction::one()), ("X", Fraction::one() / (&two * &x))]),
-        |all, name| all.and(name, Fraction::one() / (&two * Fraction::variable(name))),
-    );
+    let by_t = ["X", "Y", "Z"].iter().fold(Derivation::new([("t", Fraction::one())]), |all, name| {
+        all.and(name, Fraction::one() / (&two * Fraction::variable(name)))
+    });
     let s = &t + &x * &y + &y * &z + &z * &x * Fraction::from(sign);
-    let sums = [&x + &y, &y + &z, &z + &x];
-    // x = X² - t, and so on.
-    same("s + x", &(&s + x.pow(2) - &t), &(&sums[0] * &sums[2]))?;
-    same("s + y", &(&s + y.pow(2) - &t), &(&sums[0] * &sums[1]))?;
-    same("s + z", &(&s + z.pow(2) - &t), &(&sums[1] * &sums[2]))?;
-    let (product, roots) = (&sums[0] * &sums[1] * &sums[2], &x * &y * &z);
-    same("the integrand of R_F", &(by_t.of(&s) / &product), &(Fraction::one() / (&two * &roots)))?;
-    // Twice R_D after the duplication, and what goes before it: nothing where t is infinite.
-    let taken = Fraction::from(thrice) / (&z * &sums[1] * &sums[2]);
-    let before = Fraction::from(3) / (&two * z.pow(2) * &roots);
-    let after = Fraction::from(3) * by_t.of(&s) / (&sums[1] * &sums[2] * &product);
-    same("the integrand of R_D", &(before - after), &-by_t.of(&taken))
+    // Nothing where t is infinite.
+    let taken = Fraction::from(thrice) / (&z * (&y + &z) * (&z + &x));
+    Scope::default()
+        .with_all([("s'", by_t.of(&s)), ("s", s), ("T'", by_t.of(&taken)), ("T", taken)])
+        .with_all([("x", x.pow(2) - &t), ("y", y.pow(2) - &t), ("z", z.pow(2) - &t)])
+        .with_all([("X", x), ("Y", y), ("Z", z), ("t", t)])
 }
 
-fn legendre(sign: i64, over: i64) -> Outcome {
+fn legendre(sign: i64) -> Outcome {
     let [s, m, sin, cos, rate] = variables(["s", "m", "sin", "cos", "Delta"]);
     let (one, two) = (Fraction::one(), Fraction::from(2));
     let parameter = Polynomial::variable("m");
@@ -105,8 +94,7 @@ fn legendre(sign: i64, over: i64) -> Outcome {
     let product = &roots[0] * &roots[1] * &roots[2];
     let first = &s * &falls / (&two * &product);
     same_under(&relations, "the argument", &first, &(&one / &rate))?;
-    let second =
-        s.pow(3) / Fraction::from(over) * Fraction::ratio(3, 2) * &falls / (roots[1].pow(2) * &product);
+    let second = s.pow(3) * Fraction::ratio(1, 4) * &falls / (roots[1].pow(2) * &product);
     let by_parameter = Derivation::new([("Delta", -(sin.pow(2) / (&two * &rate)))]);
     same_under(&relations, "its derivative", &second, &by_parameter.of(&(&one / &rate)))?;
     // What is left to the quarter period: cn/dn, k' sn/dn and k'/dn are its three functions.

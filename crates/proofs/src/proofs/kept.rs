@@ -12,8 +12,9 @@
 //! change.
 
 use crate::number::{Fraction, Relations};
-use crate::proof::{Outcome, same, same_entries_under, same_under};
-use crate::symbols::{Matrix, Vector, variables, vector};
+use crate::proof::{Outcome, Residue, same_entries_under, same_under};
+use crate::symbols::{Matrix, variables, vector};
+use crate::tex::Scope;
 use nalgebra::Quaternion;
 use num_traits::{One, Zero};
 use tumbling::attitude::{product, rotation_matrix};
@@ -27,11 +28,10 @@ proofs! {
             "A turn about the third axis leaves the momentum along it alone, and the turn by the opposite angle undoes it.";
             but "the momentum along another axis": undone(1),
         "cayley-turn-keeps-energy": cayley(&Fraction::one()),
-            "With c = (g1 M1, g2 M2, g3 M3), the turn by half-angle tangents c takes M + c x M to M - c x M, and both have the same length and the same sum of g_i L_i².";
+            r"With $c = (g_1 M_1, g_2 M_2, g_3 M_3)$ the turn by half-angle tangents takes $B = M + c\times M$ to $A = M - c\times M$, up to a factor: $R B = (1 + c\cdot c) A$. Both have the same length, $A\cdot A = B\cdot B$, and the same energy, $g_1 A_1^2 + g_2 A_2^2 + g_3 A_3^2 = g_1 B_1^2 + g_2 B_2^2 + g_3 B_3^2$.";
             but "a cross product half as long": cayley(&Fraction::ratio(1, 2)),
         "gauss-keeps-squares": squares(&Fraction::one()),
-            "In a collocation with the coefficients b_j (1/2 + off_ij), off antisymmetric, of two or three stages, the change of a square is twice the sum of each stage's change times its value, \
-            and each stage is as far from the end with the other sign of off as it is from the start.";
+            r"In a collocation of two or three stages, each of which sees half of the whole change and a rest that is antisymmetric, the change of a square is twice the sum of each stage's change times its value, $e^2 - y^2 = 2 (k_1 Y_1 + k_2 Y_2 + k_3 Y_3)$; and each stage is as far from the end with the other sign of that rest as it is from the start.";
             but "the weights of the stages' mean a third too large": squares(&Fraction::ratio(4, 3)),
     }
 }
@@ -63,21 +63,18 @@ fn undone(axis: usize) -> Outcome {
     same_entries_under(&unit, "both turns", &product(&turn, &back).coords, &none.coords)
 }
 
-fn cayley(share: &Fraction) -> Outcome {
+fn cayley(share: &Fraction) -> Scope {
     let (g, mean) = (vector("g"), vector("M"));
     let c = g.component_mul(&mean);
     let across = c.cross(&mean) * share.clone();
     let (before, after) = (&mean + &across, &mean - &across);
     let turn = quaternion([Fraction::one(), c.x.clone(), c.y.clone(), c.z.clone()]);
-    let scaled = &after * (Fraction::one() + c.dot(&c));
-    let none = Relations::none();
-    same_entries_under(&none, "the turn", &(rotation_matrix(&turn).transpose() * &before), &scaled)?;
-    same("the length", &after.dot(&after), &before.dot(&before))?;
-    let energy = |l: &Vector| g.component_mul(l).dot(l);
-    same("the energy", &energy(&after), &energy(&before))
+    let scope = Scope::default().with_each("A", &after).with_each("B", &before).with_each("g", &g);
+    let scope = scope.with_each("M", &mean).with("M", mean).with("A", after).with("B", before);
+    scope.with("c", c).with("R", rotation_matrix(&turn).transpose())
 }
 
-fn squares(mean: &Fraction) -> Outcome {
+fn squares(mean: &Fraction) -> Result<Scope, Residue> {
     let [p, q, r, start] = variables(["p", "q", "r", "y"]);
     let changes = vector("k");
     let end = &start + changes.sum();
@@ -87,8 +84,8 @@ fn squares(mean: &Fraction) -> Outcome {
     let half = changes.sum() * Fraction::ratio(1, 2) * mean;
     let off = &off * &changes;
     let stages = off.map(|x| &start + &half + x);
-    let (gained, work) = (&end * &end - &start * &start, changes.dot(&stages) * Fraction::from(2));
-    same("the change of the square", &gained, &work)?;
     let back = off.map(|x| &end - &half + x);
-    same_entries_under(&Relations::none(), "the stages of the step back", &back, &stages)
+    same_entries_under(&Relations::none(), "the stages of the step back", &back, &stages)?;
+    let scope = Scope::default().with_each("k", &changes).with_each("Y", &stages);
+    Ok(scope.with_all([("y", start), ("e", end)]))
 }

@@ -4,9 +4,11 @@
 //! Indices: 1 across, 2 middle, 3 circled. `h` is the modulus over the root `p` of the first difference of
 //! the moments, so that nothing is divided by `p`.
 
+use crate::equations::of_motion;
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
-use crate::proof::{Outcome, Residue, same, same_entries_under, same_under, vanishes};
+use crate::proof::{Cases, Outcome, Residue, same_entries_under, same_under, vanishes};
 use crate::symbols::{Vector, diagonal, pure, quaternion, square, variables, vector};
+use crate::tex::{Scope, Value};
 use nalgebra::Quaternion;
 use num_traits::{One, Zero};
 use tumbling::attitude::{product, rate};
@@ -16,27 +18,26 @@ use tumbling::dynamics::observe::energy;
 proofs! {
     "exact" {
         "klein-momentum": both(|sense| momentum(sense, Change::None)),
-            "The quaternion conj(a) (a + b j), with the expressions of the closed form for a conj(a) and conj(a) b, takes the momentum to the first axis; and the spin obeys Euler's equations, with the \
-            energy and momentum of the closed form. For every body, about either axis, in either sense.";
+            "The spin (C7), with the amplitudes (C5), the modulus (C4) and the rate (C6), obeys Euler's equations, with the energy and momentum (C1); and the quaternion of the closed form's two numbers takes the \
+            momentum to the first axis. For every body, about either axis, in either sense.";
             but "the zero on the other side": both(|sense| momentum(sense, Change::Zero)),
             but "a sign in Euler's equations": both(|sense| momentum(sense, Change::Spin)),
         "klein-attitude": both(|sense| attitude(sense, Change::None)),
-            "That quaternion, turned about the momentum at the steady drift and the rate that the closed form gives the angle of a, satisfies q' = q w/2. For every body, about either axis, in either \
-            sense. That a theta function's angle has this rate is no part of it.";
+            "That quaternion, with the share (C17) and the zero (C18), turned about the momentum at the steady drift and the rate that the closed form gives the angle of its first number, obeys the attitude's law; \
+            the whole rate is (C20). For every body, about either axis, in either sense. That a theta function's angle has this rate is no part of it.";
             but "the zero on the other side": both(|sense| attitude(sense, Change::Zero)),
             but "the theta function's angle reversed": both(|sense| attitude(sense, Change::Angle)),
         "which-side": sides(1),
-            "L² - 2 E I2 = I3 (I3 - I2) w3² - I1 (I2 - I1) w1²: the sum of one positive and one negative square that says which end the spin circles; likewise 2 E I3 - L² and L² - 2 E I1 are sums of \
-            positive squares.";
-            but "a plus between the squares": sides(-1),
+            r"Which end the spin circles is said by one positive and one negative square: $L^2 - 2 E I_2 = I_3 (I_3 - I_2)\omega_3^2 - I_1 (I_2 - I_1)\omega_1^2$; the other two are sums of positive ones: $2 E I_3 - L^2 = I_1 (I_3 - I_1)\omega_1^2 + I_2 (I_3 - I_2)\omega_2^2$ and $L^2 - 2 E I_1 = I_2 (I_2 - I_1)\omega_2^2 + I_3 (I_3 - I_1)\omega_3^2$.";
+            but "the energy negative": sides(-1),
         "limit-coin": coin(1),
-            "With p = 0 and dn = 1, where the middle moment equals the one across: the rate is the symmetric top's, the two amplitudes across are equal, and |a|² is constant.";
+            r"Where the middle moment equals the one across, the rate is that of the coin (C38), $\Omega = \frac{I_3 - I_1}{I_1}\omega_3$, the two amplitudes across are equal, and the first number's length is constant.";
             but "the rate reversed": coin(-1),
         "limit-separatrix": separatrix(1),
-            "With modulus one and dn = cn: both change at one rate, L² = 2 E I2, and where cn is zero the turn about the momentum has the rate L/I2.";
-            but "cn and dn opposite": separatrix(-1),
+            r"With modulus one the last two functions change at one rate, the momentum is $L^2 = 2 E I_2$, and at the saddle the turn about it has the rate $\psi' = \sigma L/I_2$.";
+            but "the last two functions opposite": separatrix(-1),
         "limit-steady": steady(Change::None),
-            "With no wobble, h = 0 and dn = 1: b is zero, and the turn about the momentum has the rate of the spin about the circled axis.";
+            "With no wobble the second number is zero, and the turn about the momentum has the rate of the spin about the circled axis.";
             but "the spin the other way": steady(Change::Spin),
     }
 }
@@ -51,9 +52,8 @@ pub(crate) enum Change {
 }
 
 /// Both orders of the axes: cyclic or not.
-pub(super) fn both(check: impl Fn(i64) -> Outcome) -> Outcome {
-    check(1)?;
-    check(-1)
+pub(super) fn both<T: Cases>(check: impl Fn(i64) -> T) -> Result<Vec<Scope>, Residue> {
+    Ok([check(1).cases()?, check(-1).cases()?].concat())
 }
 
 /// A motion in closed form, with all the constants of its attitude.
@@ -156,7 +156,7 @@ impl Motion {
 }
 
 /// That the spin obeys the library's equations, with its energy and momentum, and where the momentum points.
-pub(crate) fn momentum(sense: i64, change: Change) -> Outcome {
+pub(crate) fn momentum(sense: i64, change: Change) -> Result<Scope, Residue> {
     let motion = motion(sense, change)?;
     let (omega, moments) = (motion.arranged(&motion.omega, sense), motion.arranged(&motion.moments, sense));
     let moved = omega.map(|x| motion.time.of(&x));
@@ -171,10 +171,11 @@ pub(crate) fn momentum(sense: i64, change: Change) -> Outcome {
     let back = quaternion(q.coords.w.clone(), &-q.coords.xyz());
     let seen = product(&product(&back, &pure(&Vector::x())), &q).coords.xyz();
     let scale = &motion.size * Fraction::variable("sigma") / &motion.momentum;
-    same_entries_under(&motion.relations, "the momentum", &seen, &momentum.map(|x| x * &scale))
+    same_entries_under(&motion.relations, "the momentum", &seen, &momentum.map(|x| x * &scale))?;
+    Ok(of_motion(motion, sense, false))
 }
 
-fn attitude(sense: i64, change: Change) -> Outcome {
+fn attitude(sense: i64, change: Change) -> Result<Scope, Residue> {
     let motion = motion(sense, change)?;
     let omega = motion.arranged(&motion.omega, sense);
     let q = motion.quaternion();
@@ -183,7 +184,8 @@ fn attitude(sense: i64, change: Change) -> Outcome {
     let half = &motion.turning / Fraction::from(2);
     let expected = rate(&q, &omega);
     let moved = q.coords.map(|x| motion.time.of(&x) - x * &lengthens) + turned.coords.map(|x| x * &half);
-    same_entries_under(&motion.relations, "q'", &moved, &expected.coords)
+    same_entries_under(&motion.relations, "q'", &moved, &expected.coords)?;
+    Ok(of_motion(motion, sense, false))
 }
 
 /// The expression with numbers or symbols put for some of its symbols.
@@ -191,7 +193,7 @@ fn put(x: &Fraction, values: &[(&str, Fraction)]) -> Fraction {
     values.iter().fold(x.clone(), |x, (name, value)| x.substitute(&(*name).into(), value))
 }
 
-fn coin(direction: i64) -> Outcome {
+fn coin(direction: i64) -> Result<Scope, Residue> {
     let motion = motion(1, Change::None)?;
     let [x1, q, one] = [Fraction::variable("x1"), Fraction::variable("q"), Fraction::one()];
     let values = [("p", Fraction::zero()), ("x2", x1), ("r", q), ("dn", one.clone())];
@@ -200,16 +202,17 @@ fn coin(direction: i64) -> Outcome {
     let mut ties = vec![("e", x3 + h * &x1 * &q), ("x3", x1 + Polynomial::variable("tau") * q)];
     ties.extend([("sigma", Polynomial::one()), ("tau", Polynomial::one())]);
     let ties = Relations::new(ties)?;
-    let [i1, _, i3] = motion.moments.each_ref().map(limit);
-    let top = (&i3 - &i1) * limit(&motion.omega[2]) / &i1 * Fraction::from(direction);
-    // As the first two axes follow each other, the spin circles the third the way that sn and cn exchange.
-    same_under(&ties, "the rate", &limit(&motion.rate), &top)?;
     same_under(&ties, "the amplitudes", &limit(&motion.amplitudes[0]), &limit(&motion.amplitudes[1]))?;
     let settled = motion.time.of(&motion.size);
-    vanishes("the rate of a", &limit(&settled), &ties)
+    vanishes("the rate of a", &limit(&settled), &ties)?;
+    let [i1, _, i3] = motion.moments.each_ref().map(limit);
+    // As the first two axes follow each other, the spin circles the third the way that sn and cn exchange.
+    let rate = limit(&motion.rate) * Fraction::from(direction);
+    let scope = Scope::default().with_all([(r"\Omega", rate), (r"\omega_3", limit(&motion.omega[2]))]);
+    Ok(scope.with_all([("I_1", i1), ("I_3", i3)]).under(ties))
 }
 
-fn separatrix(sign: i64) -> Outcome {
+fn separatrix(sign: i64) -> Result<Scope, Residue> {
     let motion = motion(1, Change::None)?;
     let over_p = Fraction::one() / Fraction::variable("p");
     let values = [("h", over_p), ("dn", Fraction::variable("cn") * Fraction::from(sign))];
@@ -217,15 +220,15 @@ fn separatrix(sign: i64) -> Outcome {
     // dn² = cn², and their rates are the same.
     let rates = ["cn", "dn"].map(|name| limit(&motion.time.of(&Fraction::variable(name))));
     same_under(&motion.relations, "cn' and dn'", &rates[0], &rates[1])?;
-    let (l, i2) = (limit(&motion.momentum), limit(&motion.moments[1]));
     // Now e² = x3² + x1² q²/p² is x2² r²/p².
     let [x2, r, p] = variables(["x2", "r", "p"]);
-    let e = [("e", &x2 * &r / &p)];
-    let l = put(&l, &e);
-    same_under(&motion.relations, "L²", &l.pow(2), &(limit(&motion.twice_energy) * &i2))?;
-    let at_rest = [("cn", Fraction::zero())];
-    let rate = put(&put(&limit(&motion.turning), &e), &at_rest);
-    same_under(&motion.relations, "the turn", &rate, &(Fraction::variable("sigma") * l / i2))
+    let at_rest = [("e", x2 * r / p), ("cn", Fraction::zero())];
+    let settled = |x: &Fraction| put(&limit(x), &at_rest);
+    let scope =
+        Scope::default().with_all([("L", settled(&motion.momentum)), ("I_2", motion.moments[1].clone())]);
+    let scope = scope.with_all([("E", settled(&motion.twice_energy) / Fraction::from(2))]);
+    let scope = scope.with(r"\psi'", settled(&motion.turning)).with(r"\sigma", Fraction::variable("sigma"));
+    Ok(scope.under(motion.relations))
 }
 
 fn steady(change: Change) -> Outcome {
@@ -240,14 +243,10 @@ fn steady(change: Change) -> Outcome {
     same_under(&motion.relations, "the turn", &limit(&motion.turning), &spin)
 }
 
-fn sides(sign: i64) -> Outcome {
+fn sides(sign: i64) -> Scope {
     let (moments, omega) = (vector("I"), vector("omega"));
     let momentum = diagonal(&moments) * &omega;
-    let twice_energy = energy(&omega, &momentum) * Fraction::from(2);
-    let square = momentum.dot(&momentum);
-    let term = |i: usize, j: usize, k: usize| &moments[i] * (&moments[j] - &moments[k]) * omega[i].pow(2);
-    let two_terms = term(2, 2, 1) - term(0, 1, 0) * Fraction::from(sign);
-    same("L² - 2 E I2", &(&square - &twice_energy * &moments.y), &two_terms)?;
-    same("2 E I3 - L²", &(&twice_energy * &moments.z - &square), &(term(0, 2, 0) + term(1, 2, 1)))?;
-    same("L² - 2 E I1", &(square - twice_energy * &moments.x), &(term(1, 1, 0) + term(2, 2, 0)))
+    let energy = energy(&omega, &momentum) * Fraction::from(sign);
+    let scope = Scope::default().with_each("I", &moments).with_each(r"\omega", &omega).with("E", energy);
+    scope.with("L", Value::Root(momentum.dot(&momentum)))
 }

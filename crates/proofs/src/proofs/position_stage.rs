@@ -3,7 +3,8 @@
 
 use crate::number::{Fraction, Relations};
 use crate::proof::{Outcome, Residue, positive, same, same_entries, same_entries_under, vanishes};
-use crate::symbols::{Vector, diagonal, quaternion, scalar, symmetric, variables, vector};
+use crate::symbols::{Matrix, Vector, diagonal, quaternion, scalar, symmetric, variables, vector};
+use crate::tex::Scope;
 use num_traits::One;
 use tumbling::attitude::rotation_matrix;
 use tumbling::dynamics::observe;
@@ -12,26 +13,25 @@ use tumbling::laws::{change_of_spin, conserving_rate, conserving_turn};
 proofs! {
     "step" {
         "position-stage-keeps-energy": energy(0, 0),
-            "The turn of the position stage leaves the energy as it was, for every body, spin, time step, rate and weight b for which its three roots are real and its divisor is not zero.";
+            "The turn of the position stage leaves the energy as it was, for every body, spin, time step, rate and weight for which its three roots are real and its divisor is not zero.";
             but "one moment larger in the energy": energy(1, 0),
             but "a root of another rate": energy(0, 1),
         "position-stage-keeps-momentum": momentum(0, 0),
             "The turn of the position stage takes the momentum along the axes before it to that along the axes after it: in the world the momentum stays, for every body, spin, time step, rate and weight \
-            b for which the three roots are real and the divisor is not zero.";
+            for which the three roots are real and the divisor is not zero.";
             but "another weight about one axis": momentum(1, 0),
             but "a root of another rate": momentum(0, 1),
         "position-stage-spin-belongs-to-its-momentum": spin(change_of_spin),
             "The change of the spin that the position stage adds in the world is that of the body's own spin, turned with it.";
             but "the change left as the slip": spin(|(_, [_, slip])| slip.clone()),
         "position-stage-roots-are-real": real([51, 51]),
-            "Where the numbers that are added to the rate under the three roots come to at most 0.51² without their signs, the rate is at least 9/10 and each number under a root at least 4/5; with such \
+            "Where the numbers that are added to the rate under the three roots come to at most the square of 0.51 without their signs, the rate is at least 0.9 and each number under a root at least 0.8; with such \
             roots, and bends of at most 0.51, what the turn is divided by is at least 2. That a part of a step, a turn of at most half a radian, bounds them so is no part of it.";
             but "turns of up to two radians": real([200, 51]),
             but "bends of up to two": real([51, 200]),
-        "energy-gained-is-work-done": work(|p, before, after| p.dot(&(before + after)) / Fraction::from(2)),
-            "An impulse of torque P, in any direction of body or world, raises the energy by P . (w + w')/2, w and w' being the spins before and after it; taking the share s of the spin away takes the \
-            share 2 s - s² of the energy.";
-            but "with the spin before alone": work(|p, before, _| p.dot(before)),
+        "energy-gained-is-work-done": work(1),
+            r"An impulse of torque, in any direction of body or world, raises the energy by $A = \tfrac{1}{2} P\cdot (\omega + \omega')$, with the spins before and after it; taking the share $s$ of the spin away takes $D = (2 s - s^2) E$ of the energy.";
+            but "the spin before it alone": work(0),
     }
 }
 
@@ -148,18 +148,21 @@ fn real([turn, bend]: [i64; 2]) -> Outcome {
     Ok(())
 }
 
-fn work(of_impulse: impl Fn(&Vector, &Vector, &Vector) -> Fraction) -> Outcome {
+/// With the change of the spin counted so many times.
+fn work(counted: i64) -> Vec<Scope> {
+    let s = Fraction::variable("s");
     // In axes of the world the inverse tensor is any symmetric matrix; in its own it is diagonal.
-    for inverse in [symmetric("J"), diagonal(&vector("J"))] {
+    let case = |inverse: Matrix| {
         let energy = |l: &Vector| observe::energy(&(&inverse * l), l);
         let (start, impulse) = (vector("L"), vector("P"));
-        let end = &start + &impulse;
-        let done = of_impulse(&impulse, &(&inverse * &start), &(&inverse * &end));
-        same("an impulse", &(energy(&end) - energy(&start)), &done)?;
-        let s = Fraction::variable("s");
-        let left = start.map(|x| x * (Fraction::one() - &s));
-        let share = (Fraction::from(2) - &s) * &s;
-        same("damping", &(energy(&start) - energy(&left)), &(energy(&start) * share))?;
-    }
-    Ok(())
+        let (end, left) = (&start + &impulse, start.map(|x| x * (Fraction::one() - &s)));
+        let (before, change) = (&inverse * &start, &inverse * &impulse);
+        Scope::default()
+            .with_all([("A", energy(&end) - energy(&start)), ("D", energy(&start) - energy(&left))])
+            .with_all([("E", energy(&start)), ("s", s.clone())])
+            .with("P", impulse)
+            .with(r"\omega'", &before + change * Fraction::from(counted))
+            .with(r"\omega", before)
+    };
+    [symmetric("J"), diagonal(&vector("J"))].map(case).into()
 }

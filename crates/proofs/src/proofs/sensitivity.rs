@@ -1,10 +1,12 @@
 //! The derivatives of the motion by its start and by the tensor, by the formulas of the sensitivities,
 //! written here a second time: each obeys the library's laws to first order, and begins as it must.
 
+use crate::equations::variation;
 use crate::number::{Derivation, Fraction, Relations};
-use crate::proof::{Outcome, same, same_entries, same_entries_under, same_under};
+use crate::proof::{Outcome, Residue, same, same_entries, same_entries_under, same_under};
 use crate::proofs::klein::{Change, both, motion};
 use crate::symbols::{Matrix, Vector, changing, diagonal, pure, symmetric, variables, vector};
+use crate::tex::Scope;
 use nalgebra::Quaternion;
 use num_traits::{One, Zero};
 use tumbling::attitude::{product, rate};
@@ -13,8 +15,8 @@ use tumbling::dynamics::euler::{angular_acceleration, tensor_times_acceleration}
 proofs! {
     "exact" {
         "variational-equations": variations(1),
-            "Euler's equations to first order are W_a' = k_a (W_b w_c + w_b W_c), and what a change of a moment or of a product of inertia adds at a fixed spin is the formula stated here. For every body.";
-            but "a minus between the products": variations(-1),
+            r"Euler's equations to first order are (C44). For three axes in cyclic order, a change of the last moment adds at a fixed spin $F_a = -\omega_b\omega_c/I_a$, $F_b = \omega_c\omega_a/I_b$ and $F_c = -(I_a - I_b)\omega_a\omega_b/I_c^2$, and a product of inertia of the first two $G_a = (I_a + I_b - I_c)\omega_c\omega_a/(I_a I_b)$, $G_b = -(I_a + I_b - I_c)\omega_b\omega_c/(I_a I_b)$ and $G_c = (\omega_b^2 - \omega_a^2)/I_c$. For every body.";
+            but "what is added with the other sign": variations(-1),
         "sensitivity-of-the-spin": both(|sense| columns(sense, 1)),
             "The closed form's derivatives by its two constants and by the moments, with the rate stated here of the derivative of Jacobi's argument at a fixed angle, obey Euler's equations to first \
             order. For every body, about either axis, in either sense.";
@@ -23,8 +25,7 @@ proofs! {
             "At the start those derivatives, put together for the three components of the spin and for a moment by the formulas stated here, are one for a component by itself and zero for all else.";
             but "the phase shifted the other way": at_the_start(-1),
         "sensitivity-of-the-attitude": attitude(1),
-            "A small turn e of the attitude changes as e' = w - omega x e with the change w of the spin; so e x M and the change of the momentum turn with the room, e . M has the rate w . M, and with the \
-            change of the energy this gives e.";
+            r"A small turn of the attitude changes as $e' = w - \omega\times e$ with the change of the spin; so this turn crossed with the momentum, and the momentum's change, turn with the room together, the turn's part along the momentum has the rate $r = w\cdot M$, and with the change of the energy both give the turn.";
             but "e carried along the other way": attitude(-1),
         "sensitivity-by-products": products(1),
             "A product of inertia turns two principal axes about the third by itself over the difference of their moments: the spin turned so obeys Euler's equations with the changed tensor to first \
@@ -53,33 +54,25 @@ fn entry(k: usize, product: bool) -> Matrix {
     change
 }
 
-fn variations(sign: i64) -> Outcome {
-    let (moments, omega, change) = (vector("I"), vector("omega"), vector("W"));
-    let moved = free(&moments, &omega).map(|x| changing(Derivation::default(), "omega", &change).of(&x));
-    let sign = Fraction::from(sign);
-    let factor = |a: usize| (&moments[(a + 1) % 3] - &moments[(a + 2) % 3]) / &moments[a];
-    let law = Vector::from_fn(|a, _| {
-        let (b, c) = ((a + 1) % 3, (a + 2) % 3);
-        factor(a) * (&change[b] * &omega[c] + &omega[b] * &change[c] * &sign)
-    });
-    same_entries("W'", &moved, &law)?;
-    let over = moments.map(|x| Fraction::one() / x);
-    for c in 0..3 {
-        let (a, b) = ((c + 1) % 3, (c + 2) % 3);
-        let found = forced(&moments, &omega, &entry(c, false)).component_mul(&over);
-        let mut stated = Vector::zeros();
-        stated[c] = -(factor(c) * &over[c] * &omega[a] * &omega[b]);
-        stated[b] = &over[b] * &omega[c] * &omega[a];
-        stated[a] = -(&over[a] * &omega[b] * &omega[c]);
-        same_entries("by a moment", &found, &stated)?;
-        let found = forced(&moments, &omega, &entry(c, true)).component_mul(&over);
-        let excess = (&moments[a] + &moments[b] - &moments[c]) * &over[a] * &over[b];
-        stated[a] = &excess * &omega[a] * &omega[c];
-        stated[b] = -(&excess * &omega[b] * &omega[c]);
-        stated[c] = &over[c] * (&omega[b] - &omega[a]) * (&omega[b] + &omega[a]);
-        same_entries("by a product", &found, &stated)?;
-    }
-    Ok(())
+fn variations(sign: i64) -> Vec<Scope> {
+    let (moments, omega) = (vector("I"), vector("omega"));
+    let added = |c: usize, product: bool| {
+        let found = forced(&moments, &omega, &entry(c, product)).component_div(&moments);
+        found * Fraction::from(sign)
+    };
+    let case = |c: usize| {
+        let values = [
+            ("I", moments.clone()),
+            (r"\omega", omega.clone()),
+            ("F", added(c, false)),
+            ("G", added(c, true)),
+        ];
+        values.into_iter().fold(Scope::default(), |scope, (name, v)| {
+            let axes = ["a", "b", "c"].into_iter().zip(1..);
+            axes.fold(scope, |scope, (axis, n)| scope.with(&format!("{name}_{axis}"), v[(c + n) % 3].clone()))
+        })
+    };
+    (0..3).flat_map(|axis| [variation(axis), case(axis)]).collect()
 }
 
 /// By the motion's constant or moment of this name, at a fixed argument at the start. `J` is the derivative
@@ -162,7 +155,7 @@ fn at_the_start(sign: i64) -> Outcome {
     Ok(())
 }
 
-fn attitude(sign: i64) -> Outcome {
+fn attitude(sign: i64) -> Result<Scope, Residue> {
     let (moments, omega, w, e) = (vector("I"), vector("omega"), vector("W"), vector("e"));
     let [real, x, y, z] = variables(["q0", "q1", "q2", "q3"]);
     let q = Quaternion::new(real, x, y, z);
@@ -183,7 +176,6 @@ fn attitude(sign: i64) -> Outcome {
     let rate_of_seen = falls.cross(&momentum) + e.cross(&momentum.cross(&omega)) + moved_rate;
     same_entries("in the room", &rate_of_seen, &-omega.cross(&seen))?;
     let along = falls.dot(&momentum) + e.dot(&momentum.cross(&omega));
-    same("e . M", &along, &w.dot(&momentum))?;
     // The change of twice the energy, with the spin's rates by Euler's equations to first order.
     let acceleration = free(&moments, &omega);
     let moved_acceleration = moved_rate_of_spin(&moments, &change, &omega, &w);
@@ -192,7 +184,9 @@ fn attitude(sign: i64) -> Outcome {
         + omega.dot(&(&change * &acceleration)) * Fraction::from(2);
     same("the energy", &twice, &Fraction::zero())?;
     let found = momentum.cross(&e.cross(&momentum)) + &momentum * e.dot(&momentum);
-    same_entries("e", &found, &(&e * momentum.dot(&momentum)))
+    same_entries("e", &found, &(&e * momentum.dot(&momentum)))?;
+    let scope = Scope::default().with("e'", falls).with("e", e).with("w", w).with(r"\omega", omega);
+    Ok(scope.with("M", momentum).with("r", along))
 }
 
 /// The rate of the change of the spin.

@@ -7,7 +7,7 @@
 
 use crate::number::{Fraction, Rational};
 use crate::proof::{Outcome, Residue, same};
-use crate::proofs::methods::{cases, step};
+use crate::proofs::methods::{alike, cases, step};
 use crate::proofs::order::{Number, components, constant};
 use crate::symbols::variables;
 use crate::{Interval, given};
@@ -29,7 +29,7 @@ proofs! {
     "step" {
         "exact-shares-of-order-6": shares(5),
             "Nine of the library's steps of order 2 with five decimal shares, and these backwards, make its splitting of order 6, through the power 7 of the step from a start in exact fractions. \
-            Within 1e-24 of the last four shares there are exact ones that with the first have the sum 1, third and fifth powers with the sum 0, and also third powers, each times the square of the sum of \
+            Within a septillionth of the last four shares there are exact ones that with the first have the sum 1, third and fifth powers with the sum 0, and also third powers, each times the square of the sum of \
             the shares before it and half of its own, with the sum 0. That these conditions give order 6 is no part of it.";
             but "fourth powers for the fifth": shares(4),
     }
@@ -49,16 +49,7 @@ fn made_of(shares: &[Rational; 5]) -> Outcome {
         let share = constant(&shares[k].clone().into());
         parts = step(Method::RotationSplitting2, &system, &parts, &(share * h.clone()))?;
     }
-    for (power, (a, b)) in
-        (0..=LAST).flat_map(|power| whole.iter().zip(components(&parts)).map(move |x| (power, x)))
-    {
-        let claim = format!("the power {power} of the step");
-        let Some((a, b)) = a.coefficient(power).zip(b.coefficient(power)) else {
-            return Err(Residue::Missing { claim });
-        };
-        same(&claim, &a, &b)?;
-    }
-    Ok(())
+    alike("the splitting", Method::RotationSplitting2, &whole, &components(&parts), 0..=LAST)
 }
 
 fn nearby(shares: &[Rational; 5], power: u32) -> Outcome {

@@ -40,7 +40,7 @@ laws! {
 proofs! {
     "solid" {
         "box": cuboid(cuboid_moments),
-            "The moments of every box are the integrals of y² + z² and so on over it; its products vanish.";
+            "The moments of every box are the integrals over it; its products vanish.";
             but "edges a and b swapped": cuboid(|m, a, b, c| cuboid_moments(m, b, a, c)),
         "ellipsoid": ellipsoid(ellipsoid_moments),
             "The moments of every ellipsoid, by integrating over it; its products vanish.";
@@ -49,14 +49,14 @@ proofs! {
             "The library's moments of every ball are the integrals over it.";
             but "2/5 becomes 2/3, that of a shell": ball(|m, r| ball_moments(&times(m, 5, 3), r)),
         "hollow-sphere": hollow_sphere(hollow_sphere_moments),
-            "The moment of every hollow sphere is that of a ball less that of its hole, for the mass that is left; with equal radii it is 2/3 m r².";
+            r"The moment of every hollow sphere is that of a ball less that of its hole, for the mass that is left; with equal radii it is $I = \tfrac{2}{3} m r^2$.";
             but "the hole filled": hollow_sphere(|m, _, o| ball_moments(m, o)),
         "cylinder": cylinder(cylinder_moments),
             "The moments of every full cylinder, by integrating over it; its products vanish.";
             but "axis along x, not z": cylinder(|m, r, h| turned_about_y(&cylinder_moments(m, r, h))),
         "tube": tube(tube_moments),
             "The moments of every tube are those of a cylinder less those of its hole, for the mass that is left.";
-            but "i² + o² becomes o²": tube(|m, _, o, h| cylinder_moments(m, o, h)),
+            but "the hole filled": tube(|m, _, o, h| cylinder_moments(m, o, h)),
         "cone": cone(cone_moments, 4),
             "The centre of every full cone is a quarter of the way up; its moments about that centre, by integrating over it.";
             but "the centre a third of the way up": cone(cone_moments, 3),
@@ -90,7 +90,7 @@ proofs! {
             "The mesh formula on the four faces of any tetrahedron with a corner at the origin gives that tetrahedron, whatever point it counts from.";
             but "one face turned inside out": mesh_of_a_tetrahedron([0, 1, 2]),
         "triangle-inequality": triangle_inequality(cuboid_moments),
-            "Of eleven shapes, from box to disk, I1 + I2 - I3 has no negative term in positive sizes, so that no moment exceeds the sum of the other two; of plate and disk it is zero.";
+            r"Of eleven shapes, from box to disk, the sum of two moments less the third has no negative term in positive sizes, so that no moment exceeds the sum of the other two; of plate and disk $A + B = C$.";
             but "a box whose first moment has b² + 3 c²": triangle_inequality(|m, a, b, c| cuboid_moments(m, a, b, c) + along(0, m * c * c.clone() / Fraction::from(6))),
     }
 }

@@ -1,8 +1,10 @@
 //! Spin about each principal axis: steady, and for every body stable about two axes and not about the third.
 
+use crate::equations::in_order;
 use crate::number::Fraction;
 use crate::proof::{Outcome, positive, same, same_entries};
 use crate::symbols::{Vector, ordered_moments, variables, vector};
+use crate::tex::{Scope, Value};
 use nalgebra::Quaternion;
 use num_traits::{One, Zero};
 use tumbling::attitude::rotation_matrix;
@@ -25,20 +27,18 @@ proofs! {
             "Linearised about each axis, Euler's equations leave the spin itself alone and drive the two small components by each other, so that their second rate is the library's rate squared times \
             themselves.";
             but "the sign": linearised(|w, i, a, b| -rate_squared(w, i, a, b)),
-        "the-middle-axis": middle(rate_squared, 1),
-            "For every I1 < I2 < I3 the library's rate squared of the linearised wobble is positive about the middle axis and negative about the other two: with I2 = I1 + a and I3 = I1 + a + b all \
-            coefficients have one sign.";
-            but "the sign": middle(|w, i, a, b| -rate_squared(w, i, a, b), 1),
-            but "the smallest axis taken for the middle one": middle(rate_squared, 0),
+        "the-middle-axis": middle(rate_squared, 0),
+            r"For every three different moments, $I_2 = I_1 + a$ and $I_3 = I_1 + a + b$ with positive letters, the library's rate squared of the linearised wobble has one sign: $r_1 < 0$, $r_2 > 0$, $r_3 < 0$.";
+            but "the sign": middle(|w, i, a, b| -rate_squared(w, i, a, b), 0),
+            but "the smallest axis taken for the middle one": middle(rate_squared, 2),
         "equal-moments": equal(rate_squared),
             "About either of two axes with equal moments the rate is zero: neither growth nor swing; about the third it swings.";
-            but "w² added": equal(|w, i, a, b| rate_squared(w, i, a, b) + w.pow(2)),
+            but "the spin's square added": equal(|w, i, a, b| rate_squared(w, i, a, b) + w.pow(2)),
         "pulls-outward": outward(1),
-            "In a frame that turns with the body the centrifugal force on a point, -m w x (w x r), twists it by (I w) x w, the right-hand side of Euler's equations, for every point and spin. That twists and tensors add is no part of it.";
+            r"In a frame that turns with the body the centrifugal force on a point, $F = -m\omega\times (\omega\times r)$, twists it by $r\times F = A$, where $A = (I\omega)\times\omega$ is the right-hand side of the library's law, for every point and spin. That twists and tensors add is no part of it.";
             but "forces toward the axis": outward(-1),
         "tilts-in-the-turning-frame": tilts(1),
-            "In a frame that turns at the steady spin w about one axis, Euler's equations are, for small tilts a and b about the other two, I_a a'' = w² (I_b - I) a + w (I_a + I_b - I) b' and \
-            I_b b'' = w² (I_a - I) b - w (I_a + I_b - I) a'. The squares of their rates are -w², where the momentum seems to go round, and the library's rate squared.";
+            r"In a frame that turns at the steady spin about one axis, Euler's equations are, for small tilts about the other two, $I_a\ddot{\alpha} = \omega^2 (I_b - I)\alpha + \omega (I_a + I_b - I)\dot{\beta}$ and $I_b\ddot{\beta} = \omega^2 (I_a - I)\beta - \omega (I_a + I_b - I)\dot{\alpha}$. The squares of their rates are the spin's with a minus, where the momentum seems to go round, and the library's: $(I_a s^2 - \omega^2 (I_b - I)) (I_b s^2 - \omega^2 (I_a - I)) + \omega^2 (I_a + I_b - I)^2 s^2 = I_a I_b (s^2 + \omega^2) (s^2 - \lambda^2)$.";
             but "no Coriolis force": tilts(0),
     }
 }
@@ -84,13 +84,10 @@ fn rate_about(law: RateLaw<'_>, moments: &Vector, axis: usize) -> Fraction {
     law(&Fraction::variable("Omega"), &moments[axis], &moments[j], &moments[k])
 }
 
-fn middle(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Fraction, unstable: usize) -> Outcome {
-    for axis in 0..3 {
-        let squared = rate_about(&law, &ordered_moments(), axis);
-        let claim = format!("the rate squared about axis {}", axis + 1);
-        positive(&claim, &if axis == unstable { squared } else { -squared })?;
-    }
-    Ok(())
+/// With the axes counted from this one on.
+fn middle(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Fraction, first: usize) -> Scope {
+    let rates = [0, 1, 2].map(|n| rate_about(&law, &ordered_moments(), (first + n) % 3));
+    in_order().with_each("r", &rates).positive(["I1", "a", "b", "Omega"])
 }
 
 fn equal(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Fraction) -> Outcome {
@@ -106,15 +103,17 @@ fn equal(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Fraction) -
 }
 
 /// The twist of the force that points away from the axis, or, with `sign` -1, toward it.
-fn outward(sign: i64) -> Outcome {
+fn outward(sign: i64) -> Scope {
     let (m, r, w) = (Fraction::variable("m"), vector("r"), vector("omega"));
     let force = -w.cross(&w.cross(&r)) * (m.clone() * Fraction::from(sign));
-    let right = tensor_times_acceleration(&point_mass(&m, &r), &w, &Vector::zeros());
-    same_entries("r x F", &r.cross(&force), &right)
+    let tensor = point_mass(&m, &r);
+    let right = tensor_times_acceleration(&tensor, &w, &Vector::zeros());
+    let scope = Scope::default().with("F", force).with("A", right).with("I", tensor).with("m", m);
+    scope.with("r", r).with(r"\omega", w)
 }
 
 /// With the third axis for the steady one; the Coriolis force is taken `coriolis` times.
-fn tilts(coriolis: i64) -> Outcome {
+fn tilts(coriolis: i64) -> Scope {
     let [w, e, s] = variables(["omega", "e", "s"]);
     let (i, tilt, rate) = (vector("I"), [1, 2].map(|k| Fraction::variable(&format!("t{k}"))), vector("r"));
     let half = |x: &Fraction| e.clone() * x / Fraction::from(2);
@@ -125,15 +124,14 @@ fn tilts(coriolis: i64) -> Outcome {
     // To first order in the tilts. The spin's rate is the tilts' second rates and what their first ones add.
     let slope = |x: &Fraction| x.derivative(&"e".into()).substitute(&"e".into(), &Fraction::zero());
     let [x, y, _] = angular_acceleration(&i, &spin, &Vector::zeros()).map(|x| slope(&x)).into();
-    let second = [x + w.clone() * &rate.y, y - w.clone() * &rate.x];
-    let pulls = [w.clone() * &w * (&i.y - &i.z), w.clone() * &w * (&i.x - &i.z)];
-    let aside = (&i.x + &i.y - &i.z) * &w * Fraction::from(coriolis);
-    let [a, b] = [&i.x * &second[0], &i.y * &second[1]];
-    same("I_a a''", &a, &(&pulls[0] * &tilt[0] + &aside * &rate.y))?;
-    same("I_b b''", &b, &(&pulls[1] * &tilt[1] - &aside * &rate.x))?;
-    let square = s.clone() * &s;
-    let [left, right] = [&i.x * &square - &pulls[0], &i.y * &square - &pulls[1]];
-    let determinant = left * right + aside.clone() * aside * &square;
-    let rates = (&square + w.clone() * &w) * (&square - rate_squared(&w, &i.z, &i.x, &i.y));
-    same("the rates", &determinant, &(rates * &i.x * &i.y))
+    let [a, b] = [x + w.clone() * &rate.y, y - w.clone() * &rate.x];
+    let times = |x: Fraction| x * Fraction::from(coriolis);
+    let squared = rate_squared(&w, &i.z, &i.x, &i.y);
+    let [i_a, i_b, i] = i.into();
+    let ([alpha, beta], [alpha_rate, beta_rate, _]) = (tilt, rate.map(times).into());
+    Scope::default()
+        .with_all([(r"\alpha", alpha), (r"\beta", beta), (r"\dot{\alpha}", alpha_rate)])
+        .with_all([(r"\dot{\beta}", beta_rate), (r"\ddot{\alpha}", a), (r"\ddot{\beta}", b)])
+        .with_all([("I_a", i_a), ("I_b", i_b), ("I", i), (r"\omega", w), ("s", s)])
+        .with(r"\lambda", Value::Root(squared))
 }

@@ -1,8 +1,9 @@
 //! Attitudes, and what turning a body does to its tensor.
 
 use crate::number::{Fraction, Relations};
-use crate::proof::{Outcome, same_entries, same_entries_under, same_under};
-use crate::symbols::{Matrix, Vector, adjugate, attitude, scalar, symmetric, turning, vector};
+use crate::proof::{Outcome, Residue, same_entries_under, same_under};
+use crate::symbols::{Matrix, Vector, adjugate, attitude, symmetric, turning, vector};
+use crate::tex::Scope;
 use nalgebra::Quaternion;
 use num_traits::{One, Zero};
 use tumbling::attitude::{product, rate, rotation_matrix};
@@ -12,14 +13,14 @@ use tumbling::inertia::{omega_world, turned};
 proofs! {
     "attitude" {
         "attitudes-are-rotations": rotation(rotation_matrix),
-            "The matrix of every unit quaternion is a rotation: R R^T = 1, and its determinant is 1, so it mirrors nothing.";
+            r"The matrix of every unit quaternion is a rotation: $R R^T v = v$ for every vector, and its determinant is $d = 1$, so it mirrors nothing.";
             but "one entry's sign changed": rotation(|q| { let mut r = rotation_matrix(q); r[(0, 1)] *= -Fraction::one(); r }),
             but "mirrored": rotation(|q| -rotation_matrix(q)),
         "attitudes-multiply-as-rotations": products(product),
             "The matrix of a product of quaternions is the product of their matrices, in the same order.";
             but "the factors swapped": products(|p, q| product(q, p)),
         "attitude-rate": attitude_rate(rate),
-            "q' = q (0, w) / 2 turns the body at the spin w: R' = R [w], and the length of q stays.";
+            r"With $q' = \tfrac{1}{2} q (0, \omega)$ the body turns at this spin, $R' v = R (\omega\times v)$ for every vector, and the length of the quaternion stays, $l' = 0$ for its square.";
             but "the half left out": attitude_rate(|q, w| rate(q, &w.map(|x| x * Fraction::from(2)))),
             but "the spin in world axes": {
                     attitude_rate(|q, w| {
@@ -30,37 +31,28 @@ proofs! {
     }
     "inertia" {
         "turning-back": inverse(turned),
-            "R I R^T and R I^-1 R^T are inverse to each other for every attitude and every tensor that has an inverse.";
+            r"For every attitude and every tensor that has an inverse, $A = R I R^T$ and $B = R J R^T$ are inverse to each other as $I$ and $J$ are, up to the determinant: $I J v = d v$ and $A B v = d v$.";
             but "R^T J R in place of R J R^T": inverse(|r, j| turned(&r.transpose(), j)),
         "moments-survive-turning": moments(turned),
-            "Turned, a tensor has the same moments about the turned axes: (R I R^T) R v = R (I v) for every v; and its trace, its second invariant and its determinant are the same.";
+            r"Turned, a tensor has the same moments about the turned axes: for $A = R I R^T$ and every vector $A R v = R I v$; and its trace, its second invariant and its determinant are the same.";
             but "one R left out": moments(|r, i| r * i),
             but "R^T I R in place of R I R^T": moments(|r, i| turned(&r.transpose(), i)),
         "spin-from-momentum": spin(omega_world),
-            "w = R J R^T L is: take L into the body, apply J, carry the spin out; and for every tensor that has an inverse J it gives L back.";
+            r"The spin is $\omega = R J R^T L$: take the momentum into the body, apply the inverse, carry the spin out. For every tensor that has an inverse this gives the momentum back, up to the determinant: $R I R^T\omega = d L$.";
             but "R and R^T swapped": spin(|r, j, l| omega_world(&r.transpose(), j, l)),
             but "J not turned": spin(|_, j, l| j * l),
     }
     "observe" {
         "energy-in-both-frames": energies(omega_world),
-            "Half of w.L is the same number in body and world axes, for every body and attitude; of one point it is m/2 |w x r|².";
+            r"The energy is the same number in body and world axes, $E = \tfrac{1}{2} (J R^T L)\cdot (R^T L)$, for every body and attitude; of one point it is $E = \tfrac{1}{2} m (\omega\times r)\cdot (\omega\times r)$.";
             but "the inverse not turned": energies(|_, j, l| j * l),
     }
 }
 
-/// The matrix of the cross product: `[w] v = w x v`.
-fn cross_matrix(w: &Vector) -> Matrix {
-    let [x, y, z] = [0, 1, 2].map(|i| w[i].clone());
-    let o = Fraction::zero;
-    Matrix::new(o(), -z.clone(), y.clone(), z, o(), -x.clone(), -y, x, o())
-}
-
-fn rotation(law: impl Fn(&Quaternion<Fraction>) -> Matrix) -> Outcome {
+fn rotation(law: impl Fn(&Quaternion<Fraction>) -> Matrix) -> Scope {
     let (q, unit) = attitude();
     let r = law(&q);
-    let one = Fraction::one();
-    same_entries_under(&unit, "R R^T = 1", &(&r * r.transpose()), &scalar(&one))?;
-    same_under(&unit, "the determinant of R", &adjugate(&r).1, &one)
+    Scope::default().with("d", adjugate(&r).1).with("R", r).with("v", vector("v")).under(unit)
 }
 
 fn products(law: impl Fn(&Quaternion<Fraction>, &Quaternion<Fraction>) -> Quaternion<Fraction>) -> Outcome {
@@ -71,79 +63,58 @@ fn products(law: impl Fn(&Quaternion<Fraction>, &Quaternion<Fraction>) -> Quater
     same_entries_under(&Relations::none(), "R(p q)", &both, &(rotation_matrix(&p) * rotation_matrix(&q)))
 }
 
-fn attitude_rate(law: impl Fn(&Quaternion<Fraction>, &Vector) -> Quaternion<Fraction>) -> Outcome {
+fn attitude_rate(law: impl Fn(&Quaternion<Fraction>, &Vector) -> Quaternion<Fraction>) -> Scope {
     let (q, unit) = attitude();
-    let w = vector("omega");
-    let time = turning(&law(&q, &w));
-    let r = rotation_matrix(&q);
-    same_entries_under(&unit, "R'", &r.map(|x| time.of(&x)), &(&r * cross_matrix(&w)))?;
-    let square = q.coords.dot(&q.coords);
-    same_under(&unit, "the rate of |q|²", &time.of(&square), &Fraction::zero())
+    let (w, r) = (vector("omega"), rotation_matrix(&q));
+    let change = law(&q, &w);
+    let time = turning(&change);
+    let lengthens = time.of(&q.coords.dot(&q.coords));
+    let scope = Scope::default().with("R'", r.map(|x| time.of(&x))).with("R", r).with("l'", lengthens);
+    scope.with("q", q).with("q'", change).with(r"\omega", w).with("v", vector("v")).under(unit)
 }
 
-fn inverse(law: impl Fn(&Matrix, &Matrix) -> Matrix) -> Outcome {
+fn inverse(law: impl Fn(&Matrix, &Matrix) -> Matrix) -> Scope {
     let (q, unit) = attitude();
-    let r = rotation_matrix(&q);
-    let reduced = |m: Matrix| m.map(|x| unit.reduce_fraction(&x));
+    let (r, tensor) = (rotation_matrix(&q), symmetric("I"));
     // The inverse, times the determinant of the tensor.
-    let tensor = symmetric("I");
     let (inverse, determinant) = adjugate(&tensor);
-    let (there, back) = (reduced(turned(&r, &tensor)), reduced(law(&r, &inverse)));
-    same_entries_under(&unit, "there and back", &(there * back), &scalar(&determinant))
+    let scope = Scope::default().with("A", turned(&r, &tensor)).with("B", law(&r, &inverse)).with("R", r);
+    scope.with("I", tensor).with("J", inverse).with("d", determinant).with("v", vector("v")).under(unit)
 }
 
-fn moments(law: impl Fn(&Matrix, &Matrix) -> Matrix) -> Outcome {
+fn moments(law: impl Fn(&Matrix, &Matrix) -> Matrix) -> Result<Scope, Residue> {
     let (q, unit) = attitude();
     let r = rotation_matrix(&q);
     let reduced = |m: Matrix| m.map(|x| unit.reduce_fraction(&x));
     let tensor = symmetric("I");
     let v = vector("v");
     let there = reduced(law(&r, &tensor));
-    same_entries_under(&unit, "the tensor along R v", &(&there * (&r * &v)), &(&r * (&tensor * &v)))?;
     same_under(&unit, "the trace", &there.trace(), &tensor.trace())?;
     let (minors, determinant) = adjugate(&there);
     let (own_minors, own_determinant) = adjugate(&tensor);
     same_under(&unit, "the second invariant", &minors.trace(), &own_minors.trace())?;
-    same_under(&unit, "the determinant", &determinant, &own_determinant)
+    same_under(&unit, "the determinant", &determinant, &own_determinant)?;
+    Ok(Scope::default().with("A", there).with("R", r).with("I", tensor).with("v", v).under(unit))
 }
 
-fn spin(law: impl Fn(&Matrix, &Matrix, &Vector) -> Vector) -> Outcome {
+fn spin(law: impl Fn(&Matrix, &Matrix, &Vector) -> Vector) -> Vec<Scope> {
     let (q, unit) = attitude();
-    let r = rotation_matrix(&q);
-    let (j, l) = (symmetric("J"), vector("L"));
-    let in_steps = &r * (&j * (r.transpose() * &l));
-    same_entries("w", &law(&r, &j, &l), &in_steps)?;
-    // The momentum of that spin is the momentum; the inverse is taken times the tensor's determinant.
-    let tensor = symmetric("I");
+    let (r, tensor, l) = (rotation_matrix(&q), symmetric("I"), vector("L"));
     let (inverse, determinant) = adjugate(&tensor);
-    let omega = law(&r, &inverse, &l).map(|x| unit.reduce_fraction(&x));
-    let momentum = &r * (&tensor * (r.transpose() * omega).map(|x| unit.reduce_fraction(&x)));
-    same_entries_under(&unit, "L = R I R^T w", &momentum, &l.map(|x| x * determinant.clone()))
+    let with = |j: Matrix| {
+        let scope =
+            Scope::default().with(r"\omega", law(&r, &j, &l)).with("R", r.clone()).with("L", l.clone());
+        scope.with("J", j).under(unit.clone())
+    };
+    vec![with(symmetric("J")), with(inverse).with("I", tensor).with("d", determinant)]
 }
 
-fn energies(law: impl Fn(&Matrix, &Matrix, &Vector) -> Vector) -> Outcome {
+fn energies(law: impl Fn(&Matrix, &Matrix, &Vector) -> Vector) -> Vec<Scope> {
     let (q, _) = attitude();
-    let r = rotation_matrix(&q);
-    let (j, l) = (symmetric("J"), vector("L"));
-    let l_body = r.transpose() * &l;
+    let (r, j, l) = (rotation_matrix(&q), symmetric("J"), vector("L"));
     let in_world = energy(&law(&r, &j, &l), &l);
-    same_under(&Relations::none(), "half of w.L", &in_world, &energy(&(&j * &l_body), &l_body))?;
-    // And it is what each point's speed adds up to: m/2 |w x r|².
+    let body = Scope::default().with("E", in_world).with("R", r).with("J", j).with("L", l);
     let (m, w, at) = (Fraction::variable("m"), vector("omega"), vector("r"));
-    let speed = w.cross(&at);
-    let momentum = tumbling::inertia::point_mass(&m, &at) * &w;
-    let kinetic = m * speed.dot(&speed) / Fraction::from(2);
-    same_under(&Relations::none(), "the kinetic energy of a point", &energy(&w, &momentum), &kinetic)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_matrix_of_a_cross_product_is_one() {
-        let (w, v) = (vector("omega"), vector("v"));
-        assert_eq!(cross_matrix(&w) * &v, w.cross(&v));
-        assert_eq!(cross_matrix(&Vector::zeros()), Matrix::zeros());
-    }
+    let of_point = energy(&w, &(tumbling::inertia::point_mass(&m, &at) * &w));
+    vec![body, Scope::default().with("E", of_point).with("m", m).with(r"\omega", w).with("r", at)]
 }

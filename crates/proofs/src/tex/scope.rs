@@ -36,6 +36,14 @@ impl Scope {
         (1..).zip(values).fold(self, |scope, (n, x)| scope.with(&format!("{name}_{n}"), x.clone()))
     }
 
+    /// With functions that are variables of the same names, of this argument: `\operatorname{sn}(u)`.
+    #[must_use]
+    pub(crate) fn with_functions(self, names: &[&str], argument: &str) -> Self {
+        names.iter().fold(self, |scope, name| {
+            scope.with(&format!(r"\operatorname{{{name}}}{argument}"), Fraction::variable(name))
+        })
+    }
+
     /// With one more piece for `\sum` to run over, where these names mean this.
     #[must_use]
     pub fn with_piece<const N: usize>(mut self, names: [(&str, Fraction); N]) -> Self {

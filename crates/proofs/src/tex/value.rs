@@ -1,6 +1,6 @@
 //! What an expression is worth: a number, a vector, a matrix or a quaternion, in symbols.
 
-use crate::number::{Fraction, Relations};
+use crate::number::{Fraction, Relations, from};
 use crate::symbols::{Matrix, Vector, diagonal, inverse, quaternion};
 use nalgebra::Quaternion;
 
@@ -23,28 +23,11 @@ pub enum Value {
     Solution(Matrix, Vector),
 }
 
-impl From<Fraction> for Value {
-    fn from(x: Fraction) -> Self {
-        Self::Scalar(x)
-    }
-}
-
-impl From<Vector> for Value {
-    fn from(v: Vector) -> Self {
-        Self::Vector(v)
-    }
-}
-
-impl From<Matrix> for Value {
-    fn from(m: Matrix) -> Self {
-        Self::Matrix(m)
-    }
-}
-
-impl From<Quaternion<Fraction>> for Value {
-    fn from(q: Quaternion<Fraction>) -> Self {
-        Self::Quaternion(q)
-    }
+from! {
+    Value, Fraction: |x| Self::Scalar(x);
+    Value, Vector: |v| Self::Vector(v);
+    Value, Matrix: |m| Self::Matrix(m);
+    Value, Quaternion<Fraction>: |q| Self::Quaternion(q);
 }
 
 /// Why something cannot be worked out.

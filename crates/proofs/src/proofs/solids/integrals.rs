@@ -5,9 +5,10 @@ use super::{
     hollow_sphere_moments, plate_moments, rod_moments, tube_moments,
 };
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
-use crate::proof::{Outcome, Residue, not_negative, same, same_entries};
+use crate::proof::{Outcome, Residue, positive, same, same_entries};
 use crate::region::{Region, Sums};
 use crate::symbols::{Matrix, Vector, diagonal, square, variables};
+use crate::tex::Scope;
 use nalgebra::Vector3;
 use num_traits::{One, Zero};
 use tumbling::inertia::point_mass;
@@ -80,11 +81,13 @@ pub(super) fn ball(law: impl Fn(&Fraction, &Fraction) -> Vector) -> Outcome {
     has_moments(&ball_sums(&r)?, &centred(&m, &law(&m, &r)))
 }
 
-pub(super) fn hollow_sphere(law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector) -> Outcome {
+pub(super) fn hollow_sphere(
+    law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector,
+) -> Result<Scope, Residue> {
     let [m, i, o] = variables(["m", "i", "o"]);
     let solid = ball_sums(&o)?.without(&ball_sums(&i)?);
     has_moments(&solid, &centred(&m, &law(&m, &i, &o)))?;
-    same("a thin shell", &law(&m, &o, &o).x, &(Fraction::ratio(2, 3) * &m * &o * &o))
+    Ok(Scope::default().with_all([("I", law(&m, &o, &o).x.clone()), ("m", m), ("r", o)]))
 }
 
 /// A cylinder of the given radius about z, between two heights.
@@ -225,7 +228,7 @@ pub(super) fn mesh_of_a_tetrahedron(base: [usize; 3]) -> Outcome {
 
 pub(super) fn triangle_inequality(
     cuboid: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector,
-) -> Outcome {
+) -> Result<Vec<Scope>, Residue> {
     let [m, a, b, c, r, h] = variables(["m", "a", "b", "c", "r", "h"]);
     // An outer radius is an inner one and something more.
     let outer = &r + &a;
@@ -245,11 +248,16 @@ pub(super) fn triangle_inequality(
     for (name, moments) in &all {
         for i in 0..3 {
             let [one, other, third] = [0, 1, 2].map(|j| &moments[(i + j) % 3]);
-            not_negative(name, &(one + other - third))?;
+            let rest = one + other - third;
+            if !rest.is_zero() {
+                positive(name, &rest)?;
+            }
         }
     }
-    for (name, flat) in [("plate", plate_moments(&m, &a, &b)), ("disk", disk_moments(&m, &r))] {
-        same(name, &(&flat.x + &flat.y), &flat.z)?;
-    }
-    Ok(())
+    let flat = [plate_moments(&m, &a, &b), disk_moments(&m, &r)];
+    Ok(flat
+        .map(|flat| {
+            Scope::default().with("A", flat.x.clone()).with("B", flat.y.clone()).with("C", flat.z.clone())
+        })
+        .into())
 }
