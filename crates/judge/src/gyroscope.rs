@@ -82,14 +82,14 @@ pub fn fit_inertia(rows: &[(f64, Vector3<f64>)], guess: Option<&Inertia>) -> Res
     let at = with_spin(&along, &axes.tr_mul(&at.fixed_rows::<3>(5)));
     let here = misses(&turned, speed, &at).ok_or_else(|| steady(0.0))?;
     let left = rms(&here);
-    if swing <= (STEADY * left).max(FIT_FLOOR) {
-        return Err(steady(left));
-    }
     if left > FIT_LEFT {
         let left = left * speed;
         return Err(fail(format!(
             "no free motion comes near to these rows: {left:.2e} rad/s are left of {speed:.2e}"
         )));
+    }
+    if swing <= (STEADY * left).max(FIT_FLOOR) {
+        return Err(steady(left));
     }
     let along = slopes(&at, &here, |at| misses(&turned, speed, at)).ok_or_else(|| steady(left))?;
     let c = normal::<8>(&along).cholesky().ok_or_else(|| steady(left))?.inverse();

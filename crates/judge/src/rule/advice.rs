@@ -17,6 +17,7 @@ const PITFALL_FLIPS: &str = "\"Three pitfalls\", the engine that refuses to flip
 const PITFALL_TENSOR: &str = "\"Three pitfalls\", the tensor that never turned";
 const PITFALL_MOMENTUM: &str = "\"Three pitfalls\", momentum taken for spin";
 const REMEDY: &str = "\"Test your engine\", a step that keeps the laws";
+const STAGE: &str = "\"Put it into your engine\"";
 const AXES: &str = "\"Principal axes\"";
 const STEPS: &str = "\"Stepping through time\"";
 
@@ -32,6 +33,7 @@ impl Advice {
     const SINGLE: &str = "Each step is exact to the rounding of single precision; over many steps that rounding adds up. For longer \
                           runs or for stricter limits carry attitude and momentum in double precision.";
 
+    pub(crate) const LONGER: Self = advice("Record a longer run, and judge it again.");
     const NOTHING: Self = advice("Nothing to do: the steps are the motion itself.");
 
     /// What follows from the rule that fits best and how well it fits; `floor` is the record's rounding, and
@@ -54,6 +56,9 @@ impl Advice {
             Confidence::Interpolated => {
                 advice("Write a row at each of the engine's steps, and none in between.")
             }
+            Confidence::Scattered => advice(
+                "Write the engine's own numbers, with all their digits; of a sensor, fit a motion to many rows instead.",
+            ),
             Confidence::FewSteps => advice("Write a row at every step, and judge it again."),
             Confidence::SmallErrors => advice(
                 "Errors so close to rounding are those of many rules: record a faster spin, or longer steps, and judge it again.",
@@ -102,9 +107,23 @@ impl Advice {
             (Some(Alteration::Term(_)), _) => with(
                 PITFALL_FLIPS,
                 "The gyroscopic term is not that of the body: write w' = J ((I w) x w) in body axes, with J the inverse of the \
-                 tensor I, once and with this order of the product.",
+                 tensor I, once and with this order of the product (with a position stage the engine's own term is off).",
             ),
-            (Some(Alteration::Turned(Turn::Old | Turn::Late)), _) => advice(
+            (Some(Alteration::TermOrTimes(_)), _) => with(
+                PITFALL_FLIPS,
+                "Spins alone do not part a wrong term from wrong times. Look at the step and at rows left out, or record the attitude \
+                 too; if the times are right, the term is not that of the body: w' = J ((I w) x w).",
+            ),
+            (Some(Alteration::Turned(Turn::BodyInWorld | Turn::WorldInBody)), _) => advice(
+                "The turn of a step stands on the wrong side of the attitude: with q from body to world write q * dq where dq is made of \
+                 a spin in body axes, and dq * q where it is made of a spin in world axes.",
+            ),
+            (Some(Alteration::Turned(Turn::TwiceBefore | Turn::TwiceAfter | Turn::Own)), _) => with(
+                STAGE,
+                "The turn does not belong to the spin: take attitude and spin at the end of the step both from this rule, after all that \
+                 changes the spin, and take out the engine's own update of the attitude.",
+            ),
+            (Some(Alteration::Turned(Turn::Old | Turn::Late | Turn::Early)), _) => advice(
                 "Spin and attitude of a row are not of one instant: turn the body by the new spin, and write both after the step.",
             ),
             (Some(Alteration::Turned(Turn::Otherwise)), _) => advice(

@@ -33,6 +33,8 @@ pub enum Confidence {
     Altered,
     /// Rows lie on straight lines between others: they are interpolated.
     Interpolated,
+    /// Rows scatter about a smooth motion: half precision, or a noisy sensor.
+    Scattered,
     /// None of the rules known here.
     NoneFits,
 }
@@ -57,6 +59,7 @@ impl Confidence {
             Self::Accurate => "accurate",
             Self::Altered => "altered",
             Self::Interpolated => "interpolated",
+            Self::Scattered => "scattered",
             Self::NoneFits => "none fits",
         }
     }

@@ -78,7 +78,7 @@ pub struct Diagnosis {
     /// first.
     pub engines: Vec<String>,
     /// Of an accurate rule that is not known the error of a step, as a share of what the gyroscopic term
-    /// changes of the spin in it.
+    /// changes of the spin in it; of rows that scatter by how much, relative to the spin.
     pub error: Option<f64>,
     /// The steps that are not the rule's, where they are few.
     pub jumps: Vec<Jump>,
@@ -90,6 +90,8 @@ pub struct Diagnosis {
     pub single: bool,
     /// Whether they are of fewer digits.
     pub(crate) few: bool,
+    /// The rounding of the numbers, relative to 1.
+    pub(crate) rounding: f64,
     /// Whether the record fails, whatever its rule.
     pub(crate) fails: bool,
 }
@@ -131,9 +133,11 @@ impl Diagnosis {
         match self.confidence {
             Confidence::FewSteps => Some("a row at every step"),
             Confidence::SmallErrors => Some("a faster spin, or longer steps"),
-            Confidence::NoneFits | Confidence::Accurate | Confidence::Altered | Confidence::Interpolated => {
-                None
-            }
+            Confidence::NoneFits
+            | Confidence::Accurate
+            | Confidence::Altered
+            | Confidence::Interpolated
+            | Confidence::Scattered => None,
             _ if !open => None,
             _ if self.single || self.few => Some(
                 "all digits that the engine has (17 of double precision), a faster spin, or longer steps",
@@ -333,6 +337,7 @@ pub(crate) fn diagnose(
         jumps,
         single: floor.single,
         few: floor.few,
+        rounding: floor.size,
         fails: whole.fails,
     })
 }

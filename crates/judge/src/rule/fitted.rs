@@ -4,8 +4,8 @@ use crate::law::LawName;
 use crate::read::{Pair, least, median, normal, ordered, slopes};
 use crate::rule::{Alteration, Base, Rule, Subject, Turn, When};
 use crate::thresholds::{
-    BEYOND, CAPPED_ROWS, DAMPED, DAMPED_ROUNDINGS, FITTED_STEPS, JOLT, NEAR_A_TERM, OTHER_BODY, RATE_APART,
-    ROUND_RATE, UNKNOWN_BODY,
+    BEYOND, CAPPED_ROUNDINGS, CAPPED_ROWS, DAMPED, DAMPED_ROUNDINGS, FITTED_STEPS, JOLT, NEAR_A_TERM,
+    OTHER_BODY, RATE_APART, ROUND_RATE, STEPS_PER_ROW_MOST, UNKNOWN_BODY,
 };
 use nalgebra::{Matrix3, Rotation3, SVector, UnitQuaternion, Vector3};
 use tumbling::PrincipalMoments;
@@ -66,16 +66,31 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
         let far = if keeps { RATE_APART } else { NEAR_A_TERM[1] };
         let is_still = matches!(base, Base::Method(Method::ConstantSpin, _));
         if !is_still && (!keeps || base == Base::Exact) && term.is_finite() {
-            let rule = |times: &SVector<f64, 1>| base.but(Alteration::Term(times.x));
+            let rule = |times: &SVector<f64, 1>| {
+                let alone = !with_attitude && times.x > 0.0;
+                base.but(if alone { Alteration::TermOrTimes } else { Alteration::Term }(times.x))
+            };
             let fitted = least([term].into(), |times| misses(subject, &few, &rule(times)), |times| times);
             let other = fitted.filter(|times| (times.x - 1.0).abs() > far && times.x.abs() > NEAR_A_TERM[1]);
             all.extend(other.map(|times| rule(&times)));
         }
-        all.extend(capped(pairs).map(|most| base.but(Alteration::Capped(most))));
+        all.extend(capped(pairs, rounding).map(|most| base.but(Alteration::Capped(most))));
+    }
+    if !with_attitude && term > 1.5 {
+        // Rows that are left out, with the rest counted as if they were not.
+        let rows = (term.min(STEPS_PER_ROW_MOST) - 0.5) as u32..=term.min(STEPS_PER_ROW_MOST) as u32 + 1;
+        let left_out = |rows: u32| {
+            Base::every().map(move |base| base.in_parts(rows).but(Alteration::TermOrTimes(f64::from(rows))))
+        };
+        all.extend(rows.flat_map(left_out));
     }
     if with_attitude && of_spin {
-        let turned = |base: Base| [Turn::Old, Turn::Late].map(|turn| base.but(Alteration::Turned(turn)));
-        all.extend(Base::all().into_iter().chain(Base::every()).flat_map(turned));
+        let turned = |turns: &'static [Turn]| {
+            move |base: Base| turns.iter().map(move |&turn| base.but(Alteration::Turned(turn)))
+        };
+        all.extend(Base::all().into_iter().chain(Base::every()).flat_map(turned(&[Turn::Old, Turn::Late])));
+        let others = Base::all().into_iter().chain([Base::PositionStage(1)]);
+        all.extend(others.flat_map(turned(&Turn::OTHERS)));
     }
     all
 }
@@ -187,9 +202,11 @@ fn rate(factor: f64, h: f64) -> f64 {
 }
 
 /// The greatest spin, if many rows have it.
-fn capped(pairs: &[Pair]) -> Option<f64> {
+fn capped(pairs: &[Pair], rounding: f64) -> Option<f64> {
     let most = pairs.iter().map(|pair| pair.to.omega.norm()).fold(0.0, f64::max);
-    let there = pairs.iter().filter(|pair| pair.to.omega.norm() >= most * (1.0 - BEYOND)).count();
+    let near = most * (1.0 - BEYOND.max(CAPPED_ROUNDINGS * rounding));
+    let there: Vec<f64> = pairs.iter().map(|pair| pair.to.omega.norm()).filter(|x| *x >= near).collect();
     let [least, share] = CAPPED_ROWS;
-    (most.is_normal() && there >= least && there * share >= pairs.len()).then_some(most)
+    let many = there.len() >= least && there.len() * share >= pairs.len();
+    (most.is_normal() && many).then(|| there.iter().sum::<f64>() / there.len() as f64)
 }

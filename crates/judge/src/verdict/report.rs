@@ -4,8 +4,10 @@ use crate::law::LawName;
 use crate::laws::{Gaps, Law, Reset};
 use crate::read::FileMistake;
 use crate::rule::{Confidence, Diagnosis, readable};
+use crate::thresholds::ENOUGH_ROWS;
 use crate::verdict::{Outcome, Verdict, capital, plain_number, sentence};
 use serde::Serialize;
+use std::f64::consts::TAU;
 use std::fmt;
 
 /// A part of a verdict in words: a title, and below it a table, lines, or both.
@@ -71,6 +73,14 @@ impl Verdict {
                     mistake.words()
                 )
             }
+            (FileMistake::Times(times), _) => {
+                // What stands in the record, and what was put in its place.
+                let steps = self
+                    .record
+                    .step
+                    .map(|step| format!(" (rows dt = {:.6} s, put right {step:.6} s)", step / times));
+                mistake.words().replacen(':', &(steps.unwrap_or_default() + ":"), 1)
+            }
             _ => mistake.words(),
         };
         self.file_mistakes.iter().map(words).collect()
@@ -107,13 +117,21 @@ impl Verdict {
                 "the spin is constant, as it is right for this start. Push the body off its principal axis".into(),
             ),
             Outcome::TooShort => reasons.push(
-                "no law is broken, and too little is seen to say more: it takes eight rows at least, in which the body turns \
-                 once round or its spin should change by a tenth"
-                    .into(),
+                format!(
+                    "no law is broken, and too little is seen to say more: it takes {ENOUGH_ROWS} rows or more, in which the body turns \
+                     once round or its spin should change by a tenth. Record {} s or more of this body",
+                    plain_number(self.enough())
+                ),
             ),
         }
         reasons.extend(self.complaints.iter().map(ToString::to_string));
         reasons
+    }
+
+    /// How long a record of this body must be, s: once round, in rows enough.
+    fn enough(&self) -> f64 {
+        let once = self.curve.first().map_or(0.0, |first| TAU / first.spin.norm());
+        once.max(self.record.step.unwrap_or(0.0) * (ENOUGH_ROWS - 1) as f64)
     }
 
     /// What every law is kept within.

@@ -1,6 +1,6 @@
 //! The sentences of complaints, notes and resets: one for each, on a page, in a program or on a terminal.
 
-use crate::laws::{Complaint, Reset};
+use crate::laws::{Complaint, Reset, Seen};
 use crate::read::Note;
 use std::fmt;
 
@@ -27,16 +27,31 @@ impl fmt::Display for Complaint {
             }
             Self::TooFar { line, .. } => write!(f, "line {line}: {}. Judged up to there", self.problem()),
             Self::NoSteps => f.write_str("no two rows are one step apart: no rule can be tried"),
-            Self::Otherwise { off } => {
-                write!(f, "the attitude does not turn as the spin says, by up to {:.1} % of it", 100.0 * off)
+            Self::Otherwise { off, seen } => {
+                write!(
+                    f,
+                    "the attitude does not turn as the spin says, by up to {:.1} % of it",
+                    100.0 * off
+                )?;
+                match seen {
+                    None => Ok(()),
+                    Some(Seen::BodyInWorld) => {
+                        f.write_str(": it turns about a spin in body axes as if that were in the world's (dq * q, not q * dq)")
+                    }
+                    Some(Seen::WorldInBody) => {
+                        f.write_str(": it turns about a spin in world axes as if that were in the body's (q * dq, not dq * q)")
+                    }
+                    Some(Seen::Times(times)) => write!(f, ": it turns about the spin's axis, and {times:.3} times as far"),
+                    Some(Seen::OtherAxis) => f.write_str(": it turns about another axis"),
+                }
             }
             Self::WrongRule(rule) => {
                 write!(f, "every step is made by a rule that is wrong here: {}", rule.name())
             }
-            Self::WrongPace { off, ways, allowed } => write!(
+            Self::WrongPace { off, periods, allowed } => write!(
                 f,
-                "the spin is {off:.3} ways round from the exact one, which goes {ways:.3} ways round (allowed: {allowed:.3}, unless \
-                 a limit for phase says otherwise)"
+                "the phase of the spin is off by {off:.2} periods after {periods:.2} periods of the exact motion (allowed: {allowed:.2}, \
+                 unless a limit for phase says otherwise)"
             ),
         }
     }
