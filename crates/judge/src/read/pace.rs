@@ -22,7 +22,7 @@ pub(super) fn in_whole_numbers(ratio: f64) -> f64 {
 }
 
 /// The simplest number that a ratio found from rows may be: a whole one, one over it, a fraction, itself.
-fn simplest(ratio: f64) -> f64 {
+pub(crate) fn simplest(ratio: f64) -> f64 {
     let count = ratio.max(1.0 / ratio).round().max(1.0);
     let whole = if ratio < 1.0 { 1.0 / count } else { count };
     let near = |x: &f64, share: f64| (ratio / x - 1.0).abs() < share;
@@ -33,14 +33,19 @@ fn simplest(ratio: f64) -> f64 {
     fractions.into_iter().find(|x| near(x, FRACTION_NEAR)).unwrap_or(ratio)
 }
 
+/// How many times as far as the spin says the attitude turns about it, in the middle step.
+pub(crate) fn times_the_turn(pairs: impl Iterator<Item = Pair>) -> f64 {
+    median(pairs.filter_map(|pair| {
+        let mean = (pair.from.omega + pair.to.omega) / 2.0;
+        Some(pair.turn()?.dot(&mean) / (mean.norm_squared() * pair.h)).filter(|x| x.is_finite())
+    }))
+}
+
 impl Reading {
     /// With times that are right by one factor, if by this factor both the attitude turns and the spin changes
     /// otherwise than they say: of a wrong spin or term one of them would.
     pub(super) fn paced(self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Option<Self> {
-        let ratio = median(self.pairs(pairs, moments).filter_map(|pair| {
-            let mean = (pair.from.omega + pair.to.omega) / 2.0;
-            Some(pair.turn()?.dot(&mean) / (mean.norm_squared() * pair.h)).filter(|x| x.is_finite())
-        }));
+        let ratio = times_the_turn(self.pairs(pairs, moments));
         let times = simplest(ratio);
         if !(times.is_normal() && times > 0.0) || self.with_units(ratio) != self {
             return None;

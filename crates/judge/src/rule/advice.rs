@@ -109,6 +109,10 @@ impl Advice {
                 "The gyroscopic term is not that of the body: write w' = J ((I w) x w) in body axes, with J the inverse of the \
                  tensor I, once and with this order of the product (with a position stage the engine's own term is off).",
             ),
+            (Some(Alteration::Times(_)), _) => advice(
+                "The times are not those of the steps: look for rows left out, a step taken more than once, or another step than the \
+                 one named.",
+            ),
             (Some(Alteration::TermOrTimes(_)), _) => with(
                 PITFALL_FLIPS,
                 "Spins alone do not part a wrong term from wrong times. Look at the step and at rows left out, or record the attitude \

@@ -175,6 +175,7 @@ impl Subject {
             }
             // The spin's own equation has no other term: a multiple of it acts for that multiple of the time.
             Alteration::Term(times) | Alteration::TermOrTimes(times) => Some(with(base(from, h * times)?.1)),
+            Alteration::Times(times) => base(from, h * times),
             Alteration::Turned(turn) => {
                 Some(turned_otherwise(turn, (&start, &from.omega), base(from, h)?, by))
             }

@@ -1,7 +1,7 @@
 //! Candidates with numbers in them, each fitted to the record before it is held against it.
 
 use crate::law::LawName;
-use crate::read::{Pair, least, median, normal, ordered, slopes};
+use crate::read::{Pair, least, median, normal, ordered, simplest, slopes, times_the_turn};
 use crate::rule::{Alteration, Base, Rule, Subject, Turn, When};
 use crate::thresholds::{
     BEYOND, CAPPED_ROUNDINGS, CAPPED_ROWS, DAMPED, DAMPED_ROUNDINGS, FITTED_STEPS, JOLT, NEAR_A_TERM,
@@ -42,7 +42,8 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
     let few = some(pairs, FITTED_STEPS);
     let with_attitude = pairs.first().is_some_and(|pair| pair.from.attitude.is_some());
     let of_spin = pairs.iter().all(|pair| pair.to.ahead.is_none());
-    let term = times_the_term(subject, &few);
+    let (term, turned) =
+        (times_the_term(subject, &few), with_attitude.then(|| times_the_turn(few.iter().copied())));
     let mut all = Vec::new();
     for base in Base::all() {
         // Spins alone do not show whether they are damped before or after the turn, nor turns alone on which
@@ -66,13 +67,11 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
         let far = if keeps { RATE_APART } else { NEAR_A_TERM[1] };
         let is_still = matches!(base, Base::Method(Method::ConstantSpin, _));
         if !is_still && (!keeps || base == Base::Exact) && term.is_finite() {
-            let rule = |times: &SVector<f64, 1>| {
-                let alone = !with_attitude && times.x > 0.0;
-                base.but(if alone { Alteration::TermOrTimes } else { Alteration::Term }(times.x))
-            };
+            let rule = |times: &SVector<f64, 1>| base.but(Alteration::TermOrTimes(times.x));
             let fitted = least([term].into(), |times| misses(subject, &few, &rule(times)), |times| times);
-            let other = fitted.filter(|times| (times.x - 1.0).abs() > far && times.x.abs() > NEAR_A_TERM[1]);
-            all.extend(other.map(|times| rule(&times)));
+            let other = fitted.map(|times| times.x);
+            let other = other.filter(|times| (times - 1.0).abs() > far && times.abs() > NEAR_A_TERM[1]);
+            all.extend(other.into_iter().flat_map(|times| multiples(times, turned).map(|how| base.but(how))));
         }
         all.extend(capped(pairs, rounding).map(|most| base.but(Alteration::Capped(most))));
     }
@@ -93,6 +92,21 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
         all.extend(others.flat_map(turned(&Turn::OTHERS)));
     }
     all
+}
+
+/// What a multiple of the gyroscopic term may be, by how many times as far as the spin says the attitude turns,
+/// if there is one.
+fn multiples(times: f64, turned: Option<f64>) -> impl Iterator<Item = Alteration> {
+    let of_times = turned.is_some_and(|turned| (turned - 1.0).abs() > (times - 1.0).abs() / 2.0);
+    let one = match turned {
+        _ if times < 0.0 => Alteration::Term(times),
+        None => Alteration::TermOrTimes(times),
+        Some(_) if of_times => Alteration::Times(times),
+        Some(_) => Alteration::Term(times),
+    };
+    let simplest = simplest(times);
+    let exact = (of_times && simplest != times).then_some(Alteration::Times(simplest));
+    exact.into_iter().chain([one])
 }
 
 /// How many times the gyroscopic term the changes of spin are, in the mean.

@@ -83,9 +83,11 @@ impl Alteration {
                 None => format!("{} times the gyroscopic term", significant(*times)),
             },
             Self::TermOrTimes(times) => {
+                format!("either {}, or {}", Self::Term(*times).name(), Self::Times(*times).name())
+            }
+            Self::Times(times) => {
                 let (size, way) = if times.abs() < 1.0 { (1.0 / times, "long") } else { (*times, "short") };
-                let size = (size * 1e4).round() / 1e4;
-                format!("either {}, or times that are {size} times too {way}", Self::Term(*times).name())
+                format!("times that are {} times too {way}", (size * 1e4).round() / 1e4)
             }
             Self::Turned(Turn::Old) => {
                 "the attitude turned by the old spin (or each spin written a row early)".into()

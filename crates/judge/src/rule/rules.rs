@@ -57,6 +57,8 @@ pub enum Alteration {
     Term(f64),
     /// The gyroscopic term, or the times: spins alone do not distinguish these.
     TermOrTimes(f64),
+    /// The times are too short by this factor: spin and attitude both go as far as in so many times the step.
+    Times(f64),
     /// The spin is the rule's, and the attitude does not turn by it.
     Turned(Turn),
     /// There is no spin beyond this, rad/s.

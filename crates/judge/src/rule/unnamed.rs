@@ -62,8 +62,8 @@ fn altered<'a>(
     found: &'a [Explanation],
 ) -> (Option<&'a Explanation>, f64) {
     let is_one = |altered| {
-        use Alteration::{Damped, Term, TermOrTimes};
-        matches!(altered, Some(Damped { .. } | Term(_) | TermOrTimes(_)))
+        use Alteration::{Damped, Term, TermOrTimes, Times};
+        matches!(altered, Some(Damped { .. } | Term(_) | TermOrTimes(_) | Times(_)))
     };
     let one = |x: &&Explanation| x.rule.base == Base::Exact && is_one(x.rule.alteration);
     let times = |x: &Explanation| {

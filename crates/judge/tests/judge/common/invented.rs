@@ -574,6 +574,7 @@ impl Invented {
             (Fault::Paced(times), found) if self.layout == Layout::Spin => {
                 matches!(found, Some(Alteration::TermOrTimes(found)) if near(found * times, 1.0))
             }
+            (Fault::Paced(times), Some(Alteration::Times(found))) => near(found * times, 1.0),
             (Fault::None | Fault::Hits(_) | Fault::Rest | Fault::Paced(_), None) => true,
             _ => false,
         }
@@ -648,7 +649,7 @@ impl Invented {
             (Some(said), times) if times.is_none_or(|times| (said / times - 1.0).abs() > 1e-2) => {
                 return Named::Wrongly;
             }
-            (None, Some(_)) => return if sure { Named::Wrongly } else { Named::Not },
+            (None, Some(_)) if !first => return if sure { Named::Wrongly } else { Named::Not },
             _ => {}
         }
         let Truth::Known(base) = self.truth else { return self.outside(found, verdict.record.rounding) };
