@@ -2,7 +2,7 @@
 //! engine that looks like the file's, an attitude that is turned by its spin in the other axes.
 
 use crate::read::reading::{Reading, alike};
-use crate::read::{Pair, Raw, median};
+use crate::read::{Pair, Raw, median, middle_and_most};
 use crate::thresholds::{
     FRACTION_NEAR, LAW_AGREES, PACE_APART, PACE_OF_LAW, SIDES_APART, WHOLE_MOST, WHOLE_NEAR, WHOLE_SURE,
 };
@@ -53,7 +53,9 @@ impl Reading {
         let way = self.with_time(times);
         let (alike, size) = by_exact_motion(way.pairs(pairs, moments), moments, false);
         let [apart, otherwise] = [times, 1.0 / times].map(|x| (x - 1.0).abs());
-        let changes = alike > LAW_AGREES && (size - 1.0).abs() < PACE_OF_LAW.min(otherwise / 2.0);
+        let off = way.pairs(pairs, moments).filter_map(|pair| pair.inconsistency()).collect();
+        let one = middle_and_most(off).is_some_and(|[_, most]| most < PACE_APART);
+        let changes = one && alike > LAW_AGREES && (size - 1.0).abs() < PACE_OF_LAW.min(otherwise / 2.0);
         (apart > PACE_APART && changes).then_some(way)
     }
 

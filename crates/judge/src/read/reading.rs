@@ -6,8 +6,8 @@
 use crate::read::pace::in_whole_numbers;
 use crate::read::{Kind, Pair, Raw, Row, median};
 use crate::thresholds::{
-    LAW_AGREES, LAW_BETTER, LAW_DECIDES, LAW_WEIGHT, NEARER_READING, RARE_MISTAKE, TURNS_AGREE, TURNS_EQUAL,
-    TURNS_WEIGHT, UNIT_APART,
+    LAW_AGREES, LAW_BETTER, LAW_DECIDES, LAW_WEIGHT, NEARER_READING, PACE_APART, RARE_MISTAKE, TURNS_AGREE,
+    TURNS_EQUAL, TURNS_WEIGHT, UNIT_APART,
 };
 use nalgebra::{Quaternion, Vector3};
 use tumbling::dynamics::euler;
@@ -215,10 +215,10 @@ impl Reading {
 
     /// The way of reading that makes sense of `pairs` (rows and the step as the file has them) if the plain
     /// one does not.
-    pub(crate) fn of(kind: Kind, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
+    pub(crate) fn of(kind: Kind, free: bool, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
         let plain = Self::plain(kind);
         let with_attitude = pairs.first().is_some_and(|pair| pair.0.attitude.is_some());
-        if with_attitude { plain.by_turns(pairs, moments) } else { plain.by_law(pairs, moments) }
+        if with_attitude { plain.by_turns(free, pairs, moments) } else { plain.by_law(pairs, moments) }
     }
 
     /// Of attitudes alone the law determines the order and the sense: three rows, each a step after the
@@ -265,14 +265,14 @@ impl Reading {
         })
     }
 
-    fn by_turns(self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
+    fn by_turns(self, free: bool, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
         let off =
             |reading: &Self| median(reading.pairs(pairs, moments).filter_map(|pair| pair.inconsistency()));
         let plain = off(&self);
         if plain.is_finite() && plain < TURNS_AGREE {
             return self;
         }
-        if let Some(paced) = self.paced(pairs, moments).filter(|way| off(way) < TURNS_AGREE) {
+        if let Some(paced) = self.paced(pairs, moments).filter(|way| free && off(way) < TURNS_AGREE) {
             return paced;
         }
         let mut ways = Vec::new();
@@ -322,7 +322,7 @@ impl Reading {
         let best = best.map_or(self, |way| way.0);
         let other = Self { frame: !self.frame, ..self };
         let on_other_side = off(&other) < TURNS_AGREE && self.goes_by_law_unlike(&best, pairs, moments);
-        if on_other_side { self } else { best }
+        if free && on_other_side { self } else { best }
     }
 
     /// With the units that make turns and spins alike in size.
@@ -343,6 +343,8 @@ impl Reading {
         let one = spins.clone().map(|spin| (spin, 1.0)).chain(times.clone().map(|time| (1.0, time)));
         // Spin and time may each be in a unit of its own: turns determine their product alone.
         let both = spins.flat_map(|spin| times.clone().map(move |time| (spin, time)));
+        // Degrees a minute are nearly radians a second.
+        let both = both.filter(|(spin, time)| (spin * time - 1.0).abs() > PACE_APART);
         let nearest = || both.min_by(|a, b| off(a).total_cmp(&off(b))).filter(near);
         let found = std::iter::once((1.0, 1.0)).chain(one).find(near).or_else(nearest);
         found.map_or(self, |(spin, time)| Self { spin, time, ..self })

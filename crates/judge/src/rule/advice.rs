@@ -56,6 +56,7 @@ impl Advice {
             Confidence::Interpolated => {
                 advice("Write a row at each of the engine's steps, and none in between.")
             }
+            Confidence::Repeated => advice("Write a row at each of the engine's steps, once."),
             Confidence::Scattered => advice(
                 "Write the engine's own numbers, with all their digits; of a sensor, fit a motion to many rows instead.",
             ),

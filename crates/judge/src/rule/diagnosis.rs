@@ -6,7 +6,7 @@ use crate::read::{Floor, Known, Pair, Row, Sample, angle_between};
 use crate::rule::confidence::confidence_in;
 use crate::rule::fitted::some;
 use crate::rule::tried::{alike_to_best, explained, tried};
-use crate::rule::unnamed::unnamed;
+use crate::rule::unnamed::{are_repeated, unnamed};
 use crate::rule::{
     Advice, Alteration, Base, Confidence, Rule, Subject, When, engine_names, engines, first_named, settings,
 };
@@ -123,7 +123,8 @@ impl Diagnosis {
     pub(crate) fn is_open(&self) -> bool {
         let nearest = self.best.rule.base == Base::Exact && !matches!(self.confidence, Confidence::Altered);
         let unnamed = !self.confidence.names_a_rule() && self.confidence != Confidence::FewDigits;
-        self.fails && nearest && unnamed
+        let of_rows = matches!(self.confidence, Confidence::Repeated | Confidence::Scattered);
+        of_rows || self.fails && nearest && unnamed
     }
 
     /// What would decide between the rules that explain the record alike.
@@ -137,6 +138,7 @@ impl Diagnosis {
             | Confidence::Accurate
             | Confidence::Altered
             | Confidence::Interpolated
+            | Confidence::Repeated
             | Confidence::Scattered => None,
             _ if !open => None,
             _ if self.single || self.few => Some(
@@ -293,6 +295,9 @@ pub(crate) fn diagnose(
     let found = tried(subject, pairs, known, sought);
     let (mut ranked, mut error) = (Ranked::of(&found, floor)?, None);
     let (mut confidence, mut jumps) = confidence_in(subject, pairs, &ranked, known, whole.share);
+    if are_repeated(pairs) {
+        (confidence, jumps) = (Confidence::Repeated, Vec::new());
+    }
     if confidence == Confidence::Near {
         let Explanation { rule, median, .. } = ranked.best;
         // What is left of a rule without fitted numbers is random, and what it keeps is kept.

@@ -62,7 +62,9 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
         }
         // A rule that keeps the laws goes along the exact motion's curve, at any rate that a number gives; an
         // accurate one nearly so.
-        let is_accurate = matches!(base, Base::Method(method, _) if method.info().order > 2);
+        // The mean spin turns the attitude alone.
+        let is_accurate = matches!(base, Base::Method(method, _) if method.info().order > 2
+            || !with_attitude && method == Method::MeanSpinRungeKutta4);
         let keeps = is_accurate || Rule::plain(base).keeps(LawName::Separatrix);
         let far = if keeps { RATE_APART } else { NEAR_A_TERM[1] };
         let is_still = matches!(base, Base::Method(Method::ConstantSpin, _));

@@ -75,6 +75,13 @@ fn altered<'a>(
     (best, best.map_or(0.0, times))
 }
 
+/// Whether some of the rows are the rows before them, under other times.
+pub(super) fn are_repeated(pairs: &[Pair]) -> bool {
+    let same = |pair: &&Pair| pair.from.omega == pair.to.omega && pair.from.attitude == pair.to.attitude;
+    let count = pairs.iter().filter(same).count();
+    count < pairs.len() && count as f64 > STRAIGHT[1] * pairs.len() as f64
+}
+
 /// Whether some of the rows lie on a straight line between those before and after.
 fn are_interpolated(pairs: &[Pair], floor: Floor) -> bool {
     let bends = pairs.windows(2).filter(|two| two[0].to.line == two[1].from.line).map(|two| {

@@ -5,7 +5,9 @@ use crate::laws::{Complaint, FlipCount, Law, Seen, Trial};
 use crate::options::Options;
 use crate::read::{Fit, Kind, Pair, median, unit};
 use crate::rule::{Advice, Subject, Whole, diagnose};
-use crate::thresholds::{ENOUGH_CHANGE, ENOUGH_ROWS, LAW_ROUNDINGS, PACE_APART, STILL, TURNS_AGREE};
+use crate::thresholds::{
+    ENOUGH_CHANGE, ENOUGH_ROWS, LAW_ROUNDINGS, NEARER_READING, PACE_APART, STILL, TURNS_AGREE,
+};
 use crate::verdict::{Outcome, Recording, Verdict, spin_faults, wrong_pace, wrong_rule};
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
@@ -190,7 +192,7 @@ fn turned(pairs: &[Pair]) -> Option<Seen> {
         (true, ..) => None,
         (_, true, _) => Some(if body <= world { Seen::BodyInWorld } else { Seen::WorldInBody }),
         (.., true) => ((times - 1.0).abs() > PACE_APART).then_some(Seen::Times(times)),
-        _ => Some(Seen::OtherAxis),
+        _ => (across > NEARER_READING).then_some(Seen::OtherAxis),
     }
 }
 

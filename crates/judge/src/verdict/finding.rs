@@ -41,6 +41,7 @@ impl Diagnosis {
             Confidence::Interpolated => {
                 "The rows are interpolated between the engine's steps, and name no rule. Nearest is"
             }
+            Confidence::Repeated => "Rows are written twice, and name no rule. Nearest is",
             Confidence::Scattered => "The rows scatter about a smooth motion, and name no rule. Nearest is",
             Confidence::Altered => "None of the known rules fits. What is seen is",
             Confidence::NoneFits if self.few => {
@@ -65,7 +66,10 @@ impl Diagnosis {
             (_, count) => format!("Every step but {count}, which are jumps, is made by: {}", names[0]),
         };
         let mut lines = vec![words];
-        let unsaid = matches!(self.confidence, Confidence::FewDigits | Confidence::NoneFits);
+        let unsaid = {
+            use Confidence::{FewDigits, NoneFits, Repeated, Scattered};
+            matches!(self.confidence, FewDigits | NoneFits | Repeated | Scattered)
+        };
         if !self.engines.is_empty() && !unsaid {
             lines.push(format!("as in {}", self.engines.join("; or in ")));
         }

@@ -1,7 +1,7 @@
 //! A verdict in words: one text, which the terminal prints and the page shows.
 
 use crate::law::LawName;
-use crate::laws::{Gaps, Law, Reset};
+use crate::laws::{Complaint, Gaps, Law, Reset};
 use crate::read::FileMistake;
 use crate::rule::{Confidence, Diagnosis, readable};
 use crate::thresholds::ENOUGH_ROWS;
@@ -60,7 +60,9 @@ impl Verdict {
     fn seen(&self) -> Option<String> {
         self.diagnosis.as_ref().filter(|found| found.confidence == Confidence::NoneFits && found.fails)?;
         let each = self.broken().map(|law| format!("{}, {}", law.name.words(), law.plain()));
-        let all = each.collect::<Vec<_>>().join("; ");
+        let turned =
+            self.complaints.iter().filter(|x| matches!(x, Complaint::Otherwise { seen: Some(_), .. }));
+        let all = each.chain(turned.map(ToString::to_string)).collect::<Vec<_>>().join("; ");
         (!all.is_empty()).then(|| format!("what is seen: {all}"))
     }
 
