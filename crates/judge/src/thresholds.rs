@@ -149,6 +149,9 @@ pub(crate) const WHOLE_MOST: f64 = 64.0;
 pub(crate) const WHOLE_SURE: f64 = 12.0;
 /// How far from 1 a factor of the times must be: a coarse step's own error is less.
 pub(crate) const PACE_APART: f64 = 0.15;
+/// Share of the turn that an engine's limit or a straight step leaves of it at least, and the turn of a step, rad,
+/// from which on they show.
+pub(crate) const TURN_LIMITED: [f64; 2] = [0.6, 0.7];
 /// How far the change of the spin may be from what that factor makes of it, as a share.
 pub(crate) const PACE_OF_LAW: f64 = 0.25;
 /// By how much more a spin must go by its law in the axes named, as a cosine, for the engine to have turned the

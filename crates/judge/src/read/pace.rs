@@ -4,7 +4,8 @@
 use crate::read::reading::{Reading, alike};
 use crate::read::{Pair, Raw, median, middle_and_most};
 use crate::thresholds::{
-    FRACTION_NEAR, LAW_AGREES, PACE_APART, PACE_OF_LAW, SIDES_APART, WHOLE_MOST, WHOLE_NEAR, WHOLE_SURE,
+    FRACTION_NEAR, LAW_AGREES, PACE_APART, PACE_OF_LAW, SIDES_APART, TURN_LIMITED, WHOLE_MOST, WHOLE_NEAR,
+    WHOLE_SURE,
 };
 use nalgebra::Vector3;
 use tumbling::attitude::{product, rotation_matrix};
@@ -47,7 +48,10 @@ impl Reading {
     pub(super) fn paced(self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Option<Self> {
         let ratio = times_the_turn(self.pairs(pairs, moments));
         let times = simplest(ratio);
-        if !(times.is_normal() && times > 0.0) || self.with_units(ratio) != self {
+        let [share, turn] = TURN_LIMITED;
+        let fast = median(self.pairs(pairs, moments).map(|pair| pair.from.omega.norm() * pair.h)) > turn;
+        let limited = fast && (share..1.0).contains(&ratio);
+        if !(times.is_normal() && times > 0.0) || limited || self.with_units(ratio) != self {
             return None;
         }
         let way = self.with_time(times);
