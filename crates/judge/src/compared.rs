@@ -209,8 +209,8 @@ pub struct Comparison {
 }
 
 /// Compares records of one object, each with its name, at the times that they have in common: they are alike
-/// up to the threshold (of spins a share of the fastest, of attitudes rad, of positions a share of the greatest
-/// distance from the start), without one up to a third of the digits of the record that has fewer.
+/// up to the threshold (of spins a share of the fastest, of attitudes rad, of positions a share of the
+/// greatest distance from the start), without one up to a third of the digits of the record that has fewer.
 ///
 /// ```
 /// use tumbling_judge::{Motion, Options, compare};
@@ -258,11 +258,11 @@ pub fn compare(records: &[(String, Motion)], threshold: Option<f64>) -> Result<C
 }
 
 impl Comparison {
-    /// All of it as one JSON object: `version` (of its keys), `outcome` (passed if all are one motion), the name
-    /// of the `reference`, and of each of `alike` and `others` the `name`, the `rows` in common, and for
-    /// `spin`, `attitude` and `position` the largest distance from the reference, its limit and the time since
-    /// when it is more (s; null where it never is); the `origin` in the reference's axes where there are
-    /// positions. `report` is all of it in words.
+    /// All of it as one JSON object: `version` (of its keys), `outcome` (passed if all are one motion), the
+    /// name of the `reference`, and of each of `alike` and `others` the `name`, the `rows` in common, and for
+    /// `spin`, `attitude` and `position` the largest distance from the reference, its limit and the time
+    /// since when it is more (s; null where it never is); the `origin` in the reference's axes where there
+    /// are positions. `report` is all of it in words.
     #[must_use]
     pub fn json(&self) -> Value {
         let off = |off: &Off| json!({ "most": off.most, "limit": off.limit, "since": off.since });
@@ -376,8 +376,7 @@ impl Comparison {
                 "It starts alike: look at the tensor, its axes, the parts that make it up, and the engine's settings."
             }
             (None, Some(_)) => {
-                "It turns alike: look at the centre of mass and at the velocity at the start. A step of first order errs by itself where \
-                 the origin is off the centre."
+                "It turns alike: look at the centre of mass and at the velocity at the start. A step of first order errs by itself where the origin is off the centre."
             }
             _ => "",
         };

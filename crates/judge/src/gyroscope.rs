@@ -58,8 +58,7 @@ pub fn fit_inertia(rows: &[(f64, Vector3<f64>)], guess: Option<&Inertia>) -> Res
     let steady = |left: f64| {
         let [swing, left] = [swing, left].map(|x| x * speed);
         fail(format!(
-            "the spin is steady, which does not determine the moments: it is {swing:.2e} rad/s from its mean, and must be more than \
-             {STEADY} times what is left, {left:.2e}"
+            "the spin is steady, which does not determine the moments: it is {swing:.2e} rad/s from its mean, and must be more than {STEADY} times what is left, {left:.2e}"
         ))
     };
     let start = match guess.map(Inertia::matrix) {
@@ -97,8 +96,7 @@ pub fn fit_inertia(rows: &[(f64, Vector3<f64>)], guess: Option<&Inertia>) -> Res
     let known = unit * left.max(FIT_FLOOR);
     if known.max() > UNDETERMINED {
         return Err(fail(format!(
-            "the motion does not determine the moments: the standard error of one is {:.2e} of their sum, and must be at most \
-             {UNDETERMINED}",
+            "the motion does not determine the moments: the standard error of one is {:.2e} of their sum, and must be at most {UNDETERMINED}",
             known.max()
         )));
     }

@@ -140,22 +140,22 @@ pub(crate) const LONG_TURN: f64 = 2.5;
 /// Turn between two attitudes, rad, beyond which they say nothing of the spin: the other way round is no
 /// longer far longer.
 pub(crate) const FARTHEST_TURN: f64 = 2.0;
-/// How near a ratio found from rows must be to a whole number, or to a fraction of small numbers, to be it, as
-/// a share; the greatest whole number that it may be, and the greatest that is far enough from its neighbours
-/// to be told from a unit.
+/// How near a ratio found from rows must be to a whole number, or to a fraction of small numbers, to be it,
+/// as a share; the greatest whole number that it may be, and the greatest that is far enough from its
+/// neighbours to be told from a unit.
 pub(crate) const WHOLE_NEAR: f64 = 0.05;
 pub(crate) const FRACTION_NEAR: f64 = 0.01;
 pub(crate) const WHOLE_MOST: f64 = 64.0;
 pub(crate) const WHOLE_SURE: f64 = 12.0;
 /// How far from 1 a factor of the times must be: a coarse step's own error is less.
 pub(crate) const PACE_APART: f64 = 0.15;
-/// Share of the turn that an engine's limit or a straight step leaves of it at least, and the turn of a step, rad,
-/// from which on they show.
+/// Share of the turn that an engine's limit or a straight step leaves of it at least, and the turn of a step,
+/// rad, from which on they show.
 pub(crate) const TURN_LIMITED: [f64; 2] = [0.6, 0.7];
 /// How far the change of the spin may be from what that factor makes of it, as a share.
 pub(crate) const PACE_OF_LAW: f64 = 0.25;
-/// By how much more a spin must go by its law in the axes named, as a cosine, for the engine to have turned the
-/// attitude by it in others.
+/// By how much more a spin must go by its law in the axes named, as a cosine, for the engine to have turned
+/// the attitude by it in others.
 pub(crate) const SIDES_APART: f64 = 0.1;
 /// What may be left of a turn, rad, by a spin found from it.
 pub(crate) const TURN_LEFT: f64 = 1e-6;
@@ -279,8 +279,8 @@ pub(crate) const ALTERED: [f64; 2] = [3.0, 32.0];
 pub(crate) const STRAIGHT: [f64; 2] = [16.0, 0.05];
 /// Rounding from which on numbers have as few digits as half precision or a sensor has.
 pub(crate) const DIGITS_OF_A_SENSOR: f64 = 3e-4;
-/// Share of a row's error that the next step takes back where rows scatter (half of it, of noise alone), and the
-/// steps that it takes to say so.
+/// Share of a row's error that the next step takes back where rows scatter (half of it, of noise alone), and
+/// the steps that it takes to say so.
 pub(crate) const TAKEN_BACK: f64 = 0.3;
 pub(crate) const SCATTERED_ROWS: f64 = 32.0;
 /// How many times as far as steps that still fit one must be from the rule to be a jump, and in how many

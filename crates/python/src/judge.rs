@@ -54,8 +54,8 @@ impl Verdict {
         (!words.is_empty()).then(|| words.join(" "))
     }
 
-    /// What is held against the record, law by law, as the JSON has them: a list of dicts with `law`, `words`,
-    /// `grade`, `most`, `last`, `allowed` and more.
+    /// What is held against the record, law by law, as the JSON has them: a list of dicts with `law`,
+    /// `words`, `grade`, `most`, `last`, `allowed` and more.
     #[getter]
     fn laws<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         py.import("json")?.call_method1("loads", (self.verdict.json()["laws"].to_string(),))

@@ -43,8 +43,8 @@ pub(crate) fn times_the_turn(pairs: impl Iterator<Item = Pair>) -> f64 {
 }
 
 impl Reading {
-    /// With times that are right by one factor, if by this factor both the attitude turns and the spin changes
-    /// otherwise than they say: of a wrong spin or term one of them would.
+    /// With times that are right by one factor, if by this factor both the attitude turns and the spin
+    /// changes otherwise than they say: of a wrong spin or term one of them would.
     pub(super) fn paced(self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Option<Self> {
         let ratio = times_the_turn(self.pairs(pairs, moments));
         let times = simplest(ratio);
@@ -78,8 +78,8 @@ impl Reading {
     }
 }
 
-/// How much the changes of spin are like the exact motion's, and how large in these: as the body sees them, or
-/// as the body before the step sees those in the world.
+/// How much the changes of spin are like the exact motion's, and how large in these: as the body sees them,
+/// or as the body before the step sees those in the world.
 fn by_exact_motion(pairs: impl Iterator<Item = Pair>, moments: &Vector3<f64>, in_world: bool) -> (f64, f64) {
     alike(pairs.filter_map(|Pair { from, to, h }| {
         let end = FreeMotion::new((*moments).try_into().ok()?, &from.omega).ok()?.at(h).ok()?;

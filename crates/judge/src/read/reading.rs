@@ -41,8 +41,8 @@ pub enum FileMistake {
     Nanoseconds,
     /// Time is in minutes.
     Minutes,
-    /// The times are too short by this factor (below one: too long), or the spins too small by it: attitude and
-    /// spin both move so many times as far from row to row as they say.
+    /// The times are too short by this factor (below one: too long), or the spins too small by it: attitude
+    /// and spin both move so many times as far from row to row as they say.
     Times(f64),
     /// The spin turns by the left hand, the attitude (if there is one) by the right.
     LeftHandedSpin,
@@ -57,9 +57,7 @@ impl FileMistake {
     #[must_use]
     pub fn words(self) -> String {
         match self {
-            Self::Frame => "the vector is not in the axes that it is said to be in: a spin in world axes where body axes are named, or \
-                            the other way round. In a file the columns are `wxw,wyw,wzw` for the world, `wx,wy,wz` for the body; in a \
-                            program name the frame"
+            Self::Frame => "the vector is not in the axes that it is said to be in: a spin in world axes where body axes are named, or the other way round. In a file the columns are `wxw,wyw,wzw` for the world, `wx,wy,wz` for the body; in a program name the frame"
                 .into(),
             Self::Order => "the quaternion is x, y, z, w under the names w, x, y, z: put the names in the order of the numbers".into(),
             Self::ScalarFirst => "the quaternion is w, x, y, z under the names x, y, z, w: put the names in the order of the numbers".into(),
@@ -76,14 +74,11 @@ impl FileMistake {
                 let (size, way, small) = if times < 1.0 { (1.0 / times, "long", "large") } else { (times, "short", "small") };
                 let [size, times] = [size, times].map(|x| (x * 1e4).round() / 1e4);
                 format!(
-                    "the times are {size} times too {way}: from row to row the attitude turns, and the spin changes, {times} times as far as \
-                     they say. Look for rows left out, a step taken more than once, or another step than the one named (spins written \
-                     {size} times too {small} would look the same)"
+                    "the times are {size} times too {way}: from row to row the attitude turns, and the spin changes, {times} times as far as they say. Look for rows left out, a step taken more than once, or another step than the one named (spins written {size} times too {small} would look the same)"
                 )
             }
             Self::LeftHandedSpin => "the spin turns by the left hand (left-handed axes): write it with the opposite sign".into(),
-            Self::LeftHanded => "the axes are left-handed, one component of attitude and spin mirrored: give that component, of both, \
-                                 the opposite sign"
+            Self::LeftHanded => "the axes are left-handed, one component of attitude and spin mirrored: give that component, of both, the opposite sign"
                 .into(),
             Self::MirroredComponent(i) => {
                 format!("the {} component of the spin has the wrong sign (left-handed axes?)", ["x", "y", "z"][i.min(2)])

@@ -3,6 +3,7 @@
 use crate::read::{Floor, Known, Pair};
 use crate::rule::diagnosis::{Jump, Ranked, jumps};
 use crate::rule::tried::explained;
+use crate::rule::unnamed::are_repeated;
 use crate::rule::{Alteration, Base, Explanation, PHYSICS_ENGINES, Rule, Subject, Turn};
 use crate::thresholds::{ERROR_ABOVE, FITS_EXACT, NEAR, NEAR_RATIO, SPIN_ABOVE, TRIED_SHARE};
 
@@ -89,7 +90,9 @@ pub(super) fn confidence_in(
     let jumps = if closely { jumps(subject, pairs, &best.rule, floor) } else { None };
     // An exact spin alone says nothing of what turned the attitude.
     let of_spin = best.rule == Base::Exact.but(Alteration::Turned(Turn::Otherwise));
-    let confidence = if share < TRIED_SHARE {
+    let confidence = if are_repeated(pairs) {
+        Confidence::Repeated
+    } else if share < TRIED_SHARE {
         Confidence::FewSteps
     } else if of_spin {
         Confidence::NoneFits

@@ -6,7 +6,7 @@ use crate::read::{Floor, Known, Pair, Row, Sample, angle_between};
 use crate::rule::confidence::confidence_in;
 use crate::rule::fitted::some;
 use crate::rule::tried::{alike_to_best, explained, tried};
-use crate::rule::unnamed::{are_repeated, unnamed};
+use crate::rule::unnamed::unnamed;
 use crate::rule::{
     Advice, Alteration, Base, Confidence, Rule, Subject, When, engine_names, engines, first_named, settings,
 };
@@ -281,6 +281,16 @@ fn changes(subject: &Subject, pairs: &[Pair], rule: &Rule) -> [Vector2<f64>; 2] 
     steps.fold([Vector2::zeros(); 2], |[own, seen], [from, end, to]| [own + end - from, seen + to - from])
 }
 
+/// Whether a record drifts otherwise than a rule that comes near to it: what is left of a rule without fitted
+/// numbers is random, and what it keeps is kept.
+fn drifts_from(subject: &Subject, pairs: &[Pair], best: &Explanation, whole: &Whole) -> bool {
+    let rule = best.rule;
+    let is_plain = rule.alteration.is_none() && !matches!(rule.base, Base::MomentumForSpin(_));
+    let [own, seen] = changes(subject, pairs, &rule);
+    let drifts = is_plain && (own - seen).amax() > BIASED[0] * best.median * (pairs.len() as f64).sqrt();
+    drifts || whole.unkept.iter().any(|law| rule.keeps(*law))
+}
+
 /// Tries every candidate on the sample.
 pub(crate) fn diagnose(
     subject: &Subject,
@@ -295,18 +305,8 @@ pub(crate) fn diagnose(
     let found = tried(subject, pairs, known, sought);
     let (mut ranked, mut error) = (Ranked::of(&found, floor)?, None);
     let (mut confidence, mut jumps) = confidence_in(subject, pairs, &ranked, known, whole.share);
-    if are_repeated(pairs) {
-        (confidence, jumps) = (Confidence::Repeated, Vec::new());
-    }
-    if confidence == Confidence::Near {
-        let Explanation { rule, median, .. } = ranked.best;
-        // What is left of a rule without fitted numbers is random, and what it keeps is kept.
-        let is_plain = rule.alteration.is_none() && !matches!(rule.base, Base::MomentumForSpin(_));
-        let [own, seen] = changes(subject, pairs, &rule);
-        let drifts = is_plain && (own - seen).amax() > BIASED[0] * median * (pairs.len() as f64).sqrt();
-        if drifts || whole.unkept.iter().any(|law| rule.keeps(*law)) {
-            confidence = Confidence::NoneFits;
-        }
+    if confidence == Confidence::Near && drifts_from(subject, pairs, &ranked.best, whole) {
+        confidence = Confidence::NoneFits;
     }
     if confidence == Confidence::NoneFits && !sought {
         (ranked, confidence, error) = unnamed(subject, pairs, &found, ranked, whole.fails, floor);

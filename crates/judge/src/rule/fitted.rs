@@ -96,8 +96,8 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
     all
 }
 
-/// What a multiple of the gyroscopic term may be, by how many times as far as the spin says the attitude turns,
-/// if there is one.
+/// What a multiple of the gyroscopic term may be, by how many times as far as the spin says the attitude
+/// turns, if there is one.
 fn multiples(times: f64, turned: Option<f64>) -> impl Iterator<Item = Alteration> {
     let of_times = turned.is_some_and(|turned| (turned - 1.0).abs() > (times - 1.0).abs() / 2.0);
     let one = match turned {

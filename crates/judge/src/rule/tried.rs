@@ -76,7 +76,8 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
 }
 
 /// Rules that make the steps of one that fits, though not by name: a straight turn by the new spin is one by
-/// the old where the spins are a row late, and the other way round, and the position stage cuts a long step by itself.
+/// the old where the spins are a row late, and the other way round, and the position stage cuts a long step
+/// by itself.
 fn equals(found: &[Explanation], floor: Floor) -> Vec<Rule> {
     let equal = |x: &Explanation| match x.rule.base {
         Base::Straight(Method::SemiImplicitEuler, parts) => {

@@ -37,8 +37,8 @@ pub(super) fn unnamed(
     (ranked, if scatter.is_some() { Confidence::Scattered } else { Confidence::NoneFits }, scatter)
 }
 
-/// By how much the spins scatter about a smooth motion, relative to them, if that is most of what is seen: what
-/// one row is off by, the next step takes back, while the errors of a rule go on.
+/// By how much the spins scatter about a smooth motion, relative to them, if that is most of what is seen:
+/// what one row is off by, the next step takes back, while the errors of a rule go on.
 fn scatter(subject: &Subject, pairs: &[Pair]) -> Option<f64> {
     let off =
         |pair: &Pair| Some((pair.to.omega - subject.spin_after(&Rule::EXACT, pair)?) / pair.to.omega.norm());

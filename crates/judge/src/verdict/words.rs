@@ -50,8 +50,7 @@ impl fmt::Display for Complaint {
             }
             Self::WrongPace { off, periods, allowed } => write!(
                 f,
-                "the phase of the spin is off by {off:.2} periods after {periods:.2} periods of the exact motion (allowed: {allowed:.2}, \
-                 unless a limit for phase says otherwise)"
+                "the phase of the spin is off by {off:.2} periods after {periods:.2} periods of the exact motion (allowed: {allowed:.2}, unless a limit for phase says otherwise)"
             ),
         }
     }
@@ -62,8 +61,7 @@ impl Complaint {
     pub(crate) fn problem(&self) -> String {
         match self {
             Self::TooFar { turn, .. } => format!(
-                "the attitude turns by {turn:.2} rad or more in one step, and attitudes alone do not distinguish a turn from one that goes \
-                 the other way round. Record the spin, or shorter steps"
+                "the attitude turns by {turn:.2} rad or more in one step, and attitudes alone do not distinguish a turn from one that goes the other way round. Record the spin, or shorter steps"
             ),
             other => other.to_string(),
         }
@@ -82,16 +80,14 @@ impl fmt::Display for Note {
             }
             Self::Flat { printed, missing, moments } => write!(
                 f,
-                "the largest moment is printed as {printed}, {missing:.1e} more than the others together, which no body has; its \
-                 printed digits leave that open, and a flat body of {}, {}, {} kg m2 is judged",
+                "the largest moment is printed as {printed}, {missing:.1e} more than the others together, which no body has; its printed digits leave that open, and a flat body of {}, {}, {} kg m2 is judged",
                 moments.x, moments.y, moments.z
             ),
             Self::EvenSteps { named, step } => {
                 let which = if *named { "that the header names" } else { "that they have in the mean" };
                 write!(
                     f,
-                    "the times are printed with few digits, and are taken as multiples of the step {which}, {step:.9} s as the \
-                     file counts"
+                    "the times are printed with few digits, and are taken as multiples of the step {which}, {step:.9} s as the file counts"
                 )
             }
             Self::StepsPerRow { named, steps } => {
@@ -99,8 +95,7 @@ impl fmt::Display for Note {
             }
             Self::OtherStep { named, row } => write!(
                 f,
-                "the header names a step of {named:.9} s, and the rows are {row:.9} s apart, no whole number of such steps: it is \
-                 not used"
+                "the header names a step of {named:.9} s, and the rows are {row:.9} s apart, no whole number of such steps: it is not used"
             ),
         }
     }
