@@ -128,7 +128,7 @@ impl Batch {
         };
         let bodies = starts.zip(attitudes).enumerate().map(checked).collect::<Result<_, _>>()?;
         let batch = Self { bodies, torques: laws(torques), accuracy, order };
-        batch.scene(Vec::new(), Outputs::NOTHING)?;
+        batch.scene(vec![0.0], Outputs::NOTHING)?;
         Ok(batch)
     }
 

@@ -277,7 +277,10 @@ pub fn compare(
         let (times, _, kind, attitudes, spins) = record(&t.extract()?, more.first(), w, frame, scalar_first)?;
         let attitudes = attitudes.ok_or_else(wrong)?;
         let rows = times.into_iter().zip(attitudes).zip(spins);
-        let row = |((time, q), spin): ((_, UnitQuaternion<f64>), _)| Row { time, attitude: Some([q.w, q.i, q.j, q.k]), spin };
+        let row = |((time, q), spin): ((_, UnitQuaternion<f64>), _)| {
+            let attitude = Some([q.w, q.i, q.j, q.k]);
+            Row { time, attitude, spin }
+        };
         all.push((name, Motion::in_memory(kind, rows.map(row))?));
     }
     Ok(Comparison(py.detach(|| tumbling_judge::compare(&all, threshold))?))
