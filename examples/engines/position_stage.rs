@@ -289,6 +289,7 @@ type Rows = [[Real; LANES]; 29];
 /// The [step](PositionStage::step) of `h` seconds of many bodies, eight at once in vector registers, with the
 /// bits that each has alone. `read` gives a body's stage, attitude and spin; `write` gets those at the end,
 /// and the number of parts. They are called in no order; no body may be named twice.
+#[allow(dead_code, reason = "an engine may step its bodies one by one")]
 pub fn step_all<A: ?Sized, I: Copy>(
     all: &mut A,
     bodies: impl IntoIterator<Item = I>,

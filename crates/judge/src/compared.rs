@@ -5,11 +5,13 @@
 
 use crate::error::Error;
 use crate::gyroscope::{FittedInertia, fit_inertia};
+use crate::memory::{Memory, Precision, Row};
 use crate::options::Options;
-use crate::read::{Kind, Reading, Rows, angle_between, in_world, rounding};
+use crate::read::{Kind, Reading, Rows, Source, angle_between, in_world, rounding};
 use crate::thresholds::PROBE_ROWS;
-use crate::verdict::plain_number;
+use crate::verdict::{Outcome, VERSION, plain_number};
 use nalgebra::{Matrix3, Matrix3x6, Matrix6, Quaternion, Vector3, Vector6};
+use serde_json::{Value, json};
 use std::fmt;
 use std::io::BufRead;
 use tumbling::attitude::{product, rotation_matrix};
@@ -42,13 +44,31 @@ impl Motion {
     pub fn read(source: impl BufRead, options: &Options) -> Result<Self, Error> {
         let mut rows = Rows::open(source)?;
         rows.columns.take_positions();
-        let kind = rows.columns.kind;
+        let (kind, positions) = (rows.columns.kind, rows.columns.position.is_some());
         let given = options.inertia.or_else(|| rows.header.moments(&mut Vec::new()));
         let moments =
             given.or((!kind.is_momentum()).then(|| Vector3::repeat(1.0))).ok_or(Error::NoMoments)?;
+        Self::of(&mut rows, kind, &moments, positions)
+    }
+
+    /// From rows in memory, each with an attitude; `kind` says what their spins are.
+    ///
+    /// # Errors
+    /// As of [`read`](Self::read).
+    pub fn in_memory<T: Precision>(
+        kind: Kind,
+        rows: impl IntoIterator<Item = Row<T>>,
+    ) -> Result<Self, Error> {
+        if kind.is_momentum() {
+            return Err(Error::NoMoments);
+        }
+        Self::of(&mut Memory::of(rows.into_iter(), true), kind, &Vector3::repeat(1.0), false)
+    }
+
+    fn of(rows: &mut dyn Source, kind: Kind, moments: &Vector3<f64>, positions: bool) -> Result<Self, Error> {
         let (reading, mut all, mut raws) = (Reading::plain(kind), Vec::new(), Vec::new());
-        while let Some(raw) = rows.advance()? {
-            let row = reading.state(&raw, &moments);
+        while let Some(raw) = rows.next()? {
+            let row = reading.state(&raw, moments);
             let length = row.attitude.map_or(0.0, |q| q.norm());
             if length == 0.0 || !length.is_finite() {
                 let problem = "records are compared by their attitudes: there is none here".into();
@@ -61,21 +81,20 @@ impl Motion {
                 raws.push(raw);
             }
         }
-        if let Some(ended) = rows.ended.take() {
+        if let Some(ended) = rows.ended() {
             return Err(ended);
         }
         if all.len() < 2 {
             return Err(if all.is_empty() { Error::NoRows } else { Error::OneRow });
         }
-        let has = [kind != Kind::Attitude, rows.columns.position.is_some()];
-        Ok(Self { rows: all, rounding: rounding(&raws), has })
+        Ok(Self { rows: all, rounding: rounding(&raws), has: [kind != Kind::Attitude, positions] })
     }
 
     /// How far `other` is from this motion.
-    fn to(&self, other: &Self) -> Option<Apart> {
+    fn to(&self, other: &Self, threshold: Option<f64>) -> Option<Apart> {
         let fastest = self.rows.iter().map(|row| row.spin[1].norm()).fold(f64::MIN_POSITIVE, f64::max);
         // Rounding adds up over many steps: a third of the digits of the record that has fewer of them.
-        let limit = self.rounding.max(other.rounding).cbrt();
+        let limit = threshold.unwrap_or_else(|| self.rounding.max(other.rounding).cbrt());
         let both = [0, 1].map(|i| self.has[i] && other.has[i]);
         let mut off = [Off { limit, ..Off::default() }; 3];
         let common = self.common(other);
@@ -189,7 +208,9 @@ pub struct Comparison {
     start: f64,
 }
 
-/// Compares records of one object, each with its name, at the times that they have in common.
+/// Compares records of one object, each with its name, at the times that they have in common: they are alike
+/// up to the threshold (of spins a share of the fastest, of attitudes rad, of positions a share of the
+/// greatest distance from the start), without one up to a third of the digits of the record that has fewer.
 ///
 /// ```
 /// use tumbling_judge::{Motion, Options, compare};
@@ -203,20 +224,23 @@ pub struct Comparison {
 ///     Motion::read(text.as_bytes(), &Options::default())
 /// };
 /// let records = [("one".into(), record(0.0)?), ("turned".into(), record(std::f64::consts::FRAC_PI_2)?)];
-/// let found = compare(&records)?;
+/// let found = compare(&records, None)?;
 /// assert!(found.others.is_empty() && found.alike[1].1.rows == 100);
 /// # Ok::<(), tumbling_judge::Error>(())
 /// ```
 ///
 /// # Errors
-/// No record, or two with fewer than two times in common.
-pub fn compare(records: &[(String, Motion)]) -> Result<Comparison, Error> {
+/// No record, two with fewer than two times in common, a threshold that is no number above zero.
+pub fn compare(records: &[(String, Motion)], threshold: Option<f64>) -> Result<Comparison, Error> {
+    if let Some(value) = threshold.filter(|most| most.is_nan() || *most <= 0.0) {
+        return Err(Error::Threshold { law: None, value });
+    }
     let wrong = |problem: String| Error::Compared { problem };
     let mut best: Option<(usize, Vec<Apart>)> = None;
     let count = |all: &[Apart]| all.iter().filter(|apart| apart.is_alike()).count();
     for (k, (name, one)) in records.iter().enumerate() {
         let apart = |(other, motion): &(String, Motion)| {
-            one.to(motion)
+            one.to(motion, threshold)
                 .ok_or_else(|| wrong(format!("{name} and {other} have fewer than two times in common")))
         };
         let all = records.iter().map(apart).collect::<Result<Vec<_>, _>>()?;
@@ -234,6 +258,32 @@ pub fn compare(records: &[(String, Motion)]) -> Result<Comparison, Error> {
 }
 
 impl Comparison {
+    /// All of it as one JSON object: `version` (of its keys), `outcome` (passed if all are one motion), the
+    /// name of the `reference`, and of each of `alike` and `others` the `name`, the `rows` in common, and for
+    /// `spin`, `attitude` and `position` the largest distance from the reference, its limit and the time
+    /// since when it is more (s; null where it never is); the `origin` in the reference's axes where there
+    /// are positions. `report` is all of it in words.
+    #[must_use]
+    pub fn json(&self) -> Value {
+        let off = |off: &Off| json!({ "most": off.most, "limit": off.limit, "since": off.since });
+        let each = |all: &[(usize, Apart)]| {
+            let one = |(k, apart): &(usize, Apart)| {
+                let [spin, attitude, position] = apart.off.each_ref().map(off);
+                json!({
+                    "name": self.names[*k], "rows": apart.rows, "spin": spin, "attitude": attitude,
+                    "position": apart.origin.map(|_| position), "origin": apart.origin.map(<[f64; 3]>::from),
+                })
+            };
+            all.iter().map(one).collect::<Vec<_>>()
+        };
+        let outcome = if self.others.is_empty() { Outcome::Passed } else { Outcome::Failed };
+        json!({
+            "version": VERSION, "outcome": outcome.key(), "reference": self.names[self.reference],
+            "alike": each(&self.alike), "others": each(&self.others),
+            "report": self.to_string().lines().collect::<Vec<_>>(),
+        })
+    }
+
     /// How the moments and axes that two records' spins fit differ.
     fn tensors(&self, one: usize, other: usize) -> Option<String> {
         let [a, b] = [one, other].map(|k| self.inertia.get(k).copied().flatten());
@@ -326,8 +376,7 @@ impl Comparison {
                 "It starts alike: look at the tensor, its axes, the parts that make it up, and the engine's settings."
             }
             (None, Some(_)) => {
-                "It turns alike: look at the centre of mass and at the velocity at the start. A step of first order errs by itself where \
-                 the origin is off the centre."
+                "It turns alike: look at the centre of mass and at the velocity at the start. A step of first order errs by itself where the origin is off the centre."
             }
             _ => "",
         };

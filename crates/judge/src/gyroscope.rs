@@ -51,15 +51,19 @@ pub fn fit_inertia(rows: &[(f64, Vector3<f64>)], guess: Option<&Inertia>) -> Res
     check(rows)?;
     let fail = |problem: String| Error::Fit { rows: rows.len(), problem };
     let speed = rows.iter().map(|row| row.1.norm()).fold(f64::MIN_POSITIVE, f64::max);
-    let freedom = (3 * rows.len() - 8) as f64;
-    let rms = |all: &[Vector3<f64>]| (all.iter().map(Vector3::norm_squared).sum::<f64>() / freedom).sqrt();
+    let none = |left: f64| fail(no_motion(left * speed, speed));
+    let squares = |all: &[Vector3<f64>]| all.iter().map(Vector3::norm_squared).sum::<f64>();
+    let rms = |all: &[Vector3<f64>]| (squares(all) / (3 * rows.len() - 8) as f64).sqrt();
     let mean = rows.iter().map(|row| row.1).sum::<Vector3<f64>>() / rows.len() as f64;
     let swing = rms(&rows.iter().map(|row| (row.1 - mean) / speed).collect::<Vec<_>>());
     let steady = |left: f64| {
+        // Of noise alone the mean is the smaller.
+        if swing * speed > mean.norm() {
+            return none(swing);
+        }
         let [swing, left] = [swing, left].map(|x| x * speed);
         fail(format!(
-            "the spin is steady, which does not determine the moments: it is {swing:.2e} rad/s from its mean, and must be more than \
-             {STEADY} times what is left, {left:.2e}"
+            "the spin is steady, which does not determine the moments: it is {swing:.2e} rad/s from its mean, and must be more than {STEADY} times what is left, {left:.2e}"
         ))
     };
     let start = match guess.map(Inertia::matrix) {
@@ -82,14 +86,11 @@ pub fn fit_inertia(rows: &[(f64, Vector3<f64>)], guess: Option<&Inertia>) -> Res
     let at = with_spin(&along, &axes.tr_mul(&at.fixed_rows::<3>(5)));
     let here = misses(&turned, speed, &at).ok_or_else(|| steady(0.0))?;
     let left = rms(&here);
+    if left > FIT_LEFT {
+        return Err(none(left));
+    }
     if swing <= (STEADY * left).max(FIT_FLOOR) {
         return Err(steady(left));
-    }
-    if left > FIT_LEFT {
-        let left = left * speed;
-        return Err(fail(format!(
-            "no free motion comes near to these rows: {left:.2e} rad/s are left of {speed:.2e}"
-        )));
     }
     let along = slopes(&at, &here, |at| misses(&turned, speed, at)).ok_or_else(|| steady(left))?;
     let c = normal::<8>(&along).cholesky().ok_or_else(|| steady(left))?.inverse();
@@ -97,14 +98,17 @@ pub fn fit_inertia(rows: &[(f64, Vector3<f64>)], guess: Option<&Inertia>) -> Res
     let known = unit * left.max(FIT_FLOOR);
     if known.max() > UNDETERMINED {
         return Err(fail(format!(
-            "the motion does not determine the moments: the standard error of one is {:.2e} of their sum, and must be at most \
-             {UNDETERMINED}",
+            "the motion does not determine the moments: the standard error of one is {:.2e} of their sum, and must be at most {UNDETERMINED}",
             known.max()
         )));
     }
     let is_alike = |[i, j]: &[usize; 2]| moments[*j] - moments[*i] < MOMENTS_APART * known[*i].max(known[*j]);
     let alike = [[0, 1], [1, 2]].into_iter().find(is_alike);
     Ok(FittedInertia { moments, axes, alike, errors: unit * left, residual: left * speed })
+}
+
+fn no_motion(left: f64, speed: f64) -> String {
+    format!("no free motion comes near to these rows: {left:.2e} rad/s are left of {speed:.2e}")
 }
 
 /// The tensor by Euler's equations alone, summed over turns of about a radian.

@@ -15,7 +15,7 @@ pub enum LawName {
     /// `2 E I2 / L²`, as its ratio to the first one; at 1 is the separatrix, beyond which a stable spin
     /// flips.
     Separatrix,
-    /// How far the spin is ahead of the exact one on its closed curve in body axes, in times round it.
+    /// How far the spin is ahead of the exact one on its closed curve in body axes, in periods.
     Phase,
     /// The turn from row to row against the spin, relative to the spin, less what this step and the last
     /// changed the spin.
@@ -42,7 +42,7 @@ impl LawName {
             Self::Direction => ["direction", "direction of L", "direction of L, rad"],
             Self::Unit => ["unit", "quaternion's length", "quaternion's length"],
             Self::Separatrix => ["separatrix", "2 E I₂ / L²", "2 E I₂ / L²"],
-            Self::Phase => ["phase", "phase", "phase, times round"],
+            Self::Phase => ["phase", "phase", "phase, periods"],
             Self::Consistency => ["consistency", "turn against spin", "turn against spin"],
         }
     }

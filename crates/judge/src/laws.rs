@@ -9,7 +9,7 @@ mod points;
 mod stretches;
 mod trial;
 
-pub use complaint::Complaint;
+pub use complaint::{Complaint, Seen};
 pub(crate) use curve::Curve;
 pub use curve::Growth;
 pub(crate) use followed::Laws;

@@ -31,7 +31,7 @@ pub use gyroscope::{FittedInertia, fit_inertia};
 pub use judge::judge;
 pub use kit::{Answer, Story};
 pub use law::LawName;
-pub use laws::{Complaint, FlipCount, Gaps, Growth, Law, Point, Reset};
+pub use laws::{Complaint, FlipCount, Gaps, Growth, Law, Point, Reset, Seen};
 pub use memory::{Description, Precision, Row, judge_described, judge_in_memory};
 pub use options::Options;
 pub use read::{FileMistake, Fit, Kind, Note};

@@ -15,7 +15,7 @@ struct Arguments {
     /// The record, comma-separated values; - for the standard input
     file: PathBuf,
     /// More records of the same object, described otherwise: are all one motion?
-    #[arg(conflicts_with_all = ["threshold", "fit", "json"])]
+    #[arg(conflicts_with = "fit")]
     others: Vec<PathBuf>,
     /// Principal moments about the body's x, y and z, kg m2, where the record names none
     #[arg(long, value_name = "A,B,C", value_parser = moments, allow_hyphen_values = true)]
@@ -31,33 +31,7 @@ struct Arguments {
     json: bool,
 }
 
-const ABOUT: &str = "\
-The record has a line of column names, then rows of numbers:
-    t (s), or step with a comment `# dt: 1/60`
-    qw,qx,qy,qz     attitude, body to world
-    wx,wy,wz        spin in body axes, rad/s; or wxw,wyw,wzw in world axes;
-                    or momentum, lx,ly,lz or lxw,lyw,lzw (kg m2/s)
-The axes of the body are its principal ones, with the moments in their order: a comment `# inertia: A B C` or
---inertia names them. Write all digits (17 of double precision, 9 of single).
-
-LAW is energy, momentum, direction, unit, separatrix, phase or consistency; the last two have no limit if none is
-given. Several are separated by commas: --threshold 0.001,energy=1e-6.
-
-Errors are relative to the first row: of energy and |L| a share, of a direction rad. The separatrix is 2 E I2 / L^2
-(I2 the middle moment), as its ratio to the first one: below 1 where the spin goes round the largest moment's axis,
-above 1 where round the smallest's. Phase is how far the spin is ahead of the exact one, in times round its closed curve.
-
-The JSON object has: version (of its keys), outcome (passed, failed, nothing to judge, too short to judge), complaints,
-laws (law, grade, rate, most, last, allowed), flips, separatrix (first and last), file_mistakes, resets, gaps,
-missing, sign_changes, rounding, diagnosis (confidence: to rounding, most steps, near, too few digits, errors too
-small, too few steps, accurate, altered, interpolated or none fits; best, alike, second, ratio, steps, share, error,
-jumps, would_decide, advice, chapter), curve (the run in at most 256 points), report (in words), and what was read.
-
-Several records are compared: one object as a single body, with fixed children, with its origin off the centre, with
-its axes turned, must be one motion. They need attitudes, and may have positions (x,y,z) in the world.
-
-Exit code: 0 if the record passes, or all are one motion, 1 if it fails or there is
-nothing or too little to judge, 2 if it cannot be read.";
+const ABOUT: &str = include_str!("about.txt");
 
 /// The largest error allowed of one law, or of all.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -125,8 +99,13 @@ impl Arguments {
             let name = file.display().to_string();
             all.push((name.clone(), read.map_err(|wrong| format!("{name}: {wrong}{}", option_for(&wrong)))?));
         }
-        let comparison = compare(&all).map_err(|wrong| wrong.to_string())?;
-        Ok((comparison.to_string(), comparison.others.is_empty()))
+        if self.threshold.iter().any(|limit| limit.law.is_some()) {
+            return Err("records are compared by one --threshold X, not by laws".into());
+        }
+        let threshold = self.threshold.last().map(|limit| limit.value);
+        let comparison = compare(&all, threshold).map_err(|wrong| wrong.to_string())?;
+        let json = self.json.then(|| format!("{:#}\n", comparison.json()));
+        Ok((json.unwrap_or_else(|| comparison.to_string()), comparison.others.is_empty()))
     }
 }
 

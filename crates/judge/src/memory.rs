@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::judge::judge_rows;
 use crate::options::Options;
-use crate::read::{Exact, Kind, Printed, Raw, Said, Source};
+use crate::read::{Exact, Kind, Printed, Raw, Said, Source, significant_bits};
 use crate::thresholds::{MOST_DIGITS, ROWS_BEFORE_THE_END};
 use crate::verdict::Verdict;
 use nalgebra::{Quaternion, Vector3};
@@ -128,17 +128,22 @@ pub fn judge_described<T: Precision>(
     let moments = options.inertia.or_else(|| Some(moments.into()));
     let torque = torque.filter(|torque| *torque != Vector3::zeros());
     let said = Said { kind, engine, step, torque, moments, ..Said::default() };
-    let mut rows = Memory { rows, attitudes, count: 0, last: f64::NEG_INFINITY, ended: None };
-    judge_rows(&mut rows, said, options)
+    judge_rows(&mut Memory::of(rows, attitudes), said, options)
 }
 
 /// Rows of an iterator.
-struct Memory<I> {
+pub(crate) struct Memory<I> {
     rows: I,
     attitudes: bool,
     count: usize,
     last: f64,
     ended: Option<Error>,
+}
+
+impl<I> Memory<I> {
+    pub(crate) const fn of(rows: I, attitudes: bool) -> Self {
+        Self { rows, attitudes, count: 0, last: f64::NEG_INFINITY, ended: None }
+    }
 }
 
 impl<T: Precision, I: Iterator<Item = Row<T>>> Source for Memory<I> {
@@ -182,7 +187,7 @@ impl<T: Precision, I: Iterator<Item = Row<T>>> Source for Memory<I> {
             printed: Printed::default(),
             exact: [&row.attitude.map_or(Vec::new(), Vec::from)[..], &row.spin[..]].map(|numbers| Exact {
                 digits: MOST_DIGITS,
-                single: numbers.iter().all(|&x| f64::from(x.get() as f32) == x.get()),
+                bits: numbers.iter().map(|x| significant_bits(x.get())).max().unwrap_or(0),
                 place: f64::INFINITY,
             }),
         }))

@@ -79,6 +79,10 @@ pub(crate) const MOST_DIGITS: u32 = 17;
 pub(crate) const DIGITS_OF_SINGLE: u32 = 6;
 /// The most significant digits that single precision needs.
 pub(crate) const MOST_DIGITS_OF_SINGLE: u32 = 9;
+/// The binary digits of single and of half precision, and the rounding of these.
+pub(crate) const BITS_OF_SINGLE: u32 = 24;
+pub(crate) const BITS_OF_HALF: u32 = 11;
+pub(crate) const HALF: f64 = 1.0 / 1024.0;
 /// With fewer digits nothing is concluded from them: 0.5 has one, and is exact.
 pub(crate) const FEWEST_DIGITS: u32 = 4;
 /// Rounding beyond this number of single precision's means few decimal digits.
@@ -136,6 +140,23 @@ pub(crate) const LONG_TURN: f64 = 2.5;
 /// Turn between two attitudes, rad, beyond which they say nothing of the spin: the other way round is no
 /// longer far longer.
 pub(crate) const FARTHEST_TURN: f64 = 2.0;
+/// How near a ratio found from rows must be to a whole number, or to a fraction of small numbers, to be it,
+/// as a share; the greatest whole number that it may be, and the greatest that is far enough from its
+/// neighbours to be told from a unit.
+pub(crate) const WHOLE_NEAR: f64 = 0.05;
+pub(crate) const FRACTION_NEAR: f64 = 0.01;
+pub(crate) const WHOLE_MOST: f64 = 64.0;
+pub(crate) const WHOLE_SURE: f64 = 12.0;
+/// How far from 1 a factor of the times must be: a coarse step's own error is less.
+pub(crate) const PACE_APART: f64 = 0.15;
+/// Share of the turn that an engine's limit or a straight step leaves of it at least, and the turn of a step,
+/// rad, from which on they show.
+pub(crate) const TURN_LIMITED: [f64; 2] = [0.6, 0.7];
+/// How far the change of the spin may be from what that factor makes of it, as a share.
+pub(crate) const PACE_OF_LAW: f64 = 0.25;
+/// By how much more a spin must go by its law in the axes named, as a cosine, for the engine to have turned
+/// the attitude by it in others.
+pub(crate) const SIDES_APART: f64 = 0.1;
 /// What may be left of a turn, rad, by a spin found from it.
 pub(crate) const TURN_LEFT: f64 = 1e-6;
 
@@ -256,6 +277,12 @@ pub(crate) const ALTERED: [f64; 2] = [3.0, 32.0];
 /// Roundings within which three rows are on a straight line, and the share of all rows from which on they are
 /// interpolated.
 pub(crate) const STRAIGHT: [f64; 2] = [16.0, 0.05];
+/// Rounding from which on numbers have as few digits as half precision or a sensor has.
+pub(crate) const DIGITS_OF_A_SENSOR: f64 = 3e-4;
+/// Share of a row's error that the next step takes back where rows scatter (half of it, of noise alone), and
+/// the steps that it takes to say so.
+pub(crate) const TAKEN_BACK: f64 = 0.3;
+pub(crate) const SCATTERED_ROWS: f64 = 32.0;
 /// How many times as far as steps that still fit one must be from the rule to be a jump, and in how many
 /// steps there may be one: of the records made for the tests pushes are in one of 66 at most, and a rule that
 /// comes to be another's by and by is off in one of 40 and more.
@@ -279,6 +306,8 @@ pub(crate) const KEPT_OF_CHANGED: f64 = 0.1;
 pub(crate) const BEYOND: f64 = 1e-9;
 /// Rows at a greatest spin that make a cap: at least this number, and at least one in this number.
 pub(crate) const CAPPED_ROWS: [usize; 2] = [4, 10];
+/// Roundings below a greatest spin at which rows are at it.
+pub(crate) const CAPPED_ROUNDINGS: f64 = 4.0;
 /// Loss of spin a step, as a share, below which there is no damping.
 pub(crate) const DAMPED: f64 = 1e-9;
 /// Roundings by which a factor of damping must be below one.

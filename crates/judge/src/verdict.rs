@@ -12,6 +12,7 @@ mod words;
 pub(crate) use end::verdict;
 pub(crate) use faults::{spin_faults, wrong_pace, wrong_rule};
 pub(crate) use finding::{capital, sentence};
+pub(crate) use json::VERSION;
 pub use outcome::{Outcome, Recording, Verdict};
 pub(crate) use plain::plain_number;
 pub(crate) use report::COLUMNS;

@@ -10,6 +10,7 @@ use numpy::PyUntypedArrayMethods;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use std::ops::ControlFlow;
+use tumbling::Body;
 use tumbling_scenes::{Error, InitialState, Outputs, Scene, Times, batch};
 
 /// Many bodies at once, on all cores: free ones in closed form, those under torques each by an adaptive run
@@ -35,20 +36,32 @@ pub struct Batch {
     order: Order,
 }
 
+/// What is wrong with a body, with its number.
+fn of_body(index: usize) -> impl Fn(tumbling::Error) -> Error {
+    move |error| Error::Body { index, source: Box::new(error.into()) }
+}
+
 /// The tensors, one or one for each body.
 fn tensors(given: &Bound<'_, PyAny>) -> Answer<Vec<tumbling::Inertia>> {
-    let of_body = |(body, tensor): (usize, Result<tumbling::Inertia, tumbling::Error>)| {
-        tensor.map_err(|error| Error::Body { index: body, source: Box::new(error.into()) })
-    };
+    type Tensor = Result<tumbling::Inertia, tumbling::Error>;
+    let each = |(body, tensor): (usize, Tensor)| tensor.map_err(of_body(body));
     let Ok(numbers) = given.extract::<Numbers<'_>>() else { return Ok(vec![given.extract::<Given>()?.0]) };
     if let [_, 3, 3] = numbers.shape() {
         let all = slice(&numbers);
         let matrices = all.as_chunks::<9>().0.iter().map(|m| Matrix3::from_row_slice(m).try_into());
-        return Ok(matrices.enumerate().map(of_body).collect::<Result<_, _>>()?);
+        return Ok(matrices.enumerate().map(each).collect::<Result<_, _>>()?);
+    }
+    if let Ok(m) = <[f64; 9]>::try_from(&*slice(&numbers))
+        && (m[1], m[2], m[5]) == (m[3], m[6], m[7])
+        && (m[0], m[1]) != (m[1], m[4])
+    {
+        let sentence = "inertia is one symmetric matrix, which may be three bodies' moments or one body's tensor T: give T[None] or \
+                        Inertia(T) for the one, three Inertia of moments as (3, 3, 3) tensors for the others";
+        return Err(Refused::new("Shape", "inertia", sentence.into()));
     }
     let (moments, _) = rows("inertia", &numbers)?;
-    let each = moments.into_iter().map(|[a, b, c]| tumbling::Inertia::from_moments(a, b, c));
-    Ok(each.enumerate().map(of_body).collect::<Result<_, _>>()?)
+    let all = moments.into_iter().map(|[a, b, c]| tumbling::Inertia::from_moments(a, b, c));
+    Ok(all.enumerate().map(each).collect::<Result<_, _>>()?)
 }
 
 impl Batch {
@@ -109,8 +122,14 @@ impl Batch {
         let count = tensors.len().max(spins.len()).max(attitudes.len());
         let attitudes = each("attitude", attitudes, count)?;
         let starts = each("inertia", tensors, count)?.into_iter().zip(each("spin", spins, count)?);
-        let bodies = starts.zip(attitudes).map(|((tensor, spin), q)| initial(&tensor, spin, q)).collect();
-        Ok(Self { bodies, torques: laws(torques), accuracy, order })
+        let checked = |(body, ((tensor, spin), q)): (usize, ((tumbling::Inertia, [f64; 3]), _))| {
+            Body::spinning(tensor, q, &spin.into()).map_err(of_body(body))?;
+            Ok::<_, Error>(initial(&tensor, spin, q))
+        };
+        let bodies = starts.zip(attitudes).enumerate().map(checked).collect::<Result<_, _>>()?;
+        let batch = Self { bodies, torques: laws(torques), accuracy, order };
+        batch.scene(vec![0.0], Outputs::NOTHING)?;
+        Ok(batch)
     }
 
     /// Attitude (m, n, 4) and spin in body axes (m, n, 3; rad/s) of each body at each of m times, in s from

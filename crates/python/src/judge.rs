@@ -7,8 +7,9 @@ use crate::picture;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use numpy::PyUntypedArrayMethods;
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 use std::collections::HashMap;
-use tumbling_judge::{Description, Kind, LawName, Options, Outcome, Row, judge_described};
+use tumbling_judge::{Description, Kind, LawName, Motion, Options, Outcome, Row, judge_described};
 
 /// What the judge says of a record. `str()` is all of it in words, the outcome first; a notebook shows it
 /// with a picture of the spin.
@@ -51,6 +52,13 @@ impl Verdict {
         let diagnosis = self.verdict.diagnosis.as_ref()?;
         let words: Vec<String> = diagnosis.advice.iter().map(|advice| advice.words.to_string()).collect();
         (!words.is_empty()).then(|| words.join(" "))
+    }
+
+    /// What is held against the record, law by law, as the JSON has them: a list of dicts with `law`,
+    /// `words`, `grade`, `most`, `last`, `allowed` and more.
+    #[getter]
+    fn laws<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        py.import("json")?.call_method1("loads", (self.verdict.json()["laws"].to_string(),))
     }
 
     /// All of it as text in JSON, the same as `tumbling-judge --json` prints.
@@ -135,6 +143,28 @@ pub fn kind(frame: &str) -> Answer<Kind> {
     }
 }
 
+/// Times, the step if it alone is given, what the spins are, attitudes and spins.
+type Record = (Vec<f64>, Option<f64>, Kind, Option<Vec<UnitQuaternion<f64>>>, Vec<[f64; 3]>);
+
+fn record(
+    t: &Numbers<'_>,
+    q: Option<&Bound<'_, PyAny>>,
+    w: Option<Numbers<'_>>,
+    frame: &str,
+    scalar_first: bool,
+) -> Answer<Record> {
+    let attitudes = q.map(|q| Order { scalar_first }.attitudes(Some(q))).transpose()?.map(|q| q.0);
+    let spins = w.map(|w| rows::<3>("w", &w)).transpose()?.map(|w| w.0);
+    let count = attitudes.as_ref().map(Vec::len).or(spins.as_ref().map(Vec::len)).unwrap_or_default();
+    if count == 0 {
+        return Err(Refused::new("Shape", "q and w", "neither attitudes nor spins are given".into()));
+    }
+    let (times, step) = times(t, count)?;
+    let kind = if spins.is_some() { kind(frame)? } else { Kind::Attitude };
+    let spins = each("w", spins.unwrap_or_else(|| vec![[0.0; 3]]), count)?;
+    Ok((times, step, kind, attitudes, spins))
+}
+
 /// Judges how an engine turns a body that nothing touches, by arrays of what it did.
 ///
 /// `t`: the times (n,), s, or the step as one number. `q`: attitudes (n, 4), body to world, x, y, z, w (with
@@ -176,15 +206,7 @@ pub fn judge(
     threshold: Option<Threshold>,
     fit: Option<usize>,
 ) -> Answer<Verdict> {
-    let attitudes = q.map(|q| Order { scalar_first }.attitudes(Some(q))).transpose()?.map(|q| q.0);
-    let spins = w.map(|w| rows::<3>("w", &w)).transpose()?.map(|w| w.0);
-    let count = attitudes.as_ref().map(Vec::len).or(spins.as_ref().map(Vec::len)).unwrap_or_default();
-    if count == 0 {
-        return Err(Refused::new("Shape", "q and w", "neither attitudes nor spins are given".into()));
-    }
-    let (times, step) = times(&t, count)?;
-    let kind = if spins.is_some() { kind(frame)? } else { Kind::Attitude };
-    let spins = each("w", spins.unwrap_or_else(|| vec![[0.0; 3]]), count)?;
+    let (times, step, kind, attitudes, spins) = record(&t, q, w, frame, scalar_first)?;
     let torque = torque.map(|torque| row("torque", &torque)).transpose()?.map(Vector3::from);
     let ((moments, axes), options) = (principal(&inertia), options(threshold, fit)?);
     let single = axes.is_some()
@@ -199,4 +221,67 @@ pub fn judge(
     });
     let description = Description { kind, engine, step, torque };
     Ok(Verdict { verdict: py.detach(|| judge_described(moments, description, rows, &options))? })
+}
+
+/// Whether records of one object are one motion. `str()` is all of it in words.
+#[pyclass(frozen, module = "tumbling")]
+pub struct Comparison(tumbling_judge::Comparison);
+
+#[pymethods]
+impl Comparison {
+    /// Whether all are one motion.
+    #[getter]
+    fn passed(&self) -> bool {
+        self.0.others.is_empty()
+    }
+
+    /// All of it as text in JSON, the same as `tumbling-judge --json` prints for several files.
+    fn json(&self) -> String {
+        format!("{:#}", self.0.json())
+    }
+
+    fn __str__(&self) -> String {
+        self.0.to_string()
+    }
+}
+
+/// Compares records of one object that an engine was given in several ways: as a single body, with fixed
+/// children, with its origin off the centre, with its axes turned. They must be one motion.
+///
+/// `records`: a dict by name of tuples (t, q) or (t, q, w), each as `judge` takes them. They are alike up to
+/// `threshold`: of spins a share of the fastest, of attitudes rad. Without one it is a third of the digits.
+///
+/// Raises `Error` for a record that cannot be read, and for two with fewer than two times in common.
+///
+/// >>> import numpy as np, tumbling
+/// >>> t, half = np.arange(300) / 60, np.sqrt(0.5)
+/// >>> one = tumbling.FreeMotion([1, 2, 3], [0.5, 4, 0.7])
+/// >>> turned = tumbling.FreeMotion([2, 1, 3], [4, -0.5, 0.7], [0, 0, half, half])
+/// >>> records = {'one': (t, *one.at(t)), 'turned': (t, *turned.at(t))}
+/// >>> assert tumbling.compare(records, frame='body').passed
+#[pyfunction]
+#[pyo3(signature = (records, *, frame="world", scalar_first=false, threshold=None))]
+pub fn compare(
+    py: Python<'_>,
+    records: &Bound<'_, PyDict>,
+    frame: &str,
+    scalar_first: bool,
+    threshold: Option<f64>,
+) -> Answer<Comparison> {
+    let mut all = Vec::new();
+    for (name, given) in records {
+        let (name, given): (String, Vec<Bound<'_, PyAny>>) = (name.extract()?, given.extract()?);
+        let wrong = || Refused::new("Shape", &name, format!("{name} is not (t, q) or (t, q, w)"));
+        let (t, more) = given.split_first().filter(|more| more.1.len() <= 2).ok_or_else(wrong)?;
+        let w = more.get(1).map(|w| w.extract()).transpose()?;
+        let (times, _, kind, attitudes, spins) = record(&t.extract()?, more.first(), w, frame, scalar_first)?;
+        let attitudes = attitudes.ok_or_else(wrong)?;
+        let rows = times.into_iter().zip(attitudes).zip(spins);
+        let row = |((time, q), spin): ((_, UnitQuaternion<f64>), _)| {
+            let attitude = Some([q.w, q.i, q.j, q.k]);
+            Row { time, attitude, spin }
+        };
+        all.push((name, Motion::in_memory(kind, rows.map(row))?));
+    }
+    Ok(Comparison(py.detach(|| tumbling_judge::compare(&all, threshold))?))
 }

@@ -19,7 +19,12 @@ mod torque;
 mod _tumbling {
     #[pymodule_export]
     use super::{
-        batch::Batch, error::Error, fit::FittedInertia, fit::fit_inertia, inertia::Inertia, judge::Verdict,
-        judge::judge, motion::FreeMotion, stepper::Stepper, story::Story, top::LagrangeTop, torque::Torque,
+        batch::Batch, error::Error, fit::FittedInertia, fit::fit_inertia, inertia::Inertia,
+        judge::Comparison, judge::Verdict, judge::compare, judge::judge, motion::FreeMotion,
+        stepper::Stepper, story::Story, top::LagrangeTop, torque::Torque,
     };
+    /// The library's version.
+    #[pymodule_export]
+    #[allow(non_upper_case_globals, reason = "Python's name")]
+    const __version__: &str = env!("CARGO_PKG_VERSION");
 }

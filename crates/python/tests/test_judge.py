@@ -74,6 +74,32 @@ def test_a_verdict_is_an_object_with_words_json_and_a_picture():
         assert section["title"] in page
 
 
+def test_a_verdict_has_its_laws_as_a_list():
+    t, q, w = of_mujoco("Euler")
+    verdict = tumbling.judge(t, q, w, inertia=MOMENTS, frame="body", scalar_first=True)
+    energy = next(law for law in verdict.laws if law["law"] == "energy")
+    kinetic = np.sum(MOMENTS * w**2, axis=1)
+    assert energy["most"] == pytest.approx(abs(kinetic / kinetic[0] - 1).max()) and energy["allowed"] == 0.01
+    assert json.loads(verdict.json())["version"] == 2 and tumbling.__version__.count(".") == 2
+
+
+def test_one_object_in_two_descriptions_is_compared():
+    t, q, w = of_mujoco("Euler")
+    turn = Rotation.from_euler("xyz", [0.3, -0.8, 1.1])
+    first, turned = Rotation.from_quat(q, scalar_first=True), Rotation.from_quat(q, scalar_first=True) * turn
+    records = {"one": (t, first, w), "turned": (t, turned, turn.inv().apply(w))}
+    found = tumbling.compare(records, frame="body")
+    assert found.passed and "one, turned are one motion" in str(found)
+    other = records | {"other": (t, *of_mujoco("RK4")[1:])}
+    found = tumbling.compare(other, frame="body", scalar_first=True)
+    data = json.loads(found.json())
+    assert not found.passed and [one["name"] for one in data["others"]] == ["other"]
+    assert data["others"][0]["spin"]["since"] is not None and tumbling.compare(other, frame="body", scalar_first=True, threshold=10).passed
+    for wrong, words in [({"a": (t,)}, "neither attitudes nor spins"), ({}, "no record")]:
+        with pytest.raises(tumbling.Error, match=words):
+            tumbling.compare(wrong, frame="body")
+
+
 def test_thresholds_are_those_of_the_laws():
     t, q, w = of_mujoco("RK4")
     judged = lambda threshold: tumbling.judge(t, q, w, inertia=MOMENTS, frame="body", scalar_first=True, threshold=threshold)

@@ -144,6 +144,12 @@ def test_a_top_asleep_precesses_as_the_batch_under_gravity_does():
     assert (lean > top.lean[0] - 1e-12).all() and (lean < top.lean[1] + 1e-12).all()
 
 
+def test_whole_numbers_are_numbers():
+    top = tumbling.LagrangeTop([2, 2, 1], [0, 0, 9], [0, 0, 1], 1)
+    assert top.at(1)[1][2] == pytest.approx(9, abs=1e-14)
+    assert len(tumbling.Batch(np.array([[3, 0.5, 0], [0.5, 2, 0.1], [0, 0.1, 4]])[None], [0, 9, 1])) == 1
+
+
 def test_a_mesh_of_a_box_has_the_tensor_of_the_box():
     corners = [[x, y, z] for x in (-1.0, 1.0) for y in (-0.5, 0.5) for z in (-1.5, 1.5)]
     square = lambda a, b, c, d: [[a, b, c], [a, c, d]]
@@ -167,6 +173,14 @@ def test_what_is_refused_says_what_and_why():
         (lambda: tumbling.Batch([1, 2, 3], [[0, 9, 1], [0, np.inf, 1]]).at([1.0]), "NotFinite", "the spin", "body 1: "),
         (lambda: tumbling.Batch([1, 2, 3], [0, 9, 1]).at([2.0, 1.0]), "OutOfBounds", "a time", "not be larger"),
         (lambda: tumbling.Stepper([1, 2, 3], [0, 9, 1], tolerance=0), "OutOfBounds", "the tolerance", "tolerance"),
+        (lambda: tumbling.Batch([1, 2, 3], [[0, 9, 1], [0, np.nan, 1]]), "NotFinite", "the spin", "body 1: "),
+        (lambda: tumbling.Batch([1, 2, 3], [0, 9, 1], accuracy=np.nan), "NotFinite", "the accuracy", "accuracy"),
+        (lambda: tumbling.Torque.in_body([0, np.nan, 0]), "NotFinite", "", "NaN"),
+        (lambda: tumbling.Torque.gravity([0, 0, 1], np.nan), "NotFinite", "", "NaN"),
+        (lambda: tumbling.LagrangeTop([2, 2, 1], [0, 0, 9], [0, 0, 1], np.nan), "NotFinite", "", "NaN"),
+        (lambda: tumbling.Inertia([np.nan, 1, 1]), "NotFinite", "", "NaN"),
+        (lambda: tumbling.Inertia.cone(np.nan, 1, mass=1), "NotFinite", "", "NaN"),
+        (lambda: tumbling.Batch([[3, 0.5, 0], [0.5, 2, 0.1], [0, 0.1, 4]], [0, 9, 1]), "Shape", "inertia", "T[None]"),
         (lambda: tumbling.Inertia.ball(1), "Undefined", "the mass", "either"),
     ]:
         with pytest.raises(tumbling.Error) as caught:

@@ -44,6 +44,8 @@ pub enum Complaint {
     Otherwise {
         /// By how much at most, as a share of the spin.
         off: f64,
+        /// How it turns instead, where that is seen.
+        seen: Option<Seen>,
     },
     /// Every step is made by a rule that no body goes by.
     WrongRule(Box<Rule>),
@@ -52,8 +54,22 @@ pub enum Complaint {
         /// How far, in periods of the spin.
         off: f64,
         /// The number of periods of the exact motion.
-        ways: f64,
+        periods: f64,
         /// How far was allowed.
         allowed: f64,
     },
+}
+
+/// How an attitude turns that does not turn as the spin says.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Seen {
+    /// As a spin in body axes would turn it, if that were in the world's: the turn is on the wrong side.
+    BodyInWorld,
+    /// As a spin in world axes would turn it, if that were in the body's.
+    WorldInBody,
+    /// About the spin's own axis, this number of times as far.
+    Times(f64),
+    /// About another axis.
+    OtherAxis,
 }

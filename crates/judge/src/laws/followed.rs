@@ -267,7 +267,7 @@ impl Laws {
     }
 
     /// The number of periods of the exact spin in the time of the record.
-    pub(crate) fn ways_round(&self) -> f64 {
+    pub(crate) fn periods(&self) -> f64 {
         let end = self.seen.last.t - self.start.row.t;
         match self.exact.period() {
             Ok(Some(period)) if period > 0.0 => end / period,

@@ -70,6 +70,16 @@ fn numbers(text: &str) -> Vec<(f64, f64)> {
     words.map_while(|word| Some((word.parse().ok()?, 0.5 * last_place(word)))).collect()
 }
 
+/// Whether one of the first words is a number with a comma for a point.
+fn has_decimal_comma(text: &str, count: usize) -> bool {
+    let mut words = text.split([' ', ';', '\t']).filter(|word| !word.is_empty()).take(count);
+    let numbers: Vec<&str> = words.by_ref().map(|word| word.trim_end_matches(',')).collect();
+    numbers.iter().any(|word| word.contains(','))
+        && numbers.iter().all(|word| word.replacen(',', ".", 1).parse::<f64>().is_ok())
+}
+
+const DECIMAL_COMMA: &str = "a number has a decimal comma: write a point";
+
 /// The first three numbers, and by how much their printed digits leave them open.
 fn three(text: &str) -> Option<[Vector3<f64>; 2]> {
     let [x, y, z, ..] = numbers(text)[..] else { return None };
@@ -92,6 +102,9 @@ fn unit(text: &str) -> Result<f64, String> {
 
 /// Three moments; of nine numbers, or of six, the tensor's, those of its diagonal if the rest are zero.
 fn moments(text: &str) -> Result<Option<[Vector3<f64>; 2]>, String> {
+    if has_decimal_comma(text, 3) {
+        return Err(DECIMAL_COMMA.into());
+    }
     let all = numbers(text);
     let places = match all.len() {
         6 => [0, 1, 2],
@@ -103,8 +116,7 @@ fn moments(text: &str) -> Result<Option<[Vector3<f64>; 2]>, String> {
     };
     if (0..all.len()).any(|i| !places.contains(&i) && all[i].0 != 0.0) {
         return Err(format!(
-            "{} numbers are given for the inertia, with products that are not zero: give the three principal moments, and write \
-             spin and attitude about the principal axes",
+            "{} numbers are given for the inertia, with products that are not zero: give the three principal moments, and write spin and attitude about the principal axes",
             all.len()
         ));
     }
@@ -154,6 +166,9 @@ impl Header {
             if self.step.is_none()
                 && let Some(text) = after(comment, word)
             {
+                if has_decimal_comma(text, 1) {
+                    return Err(Error::Line { line, problem: DECIMAL_COMMA.into() });
+                }
                 let Some(step) = seconds(text) else {
                     unread = unread.or(Some(word));
                     continue;

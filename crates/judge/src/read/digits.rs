@@ -14,6 +14,13 @@ pub(crate) fn significant(field: &str) -> u32 {
     count
 }
 
+/// How many bits of a number's binary digits are significant.
+pub(crate) const fn significant_bits(x: f64) -> u32 {
+    // The first one is not written.
+    let rest = u64::BITS - (x.to_bits() << 12).trailing_zeros();
+    if x == 0.0 { 0 } else { 1 + rest }
+}
+
 /// What a one is worth in the last place: 0.001 in 1.250, 1e-9 in 1.5e-8.
 pub(crate) fn last_place(field: &str) -> f64 {
     let (number, exponent) = field.split_once(['e', 'E']).unwrap_or((field, "0"));

@@ -49,7 +49,7 @@ impl Known {
         let clock = Clock::of(probe);
         let reading = match said.kind {
             Kind::Attitude => Reading::of_attitudes(&clock.triples(probe), &moments),
-            kind => Reading::of(kind, &clock.pairs(probe), &moments),
+            kind => Reading::of(kind, said.torque.is_none(), &clock.pairs(probe), &moments),
         };
         let (clock, note) = clock.read(reading.time(), said.step);
         said.notes.extend(note);

@@ -3,10 +3,11 @@
 //! A spin and the turn from one row to the next say the same thing. Where they do not, and would if the
 //! numbers were read another way, the file is what is wrong.
 
+use crate::read::pace::in_whole_numbers;
 use crate::read::{Kind, Pair, Raw, Row, median};
 use crate::thresholds::{
-    LAW_AGREES, LAW_BETTER, LAW_DECIDES, LAW_WEIGHT, NEARER_READING, RARE_MISTAKE, TURNS_AGREE, TURNS_EQUAL,
-    TURNS_WEIGHT, UNIT_APART,
+    LAW_AGREES, LAW_BETTER, LAW_DECIDES, LAW_WEIGHT, NEARER_READING, PACE_APART, RARE_MISTAKE, TURNS_AGREE,
+    TURNS_EQUAL, TURNS_WEIGHT, UNIT_APART,
 };
 use nalgebra::{Quaternion, Vector3};
 use tumbling::dynamics::euler;
@@ -40,6 +41,9 @@ pub enum FileMistake {
     Nanoseconds,
     /// Time is in minutes.
     Minutes,
+    /// The times are too short by this factor (below one: too long), or the spins too small by it: attitude
+    /// and spin both move so many times as far from row to row as they say.
+    Times(f64),
     /// The spin turns by the left hand, the attitude (if there is one) by the right.
     LeftHandedSpin,
     /// All of it is mirrored along an axis.
@@ -53,9 +57,7 @@ impl FileMistake {
     #[must_use]
     pub fn words(self) -> String {
         match self {
-            Self::Frame => "the vector is not in the axes that it is said to be in: a spin in world axes where body axes are named, or \
-                            the other way round. In a file the columns are `wxw,wyw,wzw` for the world, `wx,wy,wz` for the body; in a \
-                            program name the frame"
+            Self::Frame => "the vector is not in the axes that it is said to be in: a spin in world axes where body axes are named, or the other way round. In a file the columns are `wxw,wyw,wzw` for the world, `wx,wy,wz` for the body; in a program name the frame"
                 .into(),
             Self::Order => "the quaternion is x, y, z, w under the names w, x, y, z: put the names in the order of the numbers".into(),
             Self::ScalarFirst => "the quaternion is w, x, y, z under the names x, y, z, w: put the names in the order of the numbers".into(),
@@ -68,9 +70,15 @@ impl FileMistake {
             Self::Microseconds => "the time is in microseconds: write seconds".into(),
             Self::Nanoseconds => "the time is in nanoseconds: write seconds".into(),
             Self::Minutes => "the time is in minutes: write seconds".into(),
+            Self::Times(times) => {
+                let (size, way, small) = if times < 1.0 { (1.0 / times, "long", "large") } else { (times, "short", "small") };
+                let [size, times] = [size, times].map(|x| (x * 1e4).round() / 1e4);
+                format!(
+                    "the times are {size} times too {way}: from row to row the attitude turns, and the spin changes, {times} times as far as they say. Look for rows left out, a step taken more than once, or another step than the one named (spins written {size} times too {small} would look the same)"
+                )
+            }
             Self::LeftHandedSpin => "the spin turns by the left hand (left-handed axes): write it with the opposite sign".into(),
-            Self::LeftHanded => "the axes are left-handed, one component of attitude and spin mirrored: give that component, of both, \
-                                 the opposite sign"
+            Self::LeftHanded => "the axes are left-handed, one component of attitude and spin mirrored: give that component, of both, the opposite sign"
                 .into(),
             Self::MirroredComponent(i) => {
                 format!("the {} component of the spin has the wrong sign (left-handed axes?)", ["x", "y", "z"][i.min(2)])
@@ -139,6 +147,10 @@ impl Reading {
         }
     }
 
+    pub(super) const fn with_time(self, time: f64) -> Self {
+        Self { time, ..self }
+    }
+
     pub(crate) const fn time(&self) -> f64 {
         self.time
     }
@@ -162,7 +174,8 @@ impl Reading {
         all.extend(self.frame.then_some(FileMistake::Frame));
         all.extend(self.momentum.then_some(FileMistake::Momentum));
         all.extend(SPINS.iter().filter(|unit| unit.1 == self.spin).map(|unit| unit.0));
-        all.extend(TIMES.iter().filter(|unit| unit.1 == self.time).map(|unit| unit.0));
+        let unit = TIMES.iter().find(|unit| unit.1 == self.time).map(|unit| unit.0);
+        all.extend(unit.or((self.time != 1.0).then_some(FileMistake::Times(self.time))));
         all
     }
 
@@ -197,10 +210,10 @@ impl Reading {
 
     /// The way of reading that makes sense of `pairs` (rows and the step as the file has them) if the plain
     /// one does not.
-    pub(crate) fn of(kind: Kind, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
+    pub(crate) fn of(kind: Kind, free: bool, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
         let plain = Self::plain(kind);
         let with_attitude = pairs.first().is_some_and(|pair| pair.0.attitude.is_some());
-        if with_attitude { plain.by_turns(pairs, moments) } else { plain.by_law(pairs, moments) }
+        if with_attitude { plain.by_turns(free, pairs, moments) } else { plain.by_law(pairs, moments) }
     }
 
     /// Of attitudes alone the law determines the order and the sense: three rows, each a step after the
@@ -235,7 +248,7 @@ impl Reading {
         best.filter(|way| way.1 > LAW_DECIDES).map_or(plain, |way| way.0)
     }
 
-    fn pairs<'a>(
+    pub(super) fn pairs<'a>(
         &'a self,
         pairs: &'a [(Raw, Raw, f64)],
         moments: &'a Vector3<f64>,
@@ -247,12 +260,15 @@ impl Reading {
         })
     }
 
-    fn by_turns(self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
+    fn by_turns(self, free: bool, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
         let off =
             |reading: &Self| median(reading.pairs(pairs, moments).filter_map(|pair| pair.inconsistency()));
         let plain = off(&self);
         if plain.is_finite() && plain < TURNS_AGREE {
             return self;
+        }
+        if let Some(paced) = self.paced(pairs, moments).filter(|way| free && off(way) < TURNS_AGREE) {
+            return paced;
         }
         let mut ways = Vec::new();
         for order in [Order::AsNamed, Order::Last, Order::First] {
@@ -298,7 +314,10 @@ impl Reading {
             .iter()
             .filter(|way| way.1 <= TURNS_AGREE && way.1 <= NEARER_READING * plain)
             .min_by(|a, b| worth(a).total_cmp(&worth(b)));
-        best.map_or(self, |way| way.0)
+        let best = best.map_or(self, |way| way.0);
+        let other = Self { frame: !self.frame, ..self };
+        let on_other_side = off(&other) < TURNS_AGREE && self.goes_by_law_unlike(&best, pairs, moments);
+        if free && on_other_side { self } else { best }
     }
 
     /// With the units that make turns and spins alike in size.
@@ -310,13 +329,17 @@ impl Reading {
         self.with_units(ratio)
     }
 
-    fn with_units(self, ratio: f64) -> Self {
+    pub(super) fn with_units(self, ratio: f64) -> Self {
         let off = |(spin, time): &(f64, f64)| (ratio / (spin * time) - 1.0).abs();
-        let near = |units: &(f64, f64)| off(units) < UNIT_APART;
+        // Six times too long is not far from revolutions for radians.
+        let apart = UNIT_APART.min((ratio / in_whole_numbers(ratio) - 1.0).abs());
+        let near = |units: &(f64, f64)| off(units) < apart;
         let [spins, times] = [SPINS.iter(), TIMES.iter()].map(|units| units.map(|unit| unit.1));
         let one = spins.clone().map(|spin| (spin, 1.0)).chain(times.clone().map(|time| (1.0, time)));
         // Spin and time may each be in a unit of its own: turns determine their product alone.
         let both = spins.flat_map(|spin| times.clone().map(move |time| (spin, time)));
+        // Degrees a minute are nearly radians a second.
+        let both = both.filter(|(spin, time)| (spin * time - 1.0).abs() > PACE_APART);
         let nearest = || both.min_by(|a, b| off(a).total_cmp(&off(b))).filter(near);
         let found = std::iter::once((1.0, 1.0)).chain(one).find(near).or_else(nearest);
         found.map_or(self, |(spin, time)| Self { spin, time, ..self })
@@ -337,14 +360,20 @@ impl Reading {
 /// How much the change of the spin is like the gyroscopic one (the cosine between the two), and how large
 /// beside it.
 fn law(pairs: impl Iterator<Item = Pair>, moments: &Vector3<f64>) -> (f64, f64) {
-    let (mut found, mut wanted, mut both) = (0.0, 0.0, 0.0);
-    for pair in pairs {
+    alike(pairs.map(|pair| {
         let mean = (pair.from.omega + pair.to.omega) / 2.0;
         let law = euler::angular_acceleration(moments, &mean, &Vector3::zeros());
-        let rate = (pair.to.omega - pair.from.omega) / pair.h;
-        found += rate.norm_squared();
-        wanted += law.norm_squared();
-        both += rate.dot(&law);
+        ((pair.to.omega - pair.from.omega) / pair.h, law)
+    }))
+}
+
+/// The cosine between vectors that are found and those wanted, all together, and how large they are in these.
+pub(super) fn alike(vectors: impl Iterator<Item = (Vector3<f64>, Vector3<f64>)>) -> (f64, f64) {
+    let (mut found, mut wanted, mut both) = (0.0, 0.0, 0.0);
+    for (seen, own) in vectors {
+        found += seen.norm_squared();
+        wanted += own.norm_squared();
+        both += seen.dot(&own);
     }
     let sizes = (found * wanted).sqrt();
     if sizes > 0.0 && sizes.is_finite() { (both / sizes, both / wanted) } else { (0.0, 1.0) }

@@ -2,8 +2,8 @@
 
 use crate::read::{Raw, median};
 use crate::thresholds::{
-    BELOW_SINGLE, CLOSELY, CLOSELY_SINGLE, DIGITS_OF_DOUBLE, DIGITS_OF_SINGLE, FEWEST_DIGITS, FITS, FITS_FEW,
-    FITS_FEW_FROM, FITS_SINGLE, MOST_DIGITS,
+    BELOW_SINGLE, BITS_OF_HALF, BITS_OF_SINGLE, CLOSELY, CLOSELY_SINGLE, DIGITS_OF_DOUBLE, DIGITS_OF_SINGLE,
+    FEWEST_DIGITS, FITS, FITS_FEW, FITS_FEW_FROM, FITS_SINGLE, HALF, MOST_DIGITS,
 };
 
 /// The rounding of a record's numbers: of attitudes and of vectors each on their own, and the larger of both.
@@ -29,17 +29,21 @@ fn rounding_of(probe: &[Raw], group: usize, size: f64, stays: bool) -> f64 {
     }
     // The first digit of an attitude's numbers stands for tenths.
     let first = i32::from(group == 1);
-    let single = digits > DIGITS_OF_SINGLE && all.clone().all(|exact| exact.single);
+    let bits = all.clone().map(|exact| exact.bits).max().unwrap_or(u32::MAX);
     let of_digits = if digits >= DIGITS_OF_DOUBLE {
         0.0
     } else {
         10.0_f64.powi(first - i32::try_from(digits).unwrap_or(17))
     };
-    let of_single = if single { f64::from(f32::EPSILON) } else { 0.0 };
+    let of_bits = match bits {
+        ..=BITS_OF_HALF if digits >= FEWEST_DIGITS && !stays => HALF,
+        ..=BITS_OF_SINGLE if digits > DIGITS_OF_SINGLE => f64::from(f32::EPSILON),
+        _ => 0.0,
+    };
     // Numbers with a fixed number of places after the point have fewer digits where they are small.
     let place = all.map(|exact| exact.place).fold(f64::INFINITY, f64::min);
     let of_place = if place < size && size.is_finite() { place / size } else { 0.0 };
-    of_digits.max(of_single).max(of_place)
+    of_digits.max(of_bits).max(of_place)
 }
 
 /// The rounding of a record's numbers.

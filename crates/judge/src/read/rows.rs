@@ -1,8 +1,13 @@
 //! A record, row by row: one line in memory at a time.
 
 use crate::error::Error;
-use crate::read::{Columns, Exact, Header, Printed, Raw, Source, TimeColumn, last_place, significant};
-use crate::thresholds::{FIELD_SHOWN, LINE_BYTES, MOST_DIGITS_OF_SINGLE, ROWS_BEFORE_THE_END};
+use crate::read::{
+    Columns, Exact, Header, Printed, Raw, Separator, Source, TimeColumn, last_place, significant,
+    significant_bits,
+};
+use crate::thresholds::{
+    BITS_OF_SINGLE, FIELD_SHOWN, LINE_BYTES, MOST_DIGITS_OF_SINGLE, ROWS_BEFORE_THE_END,
+};
 use nalgebra::{Quaternion, Vector3};
 use std::io::BufRead;
 
@@ -31,8 +36,7 @@ impl<R: BufRead> Rows<R> {
             } else if !text.is_empty() {
                 let columns = Columns::of(text, line, header.step.is_some())?;
                 if matches!(columns.clock, TimeColumn::Steps(_)) && header.step.is_none() {
-                    let problem = "steps are counted, and their length is not given: a comment line `# dt: 0.01`, or a \
-                                   column `t`, is missing";
+                    let problem = "steps are counted, and their length is not given: a comment line `# dt: 0.01`, or a column `t`, is missing";
                     return Err(Error::Line { line, problem: problem.into() });
                 }
                 let (last, fields, rows, ended) = (None, Vec::new(), 0, None);
@@ -86,7 +90,7 @@ impl<R: BufRead> Source for Rows<R> {
 
 impl Exact {
     /// Of no number yet.
-    const NONE: Self = Self { digits: 0, single: true, place: f64::INFINITY };
+    const NONE: Self = Self { digits: 0, bits: 0, place: f64::INFINITY };
 
     fn take(&mut self, field: &str, value: f64) {
         self.digits = self.digits.max(significant(field));
@@ -95,7 +99,9 @@ impl Exact {
         // As it stands, or as decimals of it that lead back to it.
         let off = (f64::from(value as f32) - value).abs();
         let decimals = significant(field) <= MOST_DIGITS_OF_SINGLE;
-        self.single &= off == 0.0 || decimals && off <= 0.5000001 * place;
+        let is_single = decimals && off <= 0.5000001 * place;
+        let bits = significant_bits(value);
+        self.bits = self.bits.max(if is_single { bits.min(BITS_OF_SINGLE) } else { bits });
     }
 }
 
@@ -130,7 +136,9 @@ fn numbers(
                 continue; // a separator at the end of the line
             }
             let shown = shown(field);
-            let problem = format!("`{shown}` is one more field than there are columns ({there})");
+            let comma =
+                if columns.separator == Separator::One(',') { ": a decimal comma? Write points" } else { "" };
+            let problem = format!("`{shown}` is one more field than there are columns ({there}){comma}");
             return Err(wrong(problem));
         }
         if !columns.reads(i) {

@@ -46,8 +46,8 @@ pub(crate) struct Raw {
 pub(crate) struct Exact {
     /// The most significant digits of any.
     pub digits: u32,
-    /// Whether all fit single precision.
-    pub single: bool,
+    /// The most significant bits of any; 24 fit single precision, 11 half precision.
+    pub bits: u32,
     /// What a one is worth in the last place of the one that is written most finely.
     pub place: f64,
 }

@@ -16,6 +16,36 @@ fn turned(q: &Quaternion<f64>, omega: &Vector3<f64>, h: f64) -> Quaternion<f64> 
     attitude::product(q, &attitude::turn(&(omega * h)))
 }
 
+/// What becomes of a rule's step where the attitude does not turn as the rule has it; `by` is the turn by a
+/// spin.
+fn turned_otherwise(
+    turn: Turn,
+    (start, old): (&Quaternion<f64>, &Vector3<f64>),
+    (q, omega): End,
+    by: impl Fn(&Quaternion<f64>, &Vector3<f64>) -> Quaternion<f64>,
+) -> End {
+    let inside = |q: &Quaternion<f64>| attitude::product(&start.conjugate(), q) / start.norm_squared();
+    let seen = |from: &Quaternion<f64>, at: &Quaternion<f64>| {
+        let turned = attitude::rotation_matrix(at).tr_mul(&(attitude::rotation_matrix(from) * omega));
+        turned / (at.norm_squared() * from.norm_squared())
+    };
+    match turn {
+        Turn::Old | Turn::Late | Turn::Early | Turn::Otherwise => (by(start, old), omega),
+        Turn::BodyInWorld => (attitude::product(&inside(&q), start), omega),
+        Turn::WorldInBody => {
+            let end = attitude::product(&attitude::product(start, &q), &start.conjugate());
+            let end = end / start.norm_squared();
+            (end, seen(&q, &end))
+        }
+        Turn::TwiceBefore => (attitude::product(&by(start, old), &inside(&q)), omega),
+        Turn::TwiceAfter => (by(&q, &omega), omega),
+        Turn::Own => {
+            let omega = seen(&q, start);
+            (by(start, &omega), omega)
+        }
+    }
+}
+
 /// The body that a record is of.
 #[derive(Debug, Clone)]
 pub(crate) struct Subject {
@@ -123,10 +153,11 @@ impl Subject {
     fn after(&self, rule: &Rule, from: &Row, h: f64) -> Option<End> {
         let start = from.start();
         let base = |from: &Row, h: f64| self.based(rule.base, from, h);
-        let with = |omega: Vector3<f64>| match rule.base {
-            Base::Straight(..) => (turned_straight(&start, &omega, h), omega),
-            _ => (turned(&start, &omega, h), omega),
+        let by = |q: &Quaternion<f64>, omega: &Vector3<f64>| match rule.base {
+            Base::Straight(..) => turned_straight(q, omega, h),
+            _ => turned(q, omega, h),
         };
+        let with = |omega: Vector3<f64>| (by(&start, &omega), omega);
         let Some(alteration) = rule.alteration else { return base(from, h) };
         match alteration {
             Alteration::OtherMoments(moments, axes) => {
@@ -143,8 +174,11 @@ impl Subject {
                 base(from, h).map(|(q, omega)| (q, omega * factor))
             }
             // The spin's own equation has no other term: a multiple of it acts for that multiple of the time.
-            Alteration::Term(times) => Some(with(base(from, h * times)?.1)),
-            Alteration::Turned(_) => Some((turned(&start, &from.omega, h), base(from, h)?.1)),
+            Alteration::Term(times) | Alteration::TermOrTimes(times) => Some(with(base(from, h * times)?.1)),
+            Alteration::Times(times) => base(from, h * times),
+            Alteration::Turned(turn) => {
+                Some(turned_otherwise(turn, (&start, &from.omega), base(from, h)?, by))
+            }
             Alteration::Capped(most) => {
                 let (q, omega) = base(from, h)?;
                 let speed = omega.norm();
@@ -203,10 +237,21 @@ impl Subject {
             return self.residual_of_turns(rule, pair, &ahead).unwrap_or(f64::INFINITY);
         }
         let Some((mut q, omega)) = self.after(rule, &pair.from, pair.h) else { return f64::INFINITY };
+        let based = |omega| self.based(rule.base, &Row { omega, ..pair.from }, pair.h);
         if rule.alteration == Some(Alteration::Turned(Turn::Late)) {
             // The spin of this row stands in the next one.
-            let from = Row { omega: pair.to.omega, ..pair.from };
-            q = self.based(rule.base, &from, pair.h).map_or(q, |end| end.0);
+            q = based(pair.to.omega).map_or(q, |end| end.0);
+        } else if rule.alteration == Some(Alteration::Turned(Turn::Early)) {
+            // That of this row stood in the last one: it is the one that the rule takes here.
+            let mut before = pair.from.omega;
+            for _ in 0..RULE_ROUNDS {
+                let Some((turned, after)) = based(before) else { return f64::INFINITY };
+                let left = pair.from.omega - after;
+                (q, before) = (turned, before + left);
+                if left.norm() <= f64::EPSILON * after.norm() {
+                    break;
+                }
+            }
         }
         let speed = pair.to.omega.norm().max(pair.from.omega.norm()).max(f64::MIN_POSITIVE);
         let spin = (omega - pair.to.omega).norm() / speed;

@@ -3,7 +3,8 @@
 use crate::read::{Floor, Known, Pair};
 use crate::rule::diagnosis::{Jump, Ranked, jumps};
 use crate::rule::tried::explained;
-use crate::rule::{Alteration, Explanation, PHYSICS_ENGINES, Rule, Subject, Turn};
+use crate::rule::unnamed::are_repeated;
+use crate::rule::{Alteration, Base, Explanation, PHYSICS_ENGINES, Rule, Subject, Turn};
 use crate::thresholds::{ERROR_ABOVE, FITS_EXACT, NEAR, NEAR_RATIO, SPIN_ABOVE, TRIED_SHARE};
 
 /// How sure a diagnosis is.
@@ -33,6 +34,10 @@ pub enum Confidence {
     Altered,
     /// Rows lie on straight lines between others: they are interpolated.
     Interpolated,
+    /// Rows are written more than once, under other times.
+    Repeated,
+    /// Rows scatter about a smooth motion: half precision, or a noisy sensor.
+    Scattered,
     /// None of the rules known here.
     NoneFits,
 }
@@ -57,6 +62,8 @@ impl Confidence {
             Self::Accurate => "accurate",
             Self::Altered => "altered",
             Self::Interpolated => "interpolated",
+            Self::Repeated => "repeated",
+            Self::Scattered => "scattered",
             Self::NoneFits => "none fits",
         }
     }
@@ -81,8 +88,14 @@ pub(super) fn confidence_in(
     let much = |above: f64| explains_much(subject, pairs, best, floor, above);
     let clear = is_exact || much(ERROR_ABOVE[fitted]);
     let jumps = if closely { jumps(subject, pairs, &best.rule, floor) } else { None };
-    let confidence = if share < TRIED_SHARE {
+    // An exact spin alone says nothing of what turned the attitude.
+    let of_spin = best.rule == Base::Exact.but(Alteration::Turned(Turn::Otherwise));
+    let confidence = if are_repeated(pairs) {
+        Confidence::Repeated
+    } else if share < TRIED_SHARE {
         Confidence::FewSteps
+    } else if of_spin {
+        Confidence::NoneFits
     } else if (closely || best.fits(floor)) && !clear {
         Confidence::SmallErrors
     } else if let Some(jumps) = jumps.filter(|jumps| best.fits(floor) || !jumps.is_empty()) {

@@ -78,7 +78,7 @@ pub struct Diagnosis {
     /// first.
     pub engines: Vec<String>,
     /// Of an accurate rule that is not known the error of a step, as a share of what the gyroscopic term
-    /// changes of the spin in it.
+    /// changes of the spin in it; of rows that scatter by how much, relative to the spin.
     pub error: Option<f64>,
     /// The steps that are not the rule's, where they are few.
     pub jumps: Vec<Jump>,
@@ -90,6 +90,8 @@ pub struct Diagnosis {
     pub single: bool,
     /// Whether they are of fewer digits.
     pub(crate) few: bool,
+    /// The rounding of the numbers, relative to 1.
+    pub(crate) rounding: f64,
     /// Whether the record fails, whatever its rule.
     pub(crate) fails: bool,
 }
@@ -121,7 +123,8 @@ impl Diagnosis {
     pub(crate) fn is_open(&self) -> bool {
         let nearest = self.best.rule.base == Base::Exact && !matches!(self.confidence, Confidence::Altered);
         let unnamed = !self.confidence.names_a_rule() && self.confidence != Confidence::FewDigits;
-        self.fails && nearest && unnamed
+        let of_rows = matches!(self.confidence, Confidence::Repeated | Confidence::Scattered);
+        of_rows || self.fails && nearest && unnamed
     }
 
     /// What would decide between the rules that explain the record alike.
@@ -131,9 +134,12 @@ impl Diagnosis {
         match self.confidence {
             Confidence::FewSteps => Some("a row at every step"),
             Confidence::SmallErrors => Some("a faster spin, or longer steps"),
-            Confidence::NoneFits | Confidence::Accurate | Confidence::Altered | Confidence::Interpolated => {
-                None
-            }
+            Confidence::NoneFits
+            | Confidence::Accurate
+            | Confidence::Altered
+            | Confidence::Interpolated
+            | Confidence::Repeated
+            | Confidence::Scattered => None,
             _ if !open => None,
             _ if self.single || self.few => Some(
                 "all digits that the engine has (17 of double precision), a faster spin, or longer steps",
@@ -275,6 +281,16 @@ fn changes(subject: &Subject, pairs: &[Pair], rule: &Rule) -> [Vector2<f64>; 2] 
     steps.fold([Vector2::zeros(); 2], |[own, seen], [from, end, to]| [own + end - from, seen + to - from])
 }
 
+/// Whether a record drifts otherwise than a rule that comes near to it: what is left of a rule without fitted
+/// numbers is random, and what it keeps is kept.
+fn drifts_from(subject: &Subject, pairs: &[Pair], best: &Explanation, whole: &Whole) -> bool {
+    let rule = best.rule;
+    let is_plain = rule.alteration.is_none() && !matches!(rule.base, Base::MomentumForSpin(_));
+    let [own, seen] = changes(subject, pairs, &rule);
+    let drifts = is_plain && (own - seen).amax() > BIASED[0] * best.median * (pairs.len() as f64).sqrt();
+    drifts || whole.unkept.iter().any(|law| rule.keeps(*law))
+}
+
 /// Tries every candidate on the sample.
 pub(crate) fn diagnose(
     subject: &Subject,
@@ -289,15 +305,8 @@ pub(crate) fn diagnose(
     let found = tried(subject, pairs, known, sought);
     let (mut ranked, mut error) = (Ranked::of(&found, floor)?, None);
     let (mut confidence, mut jumps) = confidence_in(subject, pairs, &ranked, known, whole.share);
-    if confidence == Confidence::Near {
-        let Explanation { rule, median, .. } = ranked.best;
-        // What is left of a rule without fitted numbers is random, and what it keeps is kept.
-        let is_plain = rule.alteration.is_none() && !matches!(rule.base, Base::MomentumForSpin(_));
-        let [own, seen] = changes(subject, pairs, &rule);
-        let drifts = is_plain && (own - seen).amax() > BIASED[0] * median * (pairs.len() as f64).sqrt();
-        if drifts || whole.unkept.iter().any(|law| rule.keeps(*law)) {
-            confidence = Confidence::NoneFits;
-        }
+    if confidence == Confidence::Near && drifts_from(subject, pairs, &ranked.best, whole) {
+        confidence = Confidence::NoneFits;
     }
     if confidence == Confidence::NoneFits && !sought {
         (ranked, confidence, error) = unnamed(subject, pairs, &found, ranked, whole.fails, floor);
@@ -333,6 +342,7 @@ pub(crate) fn diagnose(
         jumps,
         single: floor.single,
         few: floor.few,
+        rounding: floor.size,
         fails: whole.fails,
     })
 }

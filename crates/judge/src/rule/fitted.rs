@@ -1,11 +1,11 @@
 //! Candidates with numbers in them, each fitted to the record before it is held against it.
 
 use crate::law::LawName;
-use crate::read::{Pair, least, median, normal, ordered, slopes};
+use crate::read::{Pair, least, median, normal, ordered, simplest, slopes, times_the_turn};
 use crate::rule::{Alteration, Base, Rule, Subject, Turn, When};
 use crate::thresholds::{
-    BEYOND, CAPPED_ROWS, DAMPED, DAMPED_ROUNDINGS, FITTED_STEPS, JOLT, NEAR_A_TERM, OTHER_BODY, RATE_APART,
-    ROUND_RATE, UNKNOWN_BODY,
+    BEYOND, CAPPED_ROUNDINGS, CAPPED_ROWS, DAMPED, DAMPED_ROUNDINGS, FITTED_STEPS, JOLT, NEAR_A_TERM,
+    OTHER_BODY, RATE_APART, ROUND_RATE, STEPS_PER_ROW_MOST, UNKNOWN_BODY,
 };
 use nalgebra::{Matrix3, Rotation3, SVector, UnitQuaternion, Vector3};
 use tumbling::PrincipalMoments;
@@ -42,7 +42,8 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
     let few = some(pairs, FITTED_STEPS);
     let with_attitude = pairs.first().is_some_and(|pair| pair.from.attitude.is_some());
     let of_spin = pairs.iter().all(|pair| pair.to.ahead.is_none());
-    let term = times_the_term(subject, &few);
+    let (term, turned) =
+        (times_the_term(subject, &few), with_attitude.then(|| times_the_turn(few.iter().copied())));
     let mut all = Vec::new();
     for base in Base::all() {
         // Spins alone do not show whether they are damped before or after the turn, nor turns alone on which
@@ -61,23 +62,53 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
         }
         // A rule that keeps the laws goes along the exact motion's curve, at any rate that a number gives; an
         // accurate one nearly so.
-        let is_accurate = matches!(base, Base::Method(method, _) if method.info().order > 2);
+        // The mean spin turns the attitude alone.
+        let is_accurate = matches!(base, Base::Method(method, _) if method.info().order > 2
+            || !with_attitude && method == Method::MeanSpinRungeKutta4);
         let keeps = is_accurate || Rule::plain(base).keeps(LawName::Separatrix);
         let far = if keeps { RATE_APART } else { NEAR_A_TERM[1] };
         let is_still = matches!(base, Base::Method(Method::ConstantSpin, _));
         if !is_still && (!keeps || base == Base::Exact) && term.is_finite() {
-            let rule = |times: &SVector<f64, 1>| base.but(Alteration::Term(times.x));
+            let rule = |times: &SVector<f64, 1>| base.but(Alteration::TermOrTimes(times.x));
             let fitted = least([term].into(), |times| misses(subject, &few, &rule(times)), |times| times);
-            let other = fitted.filter(|times| (times.x - 1.0).abs() > far && times.x.abs() > NEAR_A_TERM[1]);
-            all.extend(other.map(|times| rule(&times)));
+            let other = fitted.map(|times| times.x);
+            let other = other.filter(|times| (times - 1.0).abs() > far && times.abs() > NEAR_A_TERM[1]);
+            all.extend(other.into_iter().flat_map(|times| multiples(times, turned).map(|how| base.but(how))));
         }
-        all.extend(capped(pairs).map(|most| base.but(Alteration::Capped(most))));
+        all.extend(capped(pairs, rounding).map(|most| base.but(Alteration::Capped(most))));
+    }
+    if !with_attitude && term > 1.5 {
+        // Rows that are left out, with the rest counted as if they were not.
+        let rows = (term.min(STEPS_PER_ROW_MOST) - 0.5) as u32..=term.min(STEPS_PER_ROW_MOST) as u32 + 1;
+        let left_out = |rows: u32| {
+            Base::every().map(move |base| base.in_parts(rows).but(Alteration::TermOrTimes(f64::from(rows))))
+        };
+        all.extend(rows.flat_map(left_out));
     }
     if with_attitude && of_spin {
-        let turned = |base: Base| [Turn::Old, Turn::Late].map(|turn| base.but(Alteration::Turned(turn)));
-        all.extend(Base::all().into_iter().chain(Base::every()).flat_map(turned));
+        let turned = |turns: &'static [Turn]| {
+            move |base: Base| turns.iter().map(move |&turn| base.but(Alteration::Turned(turn)))
+        };
+        all.extend(Base::all().into_iter().chain(Base::every()).flat_map(turned(&[Turn::Old, Turn::Late])));
+        let others = Base::all().into_iter().chain([Base::PositionStage(1)]);
+        all.extend(others.flat_map(turned(&Turn::OTHERS)));
     }
     all
+}
+
+/// What a multiple of the gyroscopic term may be, by how many times as far as the spin says the attitude
+/// turns, if there is one.
+fn multiples(times: f64, turned: Option<f64>) -> impl Iterator<Item = Alteration> {
+    let of_times = turned.is_some_and(|turned| (turned - 1.0).abs() > (times - 1.0).abs() / 2.0);
+    let one = match turned {
+        _ if times < 0.0 => Alteration::Term(times),
+        None => Alteration::TermOrTimes(times),
+        Some(_) if of_times => Alteration::Times(times),
+        Some(_) => Alteration::Term(times),
+    };
+    let simplest = simplest(times);
+    let exact = (of_times && simplest != times).then_some(Alteration::Times(simplest));
+    exact.into_iter().chain([one])
 }
 
 /// How many times the gyroscopic term the changes of spin are, in the mean.
@@ -187,9 +218,11 @@ fn rate(factor: f64, h: f64) -> f64 {
 }
 
 /// The greatest spin, if many rows have it.
-fn capped(pairs: &[Pair]) -> Option<f64> {
+fn capped(pairs: &[Pair], rounding: f64) -> Option<f64> {
     let most = pairs.iter().map(|pair| pair.to.omega.norm()).fold(0.0, f64::max);
-    let there = pairs.iter().filter(|pair| pair.to.omega.norm() >= most * (1.0 - BEYOND)).count();
+    let near = most * (1.0 - BEYOND.max(CAPPED_ROUNDINGS * rounding));
+    let there: Vec<f64> = pairs.iter().map(|pair| pair.to.omega.norm()).filter(|x| *x >= near).collect();
     let [least, share] = CAPPED_ROWS;
-    (most.is_normal() && there >= least && there * share >= pairs.len()).then_some(most)
+    let many = there.len() >= least && there.len() * share >= pairs.len();
+    (most.is_normal() && many).then(|| there.iter().sum::<f64>() / there.len() as f64)
 }

@@ -82,10 +82,28 @@ impl Alteration {
                 Some((_, words)) => (*words).into(),
                 None => format!("{} times the gyroscopic term", significant(*times)),
             },
+            Self::TermOrTimes(times) => {
+                format!("either {}, or {}", Self::Term(*times).name(), Self::Times(*times).name())
+            }
+            Self::Times(times) => {
+                let (size, way) = if times.abs() < 1.0 { (1.0 / times, "long") } else { (*times, "short") };
+                format!("times that are {} times too {way}", (size * 1e4).round() / 1e4)
+            }
             Self::Turned(Turn::Old) => {
                 "the attitude turned by the old spin (or each spin written a row early)".into()
             }
             Self::Turned(Turn::Late) => "each spin written a row late".into(),
+            Self::Turned(Turn::Early) => "each spin written a row early".into(),
+            Self::Turned(Turn::BodyInWorld) => {
+                "the attitude turned on the wrong side (dq * q by a spin in body axes)".into()
+            }
+            Self::Turned(Turn::WorldInBody) => {
+                "the attitude turned on the wrong side (q * dq by a spin in world axes)".into()
+            }
+            Self::Turned(Turn::TwiceBefore | Turn::TwiceAfter) => "the attitude turned twice a step".into(),
+            Self::Turned(Turn::Own) => {
+                "the attitude turned by the new spin in the world, and not with it".into()
+            }
             Self::Turned(Turn::Otherwise) => "the attitude turned otherwise than by this rule".into(),
             Self::Capped(most) => format!("a cap on the spin ({} rad/s)", significant(*most)),
         }

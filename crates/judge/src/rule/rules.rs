@@ -55,6 +55,10 @@ pub enum Alteration {
     },
     /// The gyroscopic term is multiplied by this number.
     Term(f64),
+    /// The gyroscopic term, or the times: spins alone do not distinguish these.
+    TermOrTimes(f64),
+    /// The times are too short by this factor: spin and attitude both go as far as in so many times the step.
+    Times(f64),
     /// The spin is the rule's, and the attitude does not turn by it.
     Turned(Turn),
     /// There is no spin beyond this, rad/s.
@@ -68,8 +72,31 @@ pub enum Turn {
     Old,
     /// By the spin of the row after: each spin stands a row late.
     Late,
+    /// By the spin of the row before: each spin stands a row early.
+    Early,
+    /// On the other side: by a spin in body axes as if it were in the world's.
+    BodyInWorld,
+    /// On the other side: by a spin in world axes as if it were in the body's.
+    WorldInBody,
+    /// Once more by the old spin, before the rule does.
+    TwiceBefore,
+    /// Once more by the new spin, after the rule has.
+    TwiceAfter,
+    /// By the new spin in the world, in place of the turn that this spin belongs to.
+    Own,
     /// Otherwise.
     Otherwise,
+}
+
+impl Turn {
+    /// Those of a turn in the wrong place or by the wrong spin, as they are tried.
+    pub(crate) const OTHERS: [Self; 6] =
+        [Self::Early, Self::BodyInWorld, Self::WorldInBody, Self::TwiceBefore, Self::TwiceAfter, Self::Own];
+
+    /// Whether row and row are of different instants, of a rule that may be right.
+    pub(crate) const fn is_of_rows(self) -> bool {
+        matches!(self, Self::Old | Self::Late | Self::Early | Self::Otherwise)
+    }
 }
 
 /// Of what order the frozen tensor's spin is stepped.
@@ -140,7 +167,9 @@ impl Rule {
             Some(Alteration::Damped { when, .. }) => {
                 vec![with(Alteration::Damped { factor: 1.0, rate: 0.0, when })]
             }
-            Some(Alteration::Term(_)) => [0.0, 1.0].map(|times| with(Alteration::Term(times))).to_vec(),
+            Some(Alteration::Term(_) | Alteration::TermOrTimes(_)) => {
+                [0.0, 1.0].map(|times| with(Alteration::Term(times))).to_vec()
+            }
             // Of the spin alone.
             Some(Alteration::Turned(Turn::Otherwise)) => vec![Self { base: Base::Exact, ..*self }],
             Some(_) => vec![Self::plain(self.base)],
@@ -154,7 +183,10 @@ impl Rule {
 
     /// Whether it says nothing of the attitude.
     pub(crate) const fn is_of_spin(&self) -> bool {
-        matches!(self.alteration, Some(Alteration::Term(_) | Alteration::Turned(Turn::Otherwise)))
+        matches!(
+            self.alteration,
+            Some(Alteration::Term(_) | Alteration::TermOrTimes(_) | Alteration::Turned(Turn::Otherwise))
+        )
     }
 
     /// Of a body whose moments are this many times as large.

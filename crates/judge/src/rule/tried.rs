@@ -6,7 +6,9 @@ use crate::rule::{
     Alteration, Base, Explanation, Rule, Subject, Turn, compound, frozen_at, in_parts, momentum_for_spin,
     of_parts, other_bodies, plain,
 };
-use crate::thresholds::{ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, AS_EXACT, CLEAR, PARTS, TRIED_IN_PARTS};
+use crate::thresholds::{
+    ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, AS_EXACT, CLEAR, NEAR_RATIO, PARTS, TRIED_IN_PARTS,
+};
 use tumbling::step::Method;
 
 /// Rules with numbers that are fitted to the pairs, of numbers with this rounding.
@@ -59,7 +61,12 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
         }
     }
     let with_attitude = pairs.first().is_some_and(|pair| pair.from.attitude.is_some());
-    if free && with_attitude && !sought && !fits(&found) {
+    // A turn that is nearly all of it is a better answer than none.
+    let exact = found.iter().find(|x| x.rule == Rule::EXACT).map_or(0.0, |x| x.median);
+    let is_turned = |x: &Explanation| {
+        matches!(x.rule.alteration, Some(Alteration::Turned(_))) && x.median * NEAR_RATIO < exact
+    };
+    if free && with_attitude && !sought && !fits(&found) && !found.iter().any(is_turned) {
         // Of the rules of engines alone: of a spin that hardly changes, those of one order make the same.
         let of_engine = |base: &Base| *base == Base::Exact || !Rule::plain(*base).engines().is_empty();
         let otherwise = |base: Base| explained(base.but(Alteration::Turned(Turn::Otherwise)));
@@ -69,11 +76,15 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
 }
 
 /// Rules that make the steps of one that fits, though not by name: a straight turn by the new spin is one by
-/// the old where the spins are a row late, and the position stage cuts a long step by itself.
+/// the old where the spins are a row late, and the other way round, and the position stage cuts a long step
+/// by itself.
 fn equals(found: &[Explanation], floor: Floor) -> Vec<Rule> {
     let equal = |x: &Explanation| match x.rule.base {
         Base::Straight(Method::SemiImplicitEuler, parts) => {
             vec![Base::Method(Method::ExplicitEuler, parts).but(Alteration::Turned(Turn::Late))]
+        }
+        Base::Method(Method::ExplicitEuler, parts) => {
+            vec![Base::Straight(Method::SemiImplicitEuler, parts).but(Alteration::Turned(Turn::Early))]
         }
         Base::PositionStage(1) => PARTS.map(|parts| Rule::plain(Base::PositionStage(parts))).to_vec(),
         _ => Vec::new(),

@@ -4,10 +4,12 @@ use crate::read::{Floor, Pair, median};
 use crate::rule::diagnosis::Ranked;
 use crate::rule::tried::explained;
 use crate::rule::{Alteration, Base, Confidence, Explanation, Rule, Subject};
-use crate::thresholds::{ABOVE_ROUNDING, ACCURATE, ALTERED, CLEAR, NEAR, STRAIGHT};
+use crate::thresholds::{
+    ABOVE_ROUNDING, ACCURATE, ALTERED, CLEAR, NEAR, SCATTERED_ROWS, STRAIGHT, TAKEN_BACK,
+};
 
 /// The exact motion with a number altered, if that explains nearly all of its error; an accurate rule, and
-/// the error of its steps; interpolated rows; or none.
+/// the error of its steps; interpolated rows; rows that scatter, and by how much; or none.
 pub(super) fn unnamed(
     subject: &Subject,
     pairs: &[Pair],
@@ -28,8 +30,28 @@ pub(super) fn unnamed(
     if error.is_some() {
         return (Ranked { second: ranked.second, ..alone(exact) }, Confidence::Accurate, error);
     }
-    let straight = are_interpolated(pairs, floor);
-    (ranked, if straight { Confidence::Interpolated } else { Confidence::NoneFits }, None)
+    if are_interpolated(pairs, floor) {
+        return (ranked, Confidence::Interpolated, None);
+    }
+    let scatter = scatter(subject, pairs);
+    (ranked, if scatter.is_some() { Confidence::Scattered } else { Confidence::NoneFits }, scatter)
+}
+
+/// By how much the spins scatter about a smooth motion, relative to them, if that is most of what is seen:
+/// what one row is off by, the next step takes back, while the errors of a rule go on.
+fn scatter(subject: &Subject, pairs: &[Pair]) -> Option<f64> {
+    let off =
+        |pair: &Pair| Some((pair.to.omega - subject.spin_after(&Rule::EXACT, pair)?) / pair.to.omega.norm());
+    let both =
+        |two: &[Pair]| Some([off(&two[0])?, off(&two[1])?]).filter(|_| two[0].to.line == two[1].from.line);
+    let (mut own, mut next, mut count) = (0.0, 0.0, 0.0);
+    for [first, second] in pairs.windows(2).filter_map(both) {
+        own += (first.norm_squared() + second.norm_squared()) / 2.0;
+        next += first.dot(&second);
+        count += 1.0;
+    }
+    // Of noise alone it is half.
+    (next < -TAKEN_BACK * own && count >= SCATTERED_ROWS).then(|| (own / (6.0 * count)).sqrt())
 }
 
 /// The exact motion with one number altered that explains the record best, and how many times as well as
@@ -39,7 +61,10 @@ fn altered<'a>(
     pairs: &[Pair],
     found: &'a [Explanation],
 ) -> (Option<&'a Explanation>, f64) {
-    let is_one = |altered| matches!(altered, Some(Alteration::Damped { .. } | Alteration::Term(_)));
+    let is_one = |altered| {
+        use Alteration::{Damped, Term, TermOrTimes, Times};
+        matches!(altered, Some(Damped { .. } | Term(_) | TermOrTimes(_) | Times(_)))
+    };
     let one = |x: &&Explanation| x.rule.base == Base::Exact && is_one(x.rule.alteration);
     let times = |x: &Explanation| {
         let without = x.rule.neutral().into_iter().filter_map(|rule| explained(subject, pairs, rule));
@@ -48,6 +73,13 @@ fn altered<'a>(
     };
     let best = found.iter().filter(one).max_by(|a, b| times(a).total_cmp(&times(b)));
     (best, best.map_or(0.0, times))
+}
+
+/// Whether some of the rows are the rows before them, under other times.
+pub(super) fn are_repeated(pairs: &[Pair]) -> bool {
+    let same = |pair: &&Pair| pair.from.omega == pair.to.omega && pair.from.attitude == pair.to.attitude;
+    let count = pairs.iter().filter(same).count();
+    count < pairs.len() && count as f64 > STRAIGHT[1] * pairs.len() as f64
 }
 
 /// Whether some of the rows lie on a straight line between those before and after.

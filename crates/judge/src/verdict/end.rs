@@ -1,12 +1,15 @@
 //! The end of a trial: what its laws and steps come to, as one verdict.
 
 use crate::law::LawName;
-use crate::laws::{Complaint, FlipCount, Law, Trial};
+use crate::laws::{Complaint, FlipCount, Law, Seen, Trial};
 use crate::options::Options;
-use crate::read::{Fit, Kind};
-use crate::rule::{Subject, Whole, diagnose};
-use crate::thresholds::{ENOUGH_CHANGE, ENOUGH_ROWS, LAW_ROUNDINGS, STILL};
+use crate::read::{Fit, Kind, Pair, median, unit};
+use crate::rule::{Advice, Subject, Whole, diagnose};
+use crate::thresholds::{
+    ENOUGH_CHANGE, ENOUGH_ROWS, LAW_ROUNDINGS, NEARER_READING, PACE_APART, STILL, TURNS_AGREE,
+};
 use crate::verdict::{Outcome, Recording, Verdict, spin_faults, wrong_pace, wrong_rule};
+use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
 
 /// A trial that is over, and what it is held to.
@@ -30,12 +33,15 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, fit: Option<Fit>, options
     let floor = trial.known.floor.size;
     let end = End { trial: &trial, subject, options, laws: &laws, flips: flips.as_ref(), still };
     let mut complaints = end.complaints();
-    let diagnosis =
+    let mut diagnosis =
         if still { None } else { diagnose(subject, &trial.sample, &trial.known, &end.whole(&complaints)) };
     if free && trial.rows >= ENOUGH_ROWS {
         complaints.extend(diagnosis.as_ref().and_then(wrong_rule));
     }
     let outcome = end.outcome(complaints.is_empty());
+    if let Some(found) = diagnosis.as_mut().filter(|_| outcome == Outcome::TooShort) {
+        found.advice = vec![Advice::LONGER];
+    }
     if let Some(named) = diagnosis.as_ref().filter(|found| found.confidence.names_a_rule()) {
         // What the rule does not keep is no rounding where it is more than that of the numbers.
         let graded = trial.laws.kept(|_| Some(0.0));
@@ -138,10 +144,10 @@ impl End<'_> {
         if sample.seen() == 0 {
             all.push(Complaint::NoSteps);
         }
-        all.extend(self.otherwise().map(|off| Complaint::Otherwise { off }));
+        all.extend(self.otherwise().map(|off| Complaint::Otherwise { off, seen: turned(sample.pairs()) }));
         if self.free() && *rows >= ENOUGH_ROWS {
             let first = laws.separatrix().map(|x| x[0]);
-            all.extend(wrong_pace(self.laws, first, laws.ways_round(), self.options));
+            all.extend(wrong_pace(self.laws, first, laws.periods(), self.options));
         }
         all
     }
@@ -165,6 +171,28 @@ impl End<'_> {
         } else {
             Outcome::Passed
         }
+    }
+}
+
+/// How the attitude turns where most steps do not turn it by the spin.
+fn turned(pairs: &[Pair]) -> Option<Seen> {
+    let middle = |of: fn(Vector3<f64>, Vector3<f64>, Matrix3<f64>) -> f64| {
+        median(pairs.iter().filter_map(|pair| {
+            let start = unit(&pair.from.attitude?).to_rotation_matrix().into_inner();
+            Some(of(pair.turn()? / pair.h, (pair.from.omega + pair.to.omega) / 2.0, start))
+        }))
+    };
+    let plain = middle(|turn, spin, _| (turn - spin).norm() / spin.norm());
+    let body = middle(|turn, spin, start| (start * turn - spin).norm() / spin.norm());
+    let world = middle(|turn, spin, start| (turn - start * spin).norm() / spin.norm());
+    let times = middle(|turn, spin, _| turn.dot(&spin) / spin.norm_squared());
+    let across = middle(|turn, spin, _| turn.cross(&spin).norm() / (turn.norm() * spin.norm()));
+    let agrees = |off: f64| off < TURNS_AGREE;
+    match (agrees(plain), agrees(body.min(world)), agrees(across)) {
+        (true, ..) => None,
+        (_, true, _) => Some(if body <= world { Seen::BodyInWorld } else { Seen::WorldInBody }),
+        (.., true) => ((times - 1.0).abs() > PACE_APART).then_some(Seen::Times(times)),
+        _ => (across > NEARER_READING).then_some(Seen::OtherAxis),
     }
 }
 

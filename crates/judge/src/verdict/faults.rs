@@ -38,7 +38,11 @@ const fn is_wrong(rule: &Rule) -> bool {
         }
         _ => true,
     };
-    base || !matches!(rule.alteration, None | Some(Alteration::Turned(_)))
+    let altered = match rule.alteration {
+        Some(Alteration::Turned(turn)) => !turn.is_of_rows(),
+        other => other.is_some(),
+    };
+    base || altered
 }
 
 /// A phase that ran away, where the caller has set no limit of its own for it. So near the separatrix that
@@ -47,7 +51,7 @@ const fn is_wrong(rule: &Rule) -> bool {
 pub(crate) fn wrong_pace(
     laws: &[Law],
     first: Option<f64>,
-    ways: f64,
+    periods: f64,
     options: &Options,
 ) -> Option<Complaint> {
     let separatrix = laws.iter().find(|law| law.name == LawName::Separatrix && options.allows(law));
@@ -55,7 +59,7 @@ pub(crate) fn wrong_pace(
         return None;
     }
     let phase = laws.iter().find(|law| law.name == LawName::Phase)?;
-    let allowed = PHASE + PHASE * ways;
+    let allowed = PHASE + PHASE * periods;
     let wrong = options.allowed(LawName::Phase).is_none() && phase.most > allowed;
-    wrong.then_some(Complaint::WrongPace { off: phase.most, ways, allowed })
+    wrong.then_some(Complaint::WrongPace { off: phase.most, periods, allowed })
 }

@@ -1,7 +1,7 @@
 //! A diagnosis in words.
 
 use crate::rule::{Advice, Confidence, Diagnosis, Jump, Rule};
-use crate::thresholds::RULES_NAMED;
+use crate::thresholds::{DIGITS_OF_A_SENSOR, RULES_NAMED};
 use crate::verdict::plain_number;
 use std::fmt;
 
@@ -41,6 +41,8 @@ impl Diagnosis {
             Confidence::Interpolated => {
                 "The rows are interpolated between the engine's steps, and name no rule. Nearest is"
             }
+            Confidence::Repeated => "Rows are written twice, and name no rule. Nearest is",
+            Confidence::Scattered => "The rows scatter about a smooth motion, and name no rule. Nearest is",
             Confidence::Altered => "None of the known rules fits. What is seen is",
             Confidence::NoneFits if self.few => {
                 "Too few digits to name a rule, and none of those known fits. Nearest is"
@@ -64,7 +66,10 @@ impl Diagnosis {
             (_, count) => format!("Every step but {count}, which are jumps, is made by: {}", names[0]),
         };
         let mut lines = vec![words];
-        let unsaid = matches!(self.confidence, Confidence::FewDigits | Confidence::NoneFits);
+        let unsaid = {
+            use Confidence::{FewDigits, NoneFits, Repeated, Scattered};
+            matches!(self.confidence, FewDigits | NoneFits | Repeated | Scattered)
+        };
         if !self.engines.is_empty() && !unsaid {
             lines.push(format!("as in {}", self.engines.join("; or in ")));
         }
@@ -85,6 +90,16 @@ impl Diagnosis {
         if self.share < 1.0 {
             lines.push(format!("{:.0} % of the rows follow the one before by one step", 100.0 * self.share));
         }
+        // Beyond the digits that are printed those that are sound count.
+        let (scatter, few) = (self.error.filter(|_| self.confidence == Confidence::Scattered), self.few);
+        lines.extend(scatter.or(few.then_some(self.rounding)).map(|off| {
+            let like = match (off > DIGITS_OF_A_SENSOR, scatter) {
+                (false, _) => "",
+                (true, None) => ", as of half precision",
+                (true, Some(_)) => ", as of half precision or a noisy sensor",
+            };
+            format!("digits: about {:.0}{like}", -off.log10())
+        }));
         lines.extend(match self.confidence {
             Confidence::FewDigits => {
                 let all = std::iter::once(&self.best.rule).chain(&self.alike).map(Rule::name);
@@ -114,7 +129,7 @@ impl Diagnosis {
             all.push(format!("next is {}, {} times as far", second.rule.name(), plain_number(ratio)));
         }
         all.extend(self.would_decide().map(|how| format!("what would decide: {how}")));
-        all.extend(self.error.map(|share| {
+        all.extend(self.error.filter(|_| self.confidence == Confidence::Accurate).map(|share| {
             format!(
                 "the error of a step is {} of what the gyroscopic term changes in it",
                 plain_number(share)

@@ -8,13 +8,14 @@ use nalgebra::Vector3;
 use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
-/// Of the keys: another one where a key goes or changes its meaning.
-const VERSION: u32 = 1;
+/// Of the keys: another one where a key goes or changes its meaning, or a word is new.
+pub(crate) const VERSION: u32 = 2;
 
 impl Verdict {
     /// All of it as one JSON object.
     ///
-    /// `version` is that of the keys. `report` is all of it in words, as [`Verdict::report`] has it; the
+    /// `version` is that of the keys: 2 since a grade may be `changed, then stayed`, and a confidence
+    /// `scattered` or `repeated`. `report` is all of it in words, as [`Verdict::report`] has it; the
     /// other keys are for programs. `curve` is the run in at most 256 points, to draw it by: an array for
     /// each of `time` (s), `energy` and `momentum` (errors as shares), `direction` (rad; null without
     /// attitudes), `phase` (periods; null where the motion has no period), and three arrays, one for each

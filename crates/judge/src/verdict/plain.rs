@@ -30,7 +30,7 @@ impl Law {
         match self.name {
             LawName::Energy | LawName::Momentum => " of itself",
             LawName::Direction => " rad",
-            LawName::Phase => " ways round",
+            LawName::Phase => " periods",
             LawName::Consistency => " of the spin",
             LawName::Unit | LawName::Separatrix => "",
         }
@@ -111,7 +111,7 @@ mod tests {
         assert_eq!(exponential(f64::INFINITY), "exponential: beyond counting");
         let linear = |name, rate| said(name, Growth::Linear { rate });
         assert_eq!(linear(LawName::Momentum, -1.5e-7), "linear: falls by 1.50 · 10⁻⁷ of itself a second");
-        assert_eq!(linear(LawName::Phase, -1.58), "linear: falls behind by 1.58 ways round a second");
+        assert_eq!(linear(LawName::Phase, -1.58), "linear: falls behind by 1.58 periods a second");
         assert_eq!(linear(LawName::Direction, 0.5), "linear: turns away by 0.500 rad a second");
         assert_eq!(
             said(LawName::Direction, Growth::RandomWalk { rate: 2e12 }),

@@ -1,11 +1,13 @@
 //! A verdict in words: one text, which the terminal prints and the page shows.
 
 use crate::law::LawName;
-use crate::laws::{Gaps, Law, Reset};
+use crate::laws::{Complaint, Gaps, Law, Reset};
 use crate::read::FileMistake;
 use crate::rule::{Confidence, Diagnosis, readable};
+use crate::thresholds::ENOUGH_ROWS;
 use crate::verdict::{Outcome, Verdict, capital, plain_number, sentence};
 use serde::Serialize;
+use std::f64::consts::TAU;
 use std::fmt;
 
 /// A part of a verdict in words: a title, and below it a table, lines, or both.
@@ -58,7 +60,9 @@ impl Verdict {
     fn seen(&self) -> Option<String> {
         self.diagnosis.as_ref().filter(|found| found.confidence == Confidence::NoneFits && found.fails)?;
         let each = self.broken().map(|law| format!("{}, {}", law.name.words(), law.plain()));
-        let all = each.collect::<Vec<_>>().join("; ");
+        let turned =
+            self.complaints.iter().filter(|x| matches!(x, Complaint::Otherwise { seen: Some(_), .. }));
+        let all = each.chain(turned.map(ToString::to_string)).collect::<Vec<_>>().join("; ");
         (!all.is_empty()).then(|| format!("what is seen: {all}"))
     }
 
@@ -70,6 +74,14 @@ impl Verdict {
                     "{}; or the step has the gyroscopic term with the wrong sign, or is of a body with other moments: spins alone do not distinguish these",
                     mistake.words()
                 )
+            }
+            (FileMistake::Times(times), _) => {
+                // What stands in the record, and what was put in its place.
+                let steps = self
+                    .record
+                    .step
+                    .map(|step| format!(" (rows dt = {:.6} s, put right {step:.6} s)", step / times));
+                mistake.words().replacen(':', &(steps.unwrap_or_default() + ":"), 1)
             }
             _ => mistake.words(),
         };
@@ -99,21 +111,27 @@ impl Verdict {
                 reasons.push("a torque acts, and the laws judged here are those of a free body".into());
             }
             Outcome::NothingToJudge if self.untraceable => reasons.push(
-                "the body turns so far from row to row that no number of double precision says where it should be. Record it \
-                 with shorter steps, and look at the units"
+                "the body turns so far from row to row that no number of double precision says where it should be. Record it with shorter steps, and look at the units"
                     .into(),
             ),
             Outcome::NothingToJudge => reasons.push(
                 "the spin is constant, as it is right for this start. Push the body off its principal axis".into(),
             ),
             Outcome::TooShort => reasons.push(
-                "no law is broken, and too little is seen to say more: it takes eight rows at least, in which the body turns \
-                 once round or its spin should change by a tenth"
-                    .into(),
+                format!(
+                    "no law is broken, and too little is seen to say more: it takes {ENOUGH_ROWS} rows or more, in which the body turns once round or its spin should change by a tenth. Record {} s or more of this body",
+                    plain_number(self.enough())
+                ),
             ),
         }
         reasons.extend(self.complaints.iter().map(ToString::to_string));
         reasons
+    }
+
+    /// How long a record of this body must be, s: once round, in rows enough.
+    fn enough(&self) -> f64 {
+        let once = self.curve.first().map_or(0.0, |first| TAU / first.spin.norm());
+        once.max(self.record.step.unwrap_or(0.0) * (ENOUGH_ROWS - 1) as f64)
     }
 
     /// What every law is kept within.
@@ -145,8 +163,7 @@ impl Verdict {
                 (true, false) => ", away from the separatrix at 1",
             };
             let line = format!(
-                "2 E I₂ / L² goes from {first:.6} to {last:.6}{toward} (E energy, I₂ the middle moment: below 1 the spin circles \
-                 the axis of the largest moment, above 1 that of the smallest)."
+                "2 E I₂ / L² goes from {first:.6} to {last:.6}{toward} (E energy, I₂ the middle moment: below 1 the spin circles the axis of the largest moment, above 1 that of the smallest)."
             );
             all.push(section("Separatrix", [line]));
         }

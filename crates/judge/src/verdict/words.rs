@@ -1,6 +1,6 @@
 //! The sentences of complaints, notes and resets: one for each, on a page, in a program or on a terminal.
 
-use crate::laws::{Complaint, Reset};
+use crate::laws::{Complaint, Reset, Seen};
 use crate::read::Note;
 use std::fmt;
 
@@ -27,16 +27,30 @@ impl fmt::Display for Complaint {
             }
             Self::TooFar { line, .. } => write!(f, "line {line}: {}. Judged up to there", self.problem()),
             Self::NoSteps => f.write_str("no two rows are one step apart: no rule can be tried"),
-            Self::Otherwise { off } => {
-                write!(f, "the attitude does not turn as the spin says, by up to {:.1} % of it", 100.0 * off)
+            Self::Otherwise { off, seen } => {
+                write!(
+                    f,
+                    "the attitude does not turn as the spin says, by up to {:.1} % of it",
+                    100.0 * off
+                )?;
+                match seen {
+                    None => Ok(()),
+                    Some(Seen::BodyInWorld) => {
+                        f.write_str(": it turns about a spin in body axes as if that were in the world's (dq * q, not q * dq)")
+                    }
+                    Some(Seen::WorldInBody) => {
+                        f.write_str(": it turns about a spin in world axes as if that were in the body's (q * dq, not dq * q)")
+                    }
+                    Some(Seen::Times(times)) => write!(f, ": it turns about the spin's axis, and {times:.3} times as far"),
+                    Some(Seen::OtherAxis) => f.write_str(": it turns about another axis"),
+                }
             }
             Self::WrongRule(rule) => {
                 write!(f, "every step is made by a rule that is wrong here: {}", rule.name())
             }
-            Self::WrongPace { off, ways, allowed } => write!(
+            Self::WrongPace { off, periods, allowed } => write!(
                 f,
-                "the spin is {off:.3} ways round from the exact one, which goes {ways:.3} ways round (allowed: {allowed:.3}, unless \
-                 a limit for phase says otherwise)"
+                "the phase of the spin is off by {off:.2} periods after {periods:.2} periods of the exact motion (allowed: {allowed:.2}, unless a limit for phase says otherwise)"
             ),
         }
     }
@@ -47,8 +61,7 @@ impl Complaint {
     pub(crate) fn problem(&self) -> String {
         match self {
             Self::TooFar { turn, .. } => format!(
-                "the attitude turns by {turn:.2} rad or more in one step, and attitudes alone do not distinguish a turn from one that goes \
-                 the other way round. Record the spin, or shorter steps"
+                "the attitude turns by {turn:.2} rad or more in one step, and attitudes alone do not distinguish a turn from one that goes the other way round. Record the spin, or shorter steps"
             ),
             other => other.to_string(),
         }
@@ -67,16 +80,14 @@ impl fmt::Display for Note {
             }
             Self::Flat { printed, missing, moments } => write!(
                 f,
-                "the largest moment is printed as {printed}, {missing:.1e} more than the others together, which no body has; its \
-                 printed digits leave that open, and a flat body of {}, {}, {} kg m2 is judged",
+                "the largest moment is printed as {printed}, {missing:.1e} more than the others together, which no body has; its printed digits leave that open, and a flat body of {}, {}, {} kg m2 is judged",
                 moments.x, moments.y, moments.z
             ),
             Self::EvenSteps { named, step } => {
                 let which = if *named { "that the header names" } else { "that they have in the mean" };
                 write!(
                     f,
-                    "the times are printed with few digits, and are taken as multiples of the step {which}, {step:.9} s as the \
-                     file counts"
+                    "the times are printed with few digits, and are taken as multiples of the step {which}, {step:.9} s as the file counts"
                 )
             }
             Self::StepsPerRow { named, steps } => {
@@ -84,8 +95,7 @@ impl fmt::Display for Note {
             }
             Self::OtherStep { named, row } => write!(
                 f,
-                "the header names a step of {named:.9} s, and the rows are {row:.9} s apart, no whole number of such steps: it is \
-                 not used"
+                "the header names a step of {named:.9} s, and the rows are {row:.9} s apart, no whole number of such steps: it is not used"
             ),
         }
     }

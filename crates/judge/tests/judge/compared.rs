@@ -61,7 +61,7 @@ impl Description {
 fn compared(all: &[Description]) -> Comparison {
     let read = |record: String| Motion::read(record.as_bytes(), &Options::default()).unwrap();
     let name = |k: usize| ["one", "fixed children", "off the origin", "turned frame"][k].to_owned();
-    compare(&all.iter().enumerate().map(|(k, one)| (name(k), read(one.record()))).collect::<Vec<_>>())
+    compare(&all.iter().enumerate().map(|(k, one)| (name(k), read(one.record()))).collect::<Vec<_>>(), None)
         .unwrap()
 }
 
@@ -137,7 +137,7 @@ fn a_position_that_drifts_late_is_named_with_that_time() {
     });
     texts[1] = drifting.collect();
     let read = |text: &String| Motion::read(text.as_bytes(), &Options::default()).unwrap();
-    let found = compare(&[("a".into(), read(&texts[0])), ("b".into(), read(&texts[1]))]).unwrap();
+    let found = compare(&[("a".into(), read(&texts[0])), ("b".into(), read(&texts[1]))], None).unwrap();
     let since = found.others[0].1.off[2].since.unwrap();
     assert!((5.0..5.1).contains(&since), "{found}");
 }
@@ -152,7 +152,7 @@ fn records_of_every_other_row_are_compared_at_common_times_and_origins_are_found
         .map(|(_, line)| format!("{line}\n"))
         .collect();
     let read = |text: &String| Motion::read(text.as_bytes(), &Options::default()).unwrap();
-    let found = compare(&[("a".into(), read(&texts[0])), ("b".into(), read(&half))]).unwrap();
+    let found = compare(&[("a".into(), read(&texts[0])), ("b".into(), read(&half))], None).unwrap();
     let apart = found.alike[1].1;
     assert_eq!((apart.rows, found.others.len()), (300, 0), "{found}");
     assert!((apart.origin.unwrap() - Vector3::new(0.1, -0.3, 0.2)).norm() < 1e-9, "{found}");
@@ -164,7 +164,7 @@ fn a_record_that_cannot_be_compared_says_why() {
         let rows = (from..from + 3).map(|i| format!("{i},1,0,0,0\n")).collect::<String>();
         Motion::read(format!("t,qw,qx,qy,qz\n{rows}").as_bytes(), &Options::default()).unwrap()
     };
-    let wrong = compare(&[("a".into(), rows(0)), ("b".into(), rows(5))]).unwrap_err().to_string();
+    let wrong = compare(&[("a".into(), rows(0)), ("b".into(), rows(5))], None).unwrap_err().to_string();
     assert!(wrong.contains("a and b have fewer than two times in common"), "{wrong}");
     for (record, why) in [
         ("t,wx,wy,wz\n0,1,2,3\n1,1,2,3\n", "by their attitudes"),

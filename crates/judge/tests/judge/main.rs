@@ -23,3 +23,4 @@ mod our_own;
 mod outcomes;
 mod plain;
 mod plain_rules;
+mod times;

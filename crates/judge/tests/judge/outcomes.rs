@@ -54,7 +54,7 @@ fn the_exact_motion_at_another_pace_fails_and_at_its_own_passes() {
             continue;
         }
         assert_eq!(verdict.outcome, Outcome::Failed, "{verdict}");
-        assert!(complains(&verdict, "ways round from the exact one"), "{verdict}");
+        assert!(complains(&verdict, "periods of the exact motion"), "{verdict}");
         // The caller's own limit takes the place of the usual one.
         let options = Options::default().with(LawName::Phase, 1e3);
         let verdict = judge(text.as_bytes(), &options).unwrap();
@@ -97,7 +97,7 @@ fn right_rules_of_second_order_do_not_fail_by_their_phase() {
     for method in [Method::ImplicitMidpoint, Method::Buss] {
         for spin in [SPIN, Vector3::new(0.1, 3.0, 0.2), Vector3::new(4.0, 0.5, 0.3)] {
             let verdict = judged(&csv(&stepped(method, spin, H, 1200)));
-            assert!(!complains(&verdict, "ways round"), "{method:?} {spin}\n{verdict}");
+            assert!(!complains(&verdict, "periods of the exact motion"), "{method:?} {spin}\n{verdict}");
         }
     }
 }

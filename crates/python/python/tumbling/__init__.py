@@ -6,11 +6,11 @@ spins are in body axes, but for the frame that `judge` is given.
 """
 
 from ._tumbling import (
-    Batch, Error, FittedInertia, FreeMotion, Inertia, LagrangeTop, Stepper, Story, Torque, Verdict,
-    fit_inertia, judge,
+    Batch, Comparison, Error, FittedInertia, FreeMotion, Inertia, LagrangeTop, Stepper, Story, Torque, Verdict,
+    __version__, compare, fit_inertia, judge,
 )
 
 __all__ = [
-    "Batch", "Error", "FittedInertia", "FreeMotion", "Inertia", "LagrangeTop", "Stepper", "Story", "Torque",
-    "Verdict", "fit_inertia", "judge",
+    "Batch", "Comparison", "Error", "FittedInertia", "FreeMotion", "Inertia", "LagrangeTop", "Stepper", "Story", "Torque",
+    "Verdict", "compare", "fit_inertia", "judge",
 ]

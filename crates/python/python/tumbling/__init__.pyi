@@ -4,9 +4,11 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 __all__ = [
-    "Batch", "Error", "FittedInertia", "FreeMotion", "Inertia", "LagrangeTop", "Stepper", "Story", "Torque",
-    "Verdict", "fit_inertia", "judge",
+    "Batch", "Comparison", "Error", "FittedInertia", "FreeMotion", "Inertia", "LagrangeTop", "Stepper", "Story", "Torque",
+    "Verdict", "compare", "fit_inertia", "judge",
 ]
+
+__version__: str
 
 _Array = NDArray[np.float64]
 _Tensor = Inertia | ArrayLike
@@ -159,8 +161,16 @@ class Verdict:
     def engines(self) -> list[str]: ...
     @property
     def advice(self) -> str | None: ...
+    @property
+    def laws(self) -> list[dict[str, Any]]: ...
     def json(self) -> str: ...
     def _repr_html_(self) -> str: ...
+
+@final
+class Comparison:
+    @property
+    def passed(self) -> bool: ...
+    def json(self) -> str: ...
 
 @final
 class Story:
@@ -195,4 +205,11 @@ def judge(
     threshold: float | Mapping[str, float] | None = None,
     fit: int | None = None,
 ) -> Verdict: ...
+def compare(
+    records: Mapping[str, Sequence[Any]],
+    *,
+    frame: Literal["world", "body"] = "world",
+    scalar_first: bool = False,
+    threshold: float | None = None,
+) -> Comparison: ...
 def fit_inertia(t: ArrayLike, w: ArrayLike, guess: _Tensor | None = None) -> FittedInertia: ...

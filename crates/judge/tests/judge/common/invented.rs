@@ -52,6 +52,8 @@ enum Fault {
     Damped(f64, When),
     Term(f64),
     Turned(Turn),
+    /// The times are written this many times too long.
+    Paced(f64),
     /// Of the body with these moments, about axes turned from the record's by this angle in degrees.
     Other(Vector3<f64>, f64),
     Hits(usize),
@@ -280,6 +282,22 @@ fn altered(step: Step, fault: Fault) -> Step {
             Some((turned(q, &w, h), w))
         }
         Fault::Turned(Turn::Old) => Some((turned(q, w, h), step(&(*q, *w), h)?.1)),
+        Fault::Turned(Turn::BodyInWorld) => {
+            let w = step(&(*q, *w), h)?.1;
+            Some((product(&turn(&(w * h)), q), w))
+        }
+        Fault::Turned(Turn::WorldInBody) => {
+            let world = rotation_matrix(q) * step(&(*q, *w), h)?.1;
+            let q = turned(q, &world, h);
+            Some((q, rotation_matrix(&q).tr_mul(&world)))
+        }
+        Fault::Turned(Turn::TwiceBefore) => step(&(turned(q, w, h), *w), h),
+        Fault::Turned(Turn::TwiceAfter) => step(&(*q, *w), h).map(|(q, w)| (turned(&q, &w, h), w)),
+        Fault::Turned(Turn::Own) => {
+            let (end, w) = step(&(*q, *w), h)?;
+            let w = rotation_matrix(q).tr_mul(&(rotation_matrix(&end) * w));
+            Some((turned(q, &w, h), w))
+        }
         _ => step(&(*q, *w), h),
     })
 }
@@ -313,6 +331,7 @@ fn is_still(base: Base) -> bool {
 fn fault(chance: &mut Chance, base: Base, layout: Layout) -> Fault {
     let (still, both) = (is_still(base), matches!(layout, Layout::Both | Layout::World));
     let by_new = matches!(base, Base::Method(method, 1) if BY_THE_NEW.contains(&method));
+    let stage = base == Base::PositionStage(1);
     match chance.below(20) {
         8 | 9 => {
             let when = chance.of(&[When::Before, When::After, When::Turned]);
@@ -331,6 +350,16 @@ fn fault(chance: &mut Chance, base: Base, layout: Layout) -> Fault {
         16 => Fault::Hits(1 + chance.below(3)),
         17 => Fault::Rest,
         18 if !still => Fault::Interpolated,
+        19 if !still => match chance.below(9) {
+            0 if both => Fault::Turned(Turn::Early),
+            1 if both && by_new => Fault::Turned(Turn::BodyInWorld),
+            2 if both && by_new => Fault::Turned(Turn::WorldInBody),
+            3 if both && (by_new || stage) => {
+                Fault::Turned(chance.of(&[Turn::TwiceBefore, Turn::TwiceAfter]))
+            }
+            4 if both && stage => Fault::Turned(Turn::Own),
+            _ => Fault::Paced(chance.of(&[0.2, 0.5, 2.0, 5.0, 1.0 / 3.0, 1.2])),
+        },
         _ => Fault::None,
     }
 }
@@ -388,7 +417,12 @@ impl Invented {
         };
         let alone = fault == Fault::None;
         let in_turn = matches!(truth, Truth::Outside(IN_TURN, _));
-        let every = if alone && !in_turn && chance.below(3) == 0 { chance.of(&[2, 3, 4, 5, 10]) } else { 1 };
+        let every = match fault {
+            // The rows that are left out are not counted.
+            Fault::Paced(times) if times < 1.0 && chance.below(2) == 0 => (1.0 / times).round() as u32,
+            _ if alone && !in_turn && chance.below(3) == 0 => chance.of(&[2, 3, 4, 5, 10]),
+            _ => 1,
+        };
         let speed = chance.between(0.02, 0.7) / h;
         let mut spin = chance.vector();
         if chance.below(3) == 0 {
@@ -440,6 +474,10 @@ impl Invented {
                 let late = all.windows(2).map(|two| (two[1].0, two[0].1)).collect();
                 all = late;
             }
+            Fault::Turned(Turn::Early) => {
+                let early = all.windows(2).map(|two| (two[0].0, two[1].1)).collect();
+                all = early;
+            }
             Fault::Rest => {
                 let rest = std::iter::repeat_n((start.0, Vector3::zeros()), 20);
                 all = rest.chain(all).collect();
@@ -460,7 +498,12 @@ impl Invented {
     }
 
     fn write(&mut self, chance: &mut Chance, moments: &Vector3<f64>, h: f64, digits: Digits) {
-        let between = h * f64::from(self.every) * if self.fault == Fault::Interpolated { 0.4 } else { 1.0 };
+        let written = match self.fault {
+            Fault::Interpolated => 0.4,
+            Fault::Paced(times) => times,
+            _ => 1.0,
+        };
+        let between = h * f64::from(self.every) * written;
         let short = self.every == 1 && h >= 0.01 && self.fault != Fault::Interpolated && chance.below(6) == 0;
         let [x, y, z] = (*moments).into();
         self.text = format!("# inertia: {x:e} {y:e} {z:e}\n");
@@ -513,7 +556,14 @@ impl Invented {
             (Fault::Damped(wanted, place), Some(Alteration::Damped { rate, when, .. })) => {
                 near(rate, wanted) && (when == When::Open || when == place)
             }
-            (Fault::Term(wanted), Some(Alteration::Term(times))) => near(times, wanted),
+            (Fault::Term(wanted), Some(Alteration::Term(times) | Alteration::TermOrTimes(times))) => {
+                near(times, wanted)
+            }
+            // It is said of both.
+            (
+                Fault::Turned(Turn::TwiceBefore | Turn::TwiceAfter),
+                Some(Alteration::Turned(Turn::TwiceBefore | Turn::TwiceAfter)),
+            ) => true,
             (Fault::Turned(wanted), Some(Alteration::Turned(turn))) => turn == wanted,
             (Fault::Other(wanted, degrees), Some(Alteration::OtherMoments(moments, axes))) => {
                 (moments / moments.sum() - wanted / wanted.sum()).norm() < 1e-2
@@ -521,7 +571,11 @@ impl Invented {
             }
             // A spin that does not change, or is written alone, hides which of its values turned the body.
             (Fault::Turned(_), None) => self.layout == Layout::Spin,
-            (Fault::None | Fault::Hits(_) | Fault::Rest, None) => true,
+            (Fault::Paced(times), found) if self.layout == Layout::Spin => {
+                matches!(found, Some(Alteration::TermOrTimes(found)) if near(found * times, 1.0))
+            }
+            (Fault::Paced(times), Some(Alteration::Times(found))) => near(found * times, 1.0),
+            (Fault::None | Fault::Hits(_) | Fault::Rest | Fault::Paced(_), None) => true,
             _ => false,
         }
     }
@@ -582,6 +636,22 @@ impl Invented {
         // The exact motion with the fault: the rule's own error is less than what is left.
         let of_fault = found.best.rule.base == Base::Exact && self.is_as_said(&found.best.rule);
         let near = found.confidence == Confidence::Near;
+        // Times that are said to be wrong are, and by this much; those that are wrong are said to be.
+        let said = verdict.file_mistakes.iter().find_map(|mistake| match mistake {
+            FileMistake::Times(times) => Some(*times),
+            _ => None,
+        });
+        let times = match self.fault {
+            Fault::Paced(times) if matches!(self.layout, Layout::Both | Layout::World) => Some(1.0 / times),
+            _ => None,
+        };
+        match (said, times) {
+            (Some(said), times) if times.is_none_or(|times| (said / times - 1.0).abs() > 1e-2) => {
+                return Named::Wrongly;
+            }
+            (None, Some(_)) if !first => return if sure { Named::Wrongly } else { Named::Not },
+            _ => {}
+        }
         let Truth::Known(base) = self.truth else { return self.outside(found, verdict.record.rounding) };
         match (sure, first, any) {
             (true, true, _) if found.alike.is_empty() => Named::Rightly,

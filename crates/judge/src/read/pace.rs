@@ -1,0 +1,94 @@
+//! Mistakes that turn and gyroscopic change show together: times that are wrong by one factor; and one of the
+//! engine that looks like the file's, an attitude that is turned by its spin in the other axes.
+
+use crate::read::reading::{Reading, alike};
+use crate::read::{Pair, Raw, median, middle_and_most};
+use crate::thresholds::{
+    FRACTION_NEAR, LAW_AGREES, PACE_APART, PACE_OF_LAW, SIDES_APART, TURN_LIMITED, WHOLE_MOST, WHOLE_NEAR,
+    WHOLE_SURE,
+};
+use nalgebra::Vector3;
+use tumbling::attitude::{product, rotation_matrix};
+use tumbling::exact::FreeMotion;
+
+/// The nearest whole number above one, or one over it, where that is small enough to be told from a unit;
+/// else a number that nothing is near to.
+pub(super) fn in_whole_numbers(ratio: f64) -> f64 {
+    let count = ratio.max(1.0 / ratio).round();
+    match (2.0..=WHOLE_SURE).contains(&count) {
+        true if ratio < 1.0 => 1.0 / count,
+        true => count,
+        false => f64::INFINITY,
+    }
+}
+
+/// The simplest number that a ratio found from rows may be: a whole one, one over it, a fraction, itself.
+pub(crate) fn simplest(ratio: f64) -> f64 {
+    let count = ratio.max(1.0 / ratio).round().max(1.0);
+    let whole = if ratio < 1.0 { 1.0 / count } else { count };
+    let near = |x: &f64, share: f64| (ratio / x - 1.0).abs() < share;
+    if near(&whole, WHOLE_NEAR) && count <= WHOLE_MOST {
+        return whole;
+    }
+    let fractions = (2..=10).map(f64::from).map(|under| (ratio * under).round() / under);
+    fractions.into_iter().find(|x| near(x, FRACTION_NEAR)).unwrap_or(ratio)
+}
+
+/// How many times as far as the spin says the attitude turns about it, in the middle step.
+pub(crate) fn times_the_turn(pairs: impl Iterator<Item = Pair>) -> f64 {
+    median(pairs.filter_map(|pair| {
+        let mean = (pair.from.omega + pair.to.omega) / 2.0;
+        Some(pair.turn()?.dot(&mean) / (mean.norm_squared() * pair.h)).filter(|x| x.is_finite())
+    }))
+}
+
+impl Reading {
+    /// With times that are right by one factor, if by this factor both the attitude turns and the spin
+    /// changes otherwise than they say: of a wrong spin or term one of them would.
+    pub(super) fn paced(self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Option<Self> {
+        let ratio = times_the_turn(self.pairs(pairs, moments));
+        let times = simplest(ratio);
+        let [share, turn] = TURN_LIMITED;
+        let fast = median(self.pairs(pairs, moments).map(|pair| pair.from.omega.norm() * pair.h)) > turn;
+        let limited = fast && (share..1.0).contains(&ratio);
+        if !(times.is_normal() && times > 0.0) || limited || self.with_units(ratio) != self {
+            return None;
+        }
+        let way = self.with_time(times);
+        let (alike, size) = by_exact_motion(way.pairs(pairs, moments), moments, false);
+        let [apart, otherwise] = [times, 1.0 / times].map(|x| (x - 1.0).abs());
+        let off = way.pairs(pairs, moments).filter_map(|pair| pair.inconsistency()).collect();
+        let one = middle_and_most(off).is_some_and(|[_, most]| most < PACE_APART);
+        let changes = one && alike > LAW_AGREES && (size - 1.0).abs() < PACE_OF_LAW.min(otherwise / 2.0);
+        (apart > PACE_APART && changes).then_some(way)
+    }
+
+    /// Whether the spin goes by its law as it is named, by far more than as another way has it.
+    pub(super) fn goes_by_law_unlike(
+        self,
+        other: &Self,
+        pairs: &[(Raw, Raw, f64)],
+        moments: &Vector3<f64>,
+    ) -> bool {
+        let law = |way: &Self| {
+            let of = |in_world| by_exact_motion(way.pairs(pairs, moments), moments, in_world).0;
+            f64::max(of(false), of(true))
+        };
+        law(&self) > LAW_AGREES.max(law(other) + SIDES_APART)
+    }
+}
+
+/// How much the changes of spin are like the exact motion's, and how large in these: as the body sees them,
+/// or as the body before the step sees those in the world.
+fn by_exact_motion(pairs: impl Iterator<Item = Pair>, moments: &Vector3<f64>, in_world: bool) -> (f64, f64) {
+    alike(pairs.filter_map(|Pair { from, to, h }| {
+        let end = FreeMotion::new((*moments).try_into().ok()?, &from.omega).ok()?.at(h).ok()?;
+        let [mut seen, mut own] = [to.omega, end.omega];
+        if in_world {
+            let turned = product(&from.attitude?.conjugate(), &to.attitude?);
+            seen = rotation_matrix(&turned) * seen / turned.norm_squared();
+            own = rotation_matrix(&end.attitude) * own;
+        }
+        Some((seen - from.omega, own - from.omega))
+    }))
+}

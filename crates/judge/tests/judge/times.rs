@@ -1,0 +1,152 @@
+//! Times that are wrong by one factor, and attitudes that turn otherwise than by their spin.
+
+use crate::common::{Row, SPINS, judged, written};
+use nalgebra::{Quaternion, Vector3};
+use tumbling::attitude::{product, rotation_matrix, turn};
+use tumbling::exact::FreeMotion;
+use tumbling::step::{Method, PositionStage, State, System};
+use tumbling_judge::{Alteration, Base, FileMistake, Rule, Turn};
+
+const BODIES: [[f64; 3]; 3] = [[1.0, 2.0, 2.5], [0.4, 1.0, 1.1], [3.0, 2.5, 1.0]];
+const H: f64 = 0.01;
+
+/// The rows of a body by a step, `None` by the exact motion.
+fn run(moments: [f64; 3], spin: Vector3<f64>, method: Option<Method>) -> Vec<Row> {
+    let system = System::free(Vector3::from(moments).try_into().unwrap()).unwrap();
+    let motion = FreeMotion::new(Vector3::from(moments).try_into().unwrap(), &spin).unwrap();
+    let mut state = State { attitude: Quaternion::identity(), momentum: system.momentum(&spin) };
+    let row = |i: u32| {
+        let t = H * f64::from(i);
+        let row = (t, state.attitude, system.omega(&state.momentum));
+        let Some(method) = method else {
+            let now = motion.at(t).unwrap();
+            return (t, now.attitude.into_inner(), now.omega);
+        };
+        state = method.step(&system, &state, H).unwrap();
+        row
+    };
+    (0..600).map(row).collect()
+}
+
+/// Every `every`th row, its time multiplied.
+fn timed(moments: [f64; 3], rows: &[Row], every: usize, times: f64) -> String {
+    let rows: Vec<Row> = rows.iter().step_by(every).map(|(t, q, w)| (t * times, *q, *w)).collect();
+    let [a, b, c] = moments;
+    written(&format!("# inertia: {a} {b} {c}"), &rows, |t| format!("{t:?}"), |x| format!("{x:?}"))
+}
+
+/// A step taken twice, at half of the rate, a wrong number, and rows left out and not counted.
+const WRONG: [(usize, f64); 6] = [(1, 0.2), (1, 0.5), (1, 2.0), (1, 5.0), (5, 0.2), (2, 0.5)];
+
+#[test]
+fn times_that_are_wrong_by_a_factor_are_said_first_and_the_rule_behind_them_is_named() {
+    let methods =
+        [None, Some(Method::SemiImplicitEuler), Some(Method::Rescaled), Some(Method::LinearisedImplicit)];
+    for (moments, spin) in BODIES.into_iter().zip([SPINS[0], SPINS[1], SPINS[3]]) {
+        for method in methods {
+            let rows = run(moments, spin.into(), method);
+            for (every, times) in WRONG {
+                let verdict = judged(&timed(moments, &rows, every, times));
+                let [FileMistake::Times(found)] = verdict.file_mistakes[..] else { panic!("{verdict}") };
+                assert!((found * times - 1.0).abs() < 1e-12, "{verdict}");
+                let first = verdict.to_string().lines().nth(1).unwrap().to_owned();
+                assert!(first.starts_with("  The times are ") && first.contains("rows dt = "), "{verdict}");
+                let found = verdict.diagnosis.as_ref().unwrap();
+                let named: Vec<Rule> = [&[found.best.rule][..], &found.alike].concat();
+                let own = method.map_or(Base::Exact, |method| Base::Method(method, every as u32));
+                assert!(named.contains(&Rule::plain(own)), "{every} {times} {verdict}");
+            }
+        }
+    }
+}
+
+#[test]
+fn of_spins_alone_wrong_times_and_a_wrong_term_are_both_said() {
+    for (moments, spin) in BODIES.into_iter().zip([SPINS[0], SPINS[1], SPINS[3]]) {
+        for method in [None, Some(Method::SemiImplicitEuler), Some(Method::LinearisedImplicit)] {
+            let rows = run(moments, spin.into(), method);
+            for (every, times) in WRONG {
+                let text = timed(moments, &rows, every, times);
+                let alone = text.lines().map(|line| match line.split(',').collect::<Vec<_>>()[..] {
+                    [t, _, _, _, _, x, y, z] => format!("{t},{x},{y},{z}\n"),
+                    _ => format!("{line}\n"),
+                });
+                let verdict = judged(&alone.collect::<String>());
+                let rule = verdict.diagnosis.as_ref().unwrap().best.rule;
+                let Some(Alteration::TermOrTimes(found)) = rule.alteration else { panic!("{verdict}") };
+                assert!((found * times - 1.0).abs() < 0.01, "{verdict}");
+                let said = verdict.to_string();
+                assert!(said.contains("either ") && said.contains(", or times that are "), "{said}");
+            }
+        }
+    }
+}
+
+#[test]
+fn an_attitude_that_is_turned_on_the_wrong_side_or_twice_is_named_with_its_remedy() {
+    let moments = Vector3::from(BODIES[0]);
+    let stage = PositionStage::new(&moments).unwrap();
+    let system = System::free(moments.try_into().unwrap()).unwrap();
+    let explicit = |q: &Quaternion<f64>, w: &Vector3<f64>| {
+        let start = State { attitude: *q, momentum: system.momentum(w) };
+        system.omega(&Method::SemiImplicitEuler.step(&system, &start, H).unwrap().momentum)
+    };
+    let staged = |q: &Quaternion<f64>, w: &Vector3<f64>| {
+        let end = stage.step(q, &(rotation_matrix(q) * w), H);
+        (end.attitude, end.omega)
+    };
+    let by = |w: Vector3<f64>| turn(&(w * H));
+    type Step<'a> = Box<dyn Fn(&Quaternion<f64>, &Vector3<f64>) -> (Quaternion<f64>, Vector3<f64>) + 'a>;
+    let cases: [(&str, Step<'_>); 5] = [
+        ("wrong side (dq * q", Box::new(|q, w| (product(&by(explicit(q, w)), q), explicit(q, w)))),
+        (
+            "wrong side (q * dq",
+            Box::new(|q, w| {
+                let world = rotation_matrix(q) * explicit(q, w);
+                let q = product(q, &by(world));
+                (q, rotation_matrix(&q).tr_mul(&world))
+            }),
+        ),
+        // The engine's own update is left in, before or after the stage.
+        (
+            "turned twice a step",
+            Box::new(|q, w| {
+                let (q, world) = staged(&product(q, &by(*w)), w);
+                (q, rotation_matrix(&q).tr_mul(&world))
+            }),
+        ),
+        (
+            "turned twice a step",
+            Box::new(|q, w| {
+                let (q, world) = staged(q, w);
+                let w = rotation_matrix(&q).tr_mul(&world);
+                (product(&q, &by(w)), w)
+            }),
+        ),
+        // The stage's attitude is not taken.
+        (
+            "turned by the new spin in the world",
+            Box::new(|q, w| {
+                let w = rotation_matrix(q).tr_mul(&staged(q, w).1);
+                (product(q, &by(w)), w)
+            }),
+        ),
+    ];
+    for (name, step) in cases {
+        let (mut q, mut w, mut rows) =
+            (turn(&Vector3::new(0.3, -0.5, 0.2)), Vector3::new(1.0, 2.0, 1.5), Vec::new());
+        for i in 0..400 {
+            rows.push((H * f64::from(i), q, w));
+            (q, w) = step(&q, &w);
+        }
+        let verdict = judged(&timed(BODIES[0], &rows, 1, 1.0));
+        let found = verdict.diagnosis.as_ref().unwrap();
+        assert!(verdict.file_mistakes.is_empty() && found.confidence.names_a_rule(), "{verdict}");
+        assert!(found.best.rule.name().contains(name), "{name}: {verdict}");
+        assert!(
+            matches!(found.best.rule.alteration, Some(Alteration::Turned(turn)) if turn != Turn::Otherwise)
+        );
+        let remedy = if name.contains("side") { "q * dq where" } else { "own update" };
+        assert!(found.advice[0].words.contains(remedy), "{verdict}");
+    }
+}
