@@ -36,7 +36,7 @@ fn what_is_wrong_is_named_with_its_line_and_its_field() {
         ("moments = [1, 2, 3.1]", "line 1, `moments`: no body has principal moments"),
         ("moments = [1, 2, 2]\nmass = 0", "line 2, `mass`: the mass is 0.0: it must be above zero"),
         ("moments = [1, 2, nan]", "line 1, `moments`"),
-        ("density = '7 kg'\nsides = [1, 2, 3]", "such as \"0.7 g/cm3\", not `7 kg`"),
+        ("density = '7 kg'\nsides = [1, 2, 3]", "such as \"0.7 g/cm3\" (g/cm3, kg/m3), not `7 kg`"),
         ("mass = 'a'", "`mass`: a number is expected here, or one with its unit such as \"200 g\""),
         ("sides = ['1 m', '2 g', 3]\nmass = 1", "line 1, `sides`: a number is expected here, or one"),
         ("shape = 'ball'\nradius = 0,07\nmass = 1", "; write 0.07"),
