@@ -42,7 +42,7 @@ fn what_is_wrong_is_named_with_its_line_and_its_field() {
         ("shape = 'ball'\nradius = 0,07\nmass = 1", "; write 0.07"),
         ("shape = 'ball'\nradius = '7,5 cm'\nmass = 1", "not `7,5 cm`; write '7.5 cm'"),
         ("sides = [7,7, 0.78, 16]\nmass = 1", "3 numbers are expected here, not 4; write 7.7"),
-        ("moments = [1, 2]", "line 1, `moments`: 3 numbers are expected here, not 2"),
+        ("[part]\nmass = 1\n[part]\nmass = 2", "line 3: this is there already; each table of a list begins"),
         ("moments = [1, 2, 2.5, 0]", "line 1, `moments`: 3 numbers are expected here, not 4"),
         ("moments = [1, 2, 2.5]\nproducts = [0, 0, 0, 1]", "line 2, `products`: 3 numbers are expected"),
         ("points = [[1, 0, 0, 0, 9]]", "line 1, `points`: 4 numbers are expected here, not 5"),
