@@ -23,6 +23,8 @@ pub(crate) struct Language {
     numbers: Words,
     /// Words of figures, films, sheets and widgets: whole labels and parts of them.
     words: Words,
+    /// What stands around the text of a page, each whole: labels, and text between two tags.
+    frame: Words,
     /// The paragraphs of each page.
     pub(crate) page: BTreeMap<String, Words>,
 }
@@ -48,7 +50,7 @@ impl Language {
     fn parse(code: &str, text: &str) -> Result<Self, String> {
         let found: Self = toml::from_str(text).map_err(|e| format!("book/words.{code}.toml: {e}"))?;
         let found = Self { code: code.to_owned(), ..found };
-        let all = found.page.values().flatten().chain(&found.words);
+        let all = found.page.values().flatten().chain(&found.words).chain(&found.frame);
         let wrong: Vec<String> = all.filter_map(|(own, said)| found.differs(own, said)).collect();
         if wrong.is_empty() { Ok(found) } else { Err(wrong.join("\n")) }
     }
@@ -191,6 +193,26 @@ impl Language {
             out.push_str(rest);
         }
         (out, wrong)
+    }
+
+    /// A built page, with what stands around its text in this language too.
+    ///
+    /// # Errors
+    /// What no frame says.
+    pub(crate) fn framed(&self, html: &str) -> Result<String, String> {
+        let mut page = html.replacen("<html lang=\"en\"", &format!("<html lang=\"{}\"", self.code), 1);
+        let mut wrong = Vec::new();
+        for (original, said) in &self.frame {
+            let put = |page: &str, [before, after]: [&str; 2]| {
+                page.replace(&format!("{before}{original}{after}"), &format!("{before}{said}{after}"))
+            };
+            let framed = put(&put(&page, [">", "<"]), ["=\"", "\""]);
+            if framed == page {
+                wrong.push(self.fault(original, "the frame of a page says it no more"));
+            }
+            page = framed;
+        }
+        if wrong.is_empty() { Ok(page) } else { Err(wrong.join("\n")) }
     }
 
     /// A page as shown, from Markdown with raw HTML: that in this language too, and what scripts will say.

@@ -1,12 +1,11 @@
 // What scripts write in English stands here in the page's language, with a decimal comma: tumblingWords has the words.
 (function language(page) {
     if (/\/print\.html$/.test(location.pathname)) return;
-    document.documentElement.lang = page.lang;
     const escaped = (words) => words.replace(/[.*+?^${}()|[\]\\]/g, "\\$&");
     const parts = Object.keys(tumblingWords).sort((a, b) => b.length - a.length).map(escaped);
     const known = new RegExp(`(?<!\\p{L})(?:${parts.join("|")})(?!\\p{L})`, "gu");
     const said = (text) => tumblingWords[text] ?? text.replace(/(\d)\.(?=\d)/g, "$1,").replace(known, (part) => tumblingWords[part]);
-    const LABELS = ["aria-label", "aria-valuetext"];
+    const LABELS = ["aria-label", "aria-valuetext", "title"];
     function tell(node) {
         if (node.nodeType === Node.TEXT_NODE) {
             if (!node.parentElement?.closest("script, pre") && said(node.data) !== node.data) node.data = said(node.data);

@@ -12,7 +12,6 @@
 (function searchInWords() {
     for (const [id, attributes] of Object.entries({
         "mdbook-search-wrapper": { role: "search" },
-        "mdbook-searchbar": { "aria-label": "Search this book" },
         "mdbook-searchresults-header": { role: "status" },
     })) {
         for (const [name, value] of Object.entries(attributes)) document.getElementById(id)?.setAttribute(name, value);

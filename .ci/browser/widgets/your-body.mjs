@@ -173,4 +173,23 @@ async function ofParts(page, wants, { tell, fill, choose }) {
   await page.evaluate((kept) => { location.hash = `#your-body?kind=box&m=1&a=1&b=1&c=1&${kept}`; }, kept);
   await page.waitForFunction(() => document.querySelectorAll("#live-your-body .your-body-parts li").length === 2, null, { timeout: 60000 }).catch(() => {});
   wants(`a link brings both: ${await tell("axis-3")}`, Math.abs(parseFloat(await tell("axis-3")) / moments[2] - 1) < 6e-4);
+
+  // A cone turned by 90° about x lies along −y, so its middle is a quarter of its height that way from the place of its base.
+  await page.evaluate(() => { location.hash = "#your-body?kind=cone&m=3&a=0.1&b=0.4&part=box_2_0.1_0.2_0.4_0_0.2_0"; });
+  await page.waitForFunction(() => document.querySelectorAll("#live-your-body .your-body-parts li").length === 1, null, { timeout: 60000 }).catch(() => {});
+  await fill({ x: 300, y: 0, z: 0, degrees: 90 });
+  await page.selectOption("#your-body-axis", "0");
+  await page.click("#your-body-add");
+  const cone = [(3 / 80) * 3 * (4 * 0.1 ** 2 + 0.4 ** 2), 0.3 * 3 * 0.1 ** 2];
+  const [shared, dx, dy] = [(2 * 3) / 5, 0.3, -0.1 - 0.2];
+  const [ix, iy, iz] = [(2 * 0.2) / 12 + cone[0] + shared * dy * dy, (2 * 0.17) / 12 + cone[1] + shared * dx * dx, (2 * 0.05) / 12 + cone[0] + shared * (dx * dx + dy * dy)];
+  const turned = [(ix + iy) / 2 - Math.hypot((ix - iy) / 2, shared * dx * dy), (ix + iy) / 2 + Math.hypot((ix - iy) / 2, shared * dx * dy), iz].sort((a, b) => a - b);
+  const own = await Promise.all([1, 2, 3].map(async (k) => parseFloat(await tell(`axis-${k}`))));
+  wants(`a box and a turned cone have ${turned}: ${own}; ${await items.allTextContents()}`, turned.every((x, k) => Math.abs(own[k] / x - 1) < 6e-4) && (await items.nth(1).textContent()).includes("turned by 90° about x"));
+  await page.waitForFunction(() => location.hash.endsWith("_0_90"), null, { timeout: 60000 }).catch(() => {});
+  wants(`the address keeps the turn: ${page.url()}`, page.url().endsWith("part=cone_3_0.1_0.4_0.3_0_0_0_90"));
+  const again = page.waitForEvent("download", { timeout: 60000 });
+  await page.click("#live-your-body [data-save=file]");
+  const turns = await readFile(await (await again).path(), "utf8");
+  wants(`the file has the turn: ${turns}`, turns.includes("turn = [1, 0, 0, 90] # about x\nat = [0.3, 0, 0] # m"));
 }

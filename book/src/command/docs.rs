@@ -1,9 +1,8 @@
 //! The library's documentation, made by rustdoc and laid beside the pages, where the chapters link to it.
 
-use crate::site::paths;
+use crate::command::measure;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 /// The folder beside the pages.
 const FOLDER: &str = "api";
@@ -13,12 +12,7 @@ const FOLDER: &str = "api";
 /// # Errors
 /// Cargo could not be run, or did not get through; it has said why.
 pub(crate) fn make() -> Result<(), String> {
-    let status = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()))
-        .args(["doc", "--quiet", "--no-deps", "-p", "tumbling", "-p", "tumbling-scenes", "--manifest-path"])
-        .arg(paths::repository().join("Cargo.toml"))
-        .status()
-        .map_err(|e| format!("cannot run cargo for the library's documentation: {e}"))?;
-    if status.success() { Ok(()) } else { Err("the library's documentation was not made".into()) }
+    measure::cargo(&["doc", "--quiet", "--no-deps", "-p", "tumbling", "-p", "tumbling-scenes"])
 }
 
 /// Copies what was made last beside the pages, and says whether there was any.
@@ -73,6 +67,7 @@ pub(crate) fn copy(from: &Path, to: &Path) -> Result<(), String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::site::paths;
 
     #[test]
     fn every_room_of_the_library_is_on_its_page() {

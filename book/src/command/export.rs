@@ -52,11 +52,8 @@ pub(crate) fn theme() -> impl TypedValueParser<Value = Theme> {
 impl Arguments {
     /// Whether any of them was given.
     pub(crate) fn wanted(&self) -> bool {
-        self.slide
-            || self.format.is_some()
-            || self.theme.is_some()
-            || self.width.is_some()
-            || self.out.is_some()
+        let given = [self.format.is_some(), self.theme.is_some(), self.width.is_some(), self.out.is_some()];
+        self.slide || given.contains(&true)
     }
 }
 

@@ -45,8 +45,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     match &arguments.what {
         Some(What::Scenes { check }) => {
             let example =
-                ["run", "--release", "--quiet", "-p", "tumbling-measure", "--example", "scene_costs"];
-            through(cargo().args(example).arg("--").args(check.then_some("--check")))
+                ["run", "--release", "--quiet", "-p", "tumbling-measure", "--example", "scene_costs", "--"];
+            Ok(cargo(&[&example[..], if *check { &["--check"] } else { &[] }].concat())?)
         }
         None => measure(arguments.quick, arguments.peers),
     }
@@ -62,7 +62,8 @@ fn measure(quick: bool, peers: bool) -> Result<(), Box<dyn Error>> {
     if peers {
         let program =
             ["run", "--release", "--manifest-path", "crates/measure/peers/Cargo.toml", "--", "--into"];
-        through(cargo().args(program).arg(&folder).args(quick.then_some("--quick")))?;
+        let folder = folder.to_string_lossy();
+        cargo(&[&program[..], &[&*folder], if quick { &["--quick"] } else { &[] }].concat())?;
     } else {
         let effort = if quick { Effort::QUICK } else { Effort::FULL };
         say!("{}", campaign::write(&contestant::ours(), effort, &[], &folder, &mut progress())?);
@@ -77,14 +78,15 @@ fn measure(quick: bool, peers: bool) -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn cargo() -> Command {
+/// Runs cargo in the repository.
+///
+/// # Errors
+/// It could not be run, or did not get through; it has said why.
+pub(crate) fn cargo(words: &[&str]) -> Result<(), String> {
     let mut cargo = Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    cargo.current_dir(paths::repository());
-    cargo
-}
-
-fn through(cargo: &mut Command) -> Result<(), Box<dyn Error>> {
-    if cargo.status()?.success() { Ok(()) } else { Err(format!("{cargo:?} failed").into()) }
+    cargo.current_dir(paths::repository()).args(words);
+    let status = cargo.status().map_err(|e| format!("cannot run cargo: {e}"))?;
+    if status.success() { Ok(()) } else { Err(format!("{cargo:?} failed")) }
 }
 
 /// Runs every method on every hard case and prints how each ends.

@@ -35,13 +35,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let style = format!("<style>{}", fonts()?);
     let page = tumbling_figures::report(&arguments.body, arguments.engine)?.replacen("<style>", &style, 1);
     write_changed(&html, page.as_bytes())?;
-    say!("{}", html.display());
     let Some(browser) = browser::found() else {
-        say!("{NO_BROWSER} It fits one sheet.");
+        say!("{}\n{NO_BROWSER} It fits one sheet.", html.display());
         return Ok(());
     };
     let pdf = html.with_extension("pdf");
     write_changed(&pdf, &browser::pdf(&browser, &html)?)?;
-    say!("{}", pdf.display());
+    say!("{}, and .html", pdf.display());
     Ok(())
 }

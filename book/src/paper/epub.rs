@@ -1,11 +1,11 @@
 //! The book as an EPUB 3 publication.
 
 use super::page::Page;
-use super::pages::{Paper, sections};
+use super::pages::{Paper, contents};
 use super::tree::{Node, each, rewritten, xml};
 use crate::site::places::escaped;
 use crate::site::{files, paths};
-use std::fmt::Write as _;
+use std::collections::BTreeSet;
 use std::io::{Cursor, Write as _};
 use std::time::{Duration, SystemTime};
 use zip::write::SimpleFileOptions;
@@ -68,24 +68,16 @@ pub(super) fn entries(paper: &Paper) -> Result<Vec<Entry>, String> {
         content,
     };
     let cover = super::title::cover(paper)?;
+    let title = document(paper, "Title page", &super::title::page(paper));
     let mut entries = vec![
         entry("style.css", "text/css", "", include_bytes!("../../paper/epub.css").to_vec()),
         entry("nav.xhtml", XHTML, "nav", nav(paper).into_bytes()),
         entry("cover.svg", "image/svg+xml", "cover-image", cover.into_bytes()),
-        entry(
-            "title.xhtml",
-            XHTML,
-            "",
-            document(paper, "Title page", &super::title::page(paper)).into_bytes(),
-        ),
+        entry("title.xhtml", XHTML, "", title.into_bytes()),
     ];
     for font in FONTS {
-        entries.push(entry(
-            font,
-            "font/woff2",
-            "",
-            files::bytes(&paths::book().join("theme/fonts").join(font))?,
-        ));
+        let bytes = files::bytes(&paths::book().join("theme/fonts").join(font))?;
+        entries.push(entry(font, "font/woff2", "", bytes));
     }
     for page in &paper.pages {
         let text = document(paper, &page.title, &xml(&renamed(page)));
@@ -96,17 +88,13 @@ pub(super) fn entries(paper: &Paper) -> Result<Vec<Entry>, String> {
 
 /// What the manifest must say of a page with formulas or drawings.
 fn properties(page: &Page) -> String {
-    let (mut maths, mut drawings) = (false, false);
-    each(&page.body, &mut |element| {
-        maths |= element.name == "math";
-        drawings |= element.name == "svg";
+    let mut found = BTreeSet::new();
+    each(&page.body, &mut |element| match element.name.as_str() {
+        "math" => drop(found.insert("mathml")),
+        "svg" => drop(found.insert("svg")),
+        _ => {}
     });
-    [(maths, "mathml"), (drawings, "svg")]
-        .iter()
-        .filter(|(has, _)| *has)
-        .map(|(_, name)| *name)
-        .collect::<Vec<_>>()
-        .join(" ")
+    Vec::from_iter(found).join(" ")
 }
 
 /// The page with links to the files of the publication.
@@ -131,24 +119,13 @@ fn document(paper: &Paper, title: &str, body: &str) -> String {
 }
 
 fn nav(paper: &Paper) -> String {
-    let mut out =
-        String::from("<nav epub:type=\"toc\" role=\"doc-toc\" id=\"toc\"><h1>Contents</h1>\n<ol>\n");
-    for page in &paper.pages {
-        let number = page.number.as_ref().map_or(String::new(), |number| format!("{number}. "));
-        let _ = write!(out, "<li><a href=\"{}.xhtml\">{number}{}</a>", page.name, escaped(&page.title));
-        let sections = sections(page);
-        if !sections.is_empty() {
-            let items = sections.iter().map(|(id, title)| {
-                format!("<li><a href=\"{}.xhtml#{id}\">{}</a></li>\n", page.name, escaped(title))
-            });
-            let _ = write!(out, "\n<ol>\n{}</ol>\n", items.collect::<String>());
-        }
-        out.push_str("</li>\n");
-    }
+    let contents = contents(paper, |_| true, &|page, section, words| {
+        let place = section.map_or(String::new(), |section| format!("#{section}"));
+        format!("<a href=\"{page}.xhtml{place}\">{words}</a>")
+    });
     let first = paper.pages.first().map_or("", |page| page.name.as_str());
-    let _ = write!(
-        out,
-        "</ol></nav>\n<nav epub:type=\"landmarks\" hidden=\"\"><h2>Places</h2>\n<ol>\n<li><a epub:type=\"titlepage\" \
+    let out = format!(
+        "<nav epub:type=\"toc\" role=\"doc-toc\" id=\"toc\"><h1>Contents</h1>\n<ol>\n{contents}</ol></nav>\n<nav epub:type=\"landmarks\" hidden=\"\"><h2>Places</h2>\n<ol>\n<li><a epub:type=\"titlepage\" \
          href=\"title.xhtml\">Title page</a></li>\n<li><a epub:type=\"toc\" href=\"nav.xhtml\">Contents</a></li>\n\
          <li><a epub:type=\"bodymatter\" href=\"{first}.xhtml\">Start of the text</a></li>\n</ol></nav>"
     );

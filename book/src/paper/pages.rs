@@ -7,9 +7,10 @@ use super::ends::Ends;
 use super::ink;
 use super::page::{Page, opened};
 use super::still;
-use super::tree::{self, Element, Node, each, parse, rewritten};
+use super::tree::{Element, Node, each, parse, rewritten};
 use crate::language::Language;
 use crate::preprocess::Preprocess;
+use crate::site::places::escaped;
 use crate::site::{build, files, goals, paths};
 use mdbook_driver::MDBook;
 use mdbook_preprocessor::book::BookItem;
@@ -209,13 +210,28 @@ fn linked(pages: &mut [Page], translated: &[Page]) -> Result<(), String> {
     if lost.is_empty() { Ok(()) } else { Err(lost.join("\n")) }
 }
 
-/// The sections of a page: the names and titles of its headings of the second rank.
-pub(super) fn sections(page: &Page) -> Vec<(String, String)> {
-    let mut found = Vec::new();
-    each(&page.body, &mut |element| {
-        if let ("h2", Some(id)) = (element.name.as_str(), element.get("id")) {
-            found.push((id.to_owned(), tree::text(&element.children)));
-        }
-    });
-    found
+/// The items of the contents: each page, and the sections of those that are `open`; `line` makes each of the
+/// names of page and section, and its words.
+pub(super) fn contents(
+    paper: &Paper,
+    open: fn(&Page) -> bool,
+    line: &dyn Fn(&str, Option<&str>, &str) -> String,
+) -> String {
+    let listed = |page: &Page| {
+        let number = page.number.as_ref().map_or(String::new(), |number| format!("{number}. "));
+        let title = line(&page.name, None, &escaped(&format!("{number}{}", page.title)));
+        let mut sections = String::new();
+        each(&page.body, &mut |element| {
+            if let ("h2", Some(id)) = (element.name.as_str(), element.get("id")) {
+                sections += &format!("<li>{}</li>\n", line(&page.name, Some(id), &escaped(&element.text())));
+            }
+        });
+        let sections = if open(page) && !sections.is_empty() {
+            format!("\n<ol>\n{sections}</ol>\n")
+        } else {
+            String::new()
+        };
+        format!("<li>{title}{sections}</li>\n")
+    };
+    paper.pages.iter().map(listed).collect()
 }

@@ -17,10 +17,6 @@ struct Problem {
     answer: Vec<Node>,
 }
 
-/// Pages of a sheet are counted from the first, and each says how many there are.
-const COUNTED: &str =
-    "@page, @page :first { @bottom-center { content: counter(page) \" / \" counter(pages); } }";
-
 /// The problems of a chapter as HTML, or their answers, set this closely, in the language of its page.
 ///
 /// # Errors
@@ -72,7 +68,7 @@ pub(super) fn sheet(
         format!("<section class=\"side\">{head}{}{back}<p class=\"for\">{of}</p></section>", list(0, front))
     };
     let code = language.map_or(paper.about.language.clone(), |(own, _)| own.code);
-    sheet::document(paper, [&code, &title], &format!("sheet fit-{fit}"), size, COUNTED, &body)
+    sheet::document(paper, [&code, &title], &format!("sheet fit-{fit}"), size, "", &body)
 }
 
 /// The problems in another language, paragraph by paragraph.

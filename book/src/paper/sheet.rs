@@ -2,7 +2,7 @@
 
 use super::mend;
 use super::page::Page;
-use super::pages::{Paper, sections};
+use super::pages::{Paper, contents};
 use super::tree::{Element, Node, xml};
 use crate::site::places::escaped;
 use crate::site::{files, paths};
@@ -27,7 +27,7 @@ pub(super) fn book(
     numbers: &dyn Fn(&str) -> Option<usize>,
 ) -> Result<String, String> {
     let mut body = super::title::page(paper);
-    body.push_str(&contents(paper, numbers));
+    body.push_str(&listed(paper, numbers));
     let mut rules = String::new();
     for page in &paper.pages {
         // The name of the chapter at the head of its pages.
@@ -51,28 +51,15 @@ pub(super) fn book(
     document(paper, [&paper.about.language, &paper.about.title], "book", size, &rules, &body)
 }
 
-fn contents(paper: &Paper, numbers: &dyn Fn(&str) -> Option<usize>) -> String {
-    let line = |place: &str, words: &str| {
-        let number = numbers(place).map_or(String::new(), |number| number.to_string());
+fn listed(paper: &Paper, numbers: &dyn Fn(&str) -> Option<usize>) -> String {
+    let contents = contents(paper, |page| page.number.is_some(), &|page, section, words| {
+        let place = format!("{page}--{}", section.unwrap_or("page"));
+        let number = numbers(&place).map_or(String::new(), |number| number.to_string());
         format!("<a href=\"#{place}\"><span>{words}</span><span class=\"at-page\">{number}</span></a>")
-    };
-    let mut out = String::from("<nav class=\"contents\" aria-label=\"Contents\">\n<h1>Contents</h1>\n<ol>\n");
-    for page in &paper.pages {
-        let number = page.number.as_ref().map_or(String::new(), |number| format!("{number}. "));
-        let words = format!("{number}{}", escaped(&page.title));
-        let _ = write!(out, "<li><div>{}", line(&format!("{}--page", page.name), &words));
-        if page.number.is_some() {
-            let items = sections(page).into_iter().map(|(id, title)| {
-                format!("<li>{}</li>\n", line(&format!("{}--{id}", page.name), &escaped(&title)))
-            });
-            let items: String = items.collect();
-            if !items.is_empty() {
-                let _ = write!(out, "\n<ol>\n{items}</ol>\n");
-            }
-        }
-        out.push_str("</div></li>\n");
-    }
-    out + "</ol>\n</nav>\n"
+    });
+    format!(
+        "<nav class=\"contents\" aria-label=\"Contents\">\n<h1>Contents</h1>\n<ol>\n{contents}</ol>\n</nav>\n"
+    )
 }
 
 /// The nodes of a page with names and links that hold within one document. Drawings have names of their own.

@@ -66,8 +66,11 @@ const TEMPLATE: [(&str, &str); 11] = [
                             {{fa \"solid\" \"code\"}}
                         </button>\n",
     ),
-    // The description of the search field is there.
-    ("aria-describedby=\"searchresults-header\"", "aria-describedby=\"mdbook-searchresults-header\""),
+    // The search field has a name, and its description is there.
+    (
+        "aria-describedby=\"searchresults-header\"",
+        "aria-label=\"Search this book\" aria-describedby=\"mdbook-searchresults-header\"",
+    ),
 ];
 
 /// The languages of the book's programs, of the forty-odd that mdBook's highlighter knows: a page weighs a
@@ -113,8 +116,10 @@ fn originals<const N: usize>(names: [&str; N]) -> Result<[String; N], String> {
 fn template(original: &str) -> Result<String, String> {
     let mut edits = Edits::default();
     for (sought, replacement) in &TEMPLATE {
-        let at = once(original, sought)
-            .map_err(|count| format!("`{sought}` is in mdBook's index.hbs {count} times, not once"))?;
+        let places: Vec<usize> = original.match_indices(sought).map(|(at, _)| at).collect();
+        let [at] = places[..] else {
+            return Err(format!("`{sought}` is in mdBook's index.hbs {} times, not once", places.len()));
+        };
         edits.replace(at..at + sought.len(), (*replacement).to_owned());
     }
     Ok(edits.applied_to(original))
@@ -140,15 +145,6 @@ fn highlighter(original: &str) -> Result<String, String> {
         return Err("mdBook's highlight.js does not begin with its licence".into());
     }
     Ok(out)
-}
-
-/// Where the part is in the text, if it is there once; else how often it is.
-fn once(text: &str, part: &str) -> Result<usize, usize> {
-    let mut places = text.match_indices(part).map(|(at, _)| at);
-    match (places.next(), places.count()) {
-        (Some(at), 0) => Ok(at),
-        (first, more) => Err(usize::from(first.is_some()) + more),
-    }
 }
 
 #[cfg(test)]

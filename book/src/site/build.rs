@@ -132,6 +132,8 @@ mod tests {
         for name in ["index.html", "404.html", "toc.html", "print.html", "proofs.html"] {
             assert_eq!(read(name).matches("og:image").count(), 1, "{name}");
         }
+        let german = read("toss-a-book-de.html");
+        assert!(german.contains("<html lang=\"de\"") && !german.contains("\"Next chapter\""));
         let files = fs::read_dir(folder.path()).unwrap().map(|file| file.unwrap().path());
         let index =
             files.filter(|file| file.to_string_lossy().contains("searchindex")).map(fs::read_to_string);

@@ -1,5 +1,6 @@
 //! What a reader can do after each chapter, `book/goals.toml`, and by which exercise or question it shows.
 
+use crate::site::places::unsound;
 use crate::site::{files, paths};
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -120,12 +121,7 @@ fn faults(
             if !known {
                 faults.push(format!("book/goals.toml: `{chapter}` has no `{shown}` to show \"{goal}\""));
             }
-            if goal.contains(|c: char| c.is_ascii_digit()) {
-                faults.push(format!("book/goals.toml: \"{goal}\" has a number in it, which nothing holds"));
-            }
-            if !goal.ends_with('.') {
-                faults.push(format!("book/goals.toml: \"{goal}\" does not end with a full stop"));
-            }
+            faults.extend(unsound(goal).map(|what| format!("book/goals.toml: \"{goal}\" {what}")));
         }
     }
     faults

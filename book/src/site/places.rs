@@ -24,11 +24,8 @@ impl Sentences {
     fn parse(text: &str) -> Result<Self, String> {
         let all: BTreeMap<String, String> = toml::from_str(text).map_err(|e| e.to_string())?;
         for (page, sentence) in &all {
-            if sentence.contains(|c: char| c.is_ascii_digit()) {
-                return Err(format!("the sentence of `{page}` has a number in it, which nothing holds"));
-            }
-            if !sentence.ends_with('.') {
-                return Err(format!("the sentence of `{page}` does not end with a full stop"));
+            if let Some(what) = unsound(sentence) {
+                return Err(format!("the sentence of `{page}` {what}"));
             }
         }
         Ok(Self(all))
@@ -47,6 +44,17 @@ impl Sentences {
     /// The pages that have one.
     pub(crate) fn pages(&self) -> impl Iterator<Item = &str> {
         self.0.keys().map(String::as_str)
+    }
+}
+
+/// What is wrong with a sentence that no code holds.
+pub(super) fn unsound(sentence: &str) -> Option<&'static str> {
+    match sentence.ends_with('.') {
+        _ if sentence.contains(|c: char| c.is_ascii_digit()) => {
+            Some("has a number in it, which nothing holds")
+        }
+        true => None,
+        false => Some("does not end with a full stop"),
     }
 }
 

@@ -1,5 +1,6 @@
 //! What a page says to other programs: its description, how it looks when shared, and the map of the site.
 
+use crate::language::Language;
 use crate::site::files::{self, write_changed};
 use crate::site::places::{Sentences, escaped};
 use std::path::Path;
@@ -55,6 +56,9 @@ pub(crate) fn tell(book: &Path, pages: &Path, site: Option<&Site>) -> Result<(),
         let index = name == "introduction";
         let address = if index { String::new() } else { format!("{name}.html") };
         rewrite(&file, |html| with_head(&html, sentence, Some(&address), site))?;
+        if let Some((own, _)) = Language::of(name)? {
+            write_changed(&file, own.framed(&files::text(&file)?)?.as_bytes())?;
+        }
         if index {
             write_changed(&pages.join("index.html"), &files::bytes(&file)?)?;
         }

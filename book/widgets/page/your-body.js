@@ -4,8 +4,8 @@
 tumblingLive.widget("your-body", async (stage, from) => {
     const { load, module, fixed, short, raised, draw, arrow, drawing, sayer } = tumblingLive;
     const [body, exact] = await Promise.all([...["your-body", "tumble"].map(module), load(`${from}live.bodies.js`), load(`${from}your-body.saves.js`), load(`${from}your-body.shapes.js`)]);
-    const { rows, clock } = tumblingLive.bodies;
-    const { typed, refused, exactly, around, within, question, faces, seen, robot, fromText } = tumblingLive.yourBodyShapes;
+    const { dot, cross, rows, clock } = tumblingLive.bodies;
+    const { typed, refused, exactly, around, within, question, faces, laid, seen, robot, fromText } = tumblingLive.yourBodyShapes;
     const field = (id) => stage.querySelector(`#your-body-${id}`);
     const shown = (what) => stage.querySelector(`[data-shows=${what}]`);
     const say = sayer(stage);
@@ -18,16 +18,14 @@ tumblingLive.widget("your-body", async (stage, from) => {
         box: ["x", "y", "z"], ball: ["radius"], cylinder: ["radius", "height"], tube: ["radius of the hole", "radius", "height"], capsule: ["radius", "length"],
         cone: ["radius", "height"], ellipsoid: ["semi-axis x", "y", "z"], plate: ["x", "y"], disk: ["radius"], moments: [],
     };
-    const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
     const unit = (a) => a.map((x) => x / (Math.hypot(...a) || 1));
     let found = null; // what the module answers, by name
-    let parts = []; // those added: kind, numbers as the module takes them (kg, m, kg m²), place
+    let parts = []; // those added: kind, numbers as the module takes them (kg, m, kg m²), place, axis and degrees of its turn
     const PLACE = ["x", "y", "z"];
     const MOST_PARTS = 20;
 
     /** Sizes and mass are typed in mm and g, or with a unit; asked, and kept in the address, in m and kg. */
-    const UNIT = (name) => (TENSOR.includes(name) ? null : name === "m" ? "g" : "mm");
+    const UNIT = (name) => ([...TENSOR, "degrees"].includes(name) ? null : name === "m" ? "g" : "mm");
     const fill = (name, value) => { field(name).value = value === "" ? "" : exactly(value * (UNIT(name) ? 1000 : 1)); };
     const names = (kind) => (KINDS[kind].length > 0 ? ["m", ...SIZES.slice(0, KINDS[kind].length)] : ["m", ...TENSOR]);
     const asked = (name) => [name, field(name).value.trim() === "" ? "" : String(typed(field(name).value, UNIT(name)))];
@@ -39,13 +37,15 @@ tumblingLive.widget("your-body", async (stage, from) => {
         const bad = known.find(([, value]) => value === "" || value === "NaN")?.[0];
         return bad ? refused(field(bad).value, field(bad).getAttribute("aria-label") ?? bad, UNIT(bad)) : null;
     }
-    const together = (parts) => body.answer(5, parts.length, ...parts.flatMap(({ kind, numbers, at }) => [Object.keys(KINDS).indexOf(kind), ...numbers, ...Array(7 - numbers.length).fill(0), ...at]));
+    const nth = (kind) => Object.keys(KINDS).indexOf(kind);
+    const settled = (part) => laid(part, (rpy) => body.answer(3, ...(body.answer(0, nth(part.kind), ...part.numbers) ?? []).slice(0, 6), ...rpy));
+    const together = (parts) => body.answer(5, parts.length, ...parts.map(settled).flatMap(({ kind, numbers, at }) => [nth(kind), ...numbers, ...Array(7 - numbers.length).fill(0), ...at]));
     /** A part in words, in mm and g. */
-    function named({ kind: of, numbers: [mass, ...sizes], at }) {
+    function named({ kind: of, numbers: [mass, ...sizes], at, turn: [axis, degrees] }) {
         const mm = (lengths) => lengths.map((x) => String(exactly(x * 1000)).replace("-", "−"));
         const size = of === "moments" ? "" : `, ${of === "box" || of === "plate" ? mm(sizes).join(" × ") : mm(sizes).map((x, k) => `${KINDS[of][k]} ${x}`).join(", ")} mm`;
         const place = parts.length > 0 || at.some((x) => x !== 0) ? `, at (${mm(at).join(", ")}) mm` : "";
-        return `${of}, ${exactly(mass * 1000)} g${size}${place}`;
+        return `${of}, ${exactly(mass * 1000)} g${size}${degrees === 0 ? "" : `, turned by ${String(degrees).replace("-", "−")}° about ${PLACE[axis]}`}${place}`;
     }
     function list() {
         stage.querySelector("[data-of-parts]").hidden = parts.length === 0;
@@ -63,9 +63,9 @@ tumblingLive.widget("your-body", async (stage, from) => {
         }));
     }
     function add() {
-        const at = PLACE.map(asked);
-        const part = { kind: kind.value, numbers: given().map(([, value]) => Number(value)), at: at.map(([, value]) => Number(value)) };
-        const why = parts.length === MOST_PARTS ? `There is room for ${MOST_PARTS} parts.` : lacks([...given(), ...at]) ?? (together([...parts, part]) ? null : `${body.words()}.`);
+        const [at, degrees] = [PLACE.map(asked), asked("degrees")];
+        const part = { kind: kind.value, numbers: given().map(([, value]) => Number(value)), at: at.map(([, value]) => Number(value)), turn: [Number(field("axis").value), Number(degrees[1])] };
+        const why = parts.length === MOST_PARTS ? `There is room for ${MOST_PARTS} parts.` : lacks([...given(), ...at, degrees]) ?? (together([...parts, part]) ? null : `${body.words()}.`);
         if (why === null) parts.push(part);
         shown("added").textContent = why ?? `Part ${parts.length} is added.`;
         if (why === null) show();
@@ -89,9 +89,9 @@ tumblingLive.widget("your-body", async (stage, from) => {
             if (why) return why;
             if (values[0][1] < 0) return "The mass must be above zero, or left out where it is not known.";
         }
-        const answer = parts.length > 0 ? together(parts) : body.answer(0, Object.keys(KINDS).indexOf(kind.value), ...values.map(([, value]) => Number(value)));
+        const answer = parts.length > 0 ? together(parts) : body.answer(0, nth(kind.value), ...values.map(([, value]) => Number(value)));
         if (!answer) return `${body.words()}.`;
-        const whole = parts.length > 0 ? parts : [{ kind: kind.value, numbers: values.map(([, x]) => Number(x)), at: [0, 0, 0] }];
+        const whole = parts.length > 0 ? parts : [{ kind: kind.value, numbers: values.map(([, x]) => Number(x)), at: [0, 0, 0], turn: [0, 0] }];
         const part = (from, count) => Array.from(answer.slice(from, from + count));
         found = {
             tensor: part(0, 6), moments: part(6, 3), axes: [part(9, 3), part(12, 3), part(15, 3)], equal: answer[18], growth: answer[19],
@@ -268,7 +268,7 @@ tumblingLive.widget("your-body", async (stage, from) => {
     const MARK = "#your-body?";
     const CALLED = field("name").value;
     const called = () => field("name").value.trim() || CALLED;
-    const words = () => `${MARK}${new URLSearchParams([["kind", kind.value], ...given(), ...(called() === CALLED ? [] : [["name", called()]]), ...parts.map(({ kind, numbers, at }) => ["part", [kind, ...numbers, ...at].join("_")])])}`;
+    const words = () => `${MARK}${new URLSearchParams([["kind", kind.value], ...given(), ...(called() === CALLED ? [] : [["name", called()]]), ...parts.map(({ kind, numbers, at, turn }) => ["part", [kind, ...numbers, ...at, ...(turn[1] === 0 ? [] : turn)].join("_")])])}`;
     function fromAddress() {
         if (!location.hash.startsWith(MARK)) return;
         const said = new URLSearchParams(location.hash.slice(MARK.length));

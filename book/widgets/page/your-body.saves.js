@@ -21,7 +21,7 @@ tumblingLive.yourBodySaves = ({ stage, shown, wrong, kinds, called, found, pictu
     function file() {
         const parts = found().whole;
         const whole = found().single ? lines(parts[0].kind, parts[0].numbers[0], parts[0].numbers.slice(1))
-            : parts.flatMap(({ kind, numbers: [mass, ...sizes], at }) => ["", "[[part]]", ...lines(kind, mass, sizes), `at = [${at.join(", ")}] # m`]);
+            : parts.flatMap(({ kind, numbers: [mass, ...sizes], at, turn: [axis, degrees] }) => ["", "[[part]]", ...lines(kind, mass, sizes), ...(degrees === 0 ? [] : [`turn = [${[0, 1, 2].map((k) => Number(k === axis)).join(", ")}, ${degrees}] # about ${"xyz"[axis]}`]), `at = [${at.join(", ")}] # m`]);
         return save(`${filed()}.toml`, `${[`name = ${JSON.stringify(called())}`, ...whole].join("\n")}\n`, "text/plain");
     }
     /** The drawings with the look that they have on this page, for programs that know no style sheet. */

@@ -76,19 +76,32 @@ tumblingLive.yourBodyShapes = (() => {
         });
     }
 
+    /** A place, turned by these degrees about x, y or z. */
+    function turned([axis, degrees], p) {
+        const [c, s] = [Math.cos, Math.sin].map((f) => f((degrees * Math.PI) / 180));
+        const [second, third] = [(axis + 1) % 3, (axis + 2) % 3];
+        return Object.assign([...p], { [second]: c * p[second] - s * p[third], [third]: s * p[second] + c * p[third] });
+    }
+    /** Where the middle of a part's mass is. */
+    const middle = ({ kind, numbers: [, , height], at, turn }) => turned(turn, [0, 0, kind === "cone" ? height / 4 : 0]).map((x, i) => x + at[i]);
+    /** A part that is turned as one of moments, in place about the middle of its mass; `tensor` gives them for roll, pitch and yaw. */
+    function laid(part, tensor) {
+        const { numbers: [mass], turn: [axis, degrees] } = part;
+        const moments = degrees === 0 ? null : tensor([0, 1, 2].map((k) => (k === axis ? (degrees * Math.PI) / 180 : 0)));
+        return moments ? { kind: "moments", numbers: [mass, ...moments], at: middle(part) } : part;
+    }
     /**
      * The faces of parts, held rigidly, about their common centre of mass along these axes, in parts of how far the farthest corner is.
      * Of a part that is given by moments, `even` says the semi-axes and the axes of the ellipsoid that is drawn in its place.
      */
     function faces(parts, axes, even) {
         const weight = (mass) => (mass > 0 ? mass : 1);
-        const middle = ({ kind, numbers: [, , height], at }) => at.map((x, i) => x + (kind === "cone" && i === 2 ? height / 4 : 0));
         const whole = parts.reduce((sum, { numbers: [mass] }) => sum + weight(mass), 0);
         const centre = [0, 1, 2].map((i) => parts.reduce((sum, part) => sum + (weight(part.numbers[0]) * middle(part)[i]) / whole, 0));
-        const places = parts.flatMap(({ kind, numbers: [mass, ...sizes], at }) => {
+        const places = parts.flatMap(({ kind, numbers: [mass, ...sizes], at, turn }) => {
             const { semiaxes, leads } = kind === "moments" ? even([mass, ...sizes]) : { leads: null };
             const own = leads ? (p) => [0, 1, 2].map((i) => leads.reduce((sum, lead, k) => sum + lead[i] * p[k], 0)) : (p) => p;
-            return solid(leads ? "ellipsoid" : kind, semiaxes ?? sizes).map((corners) => corners.map((p) => own(p).map((x, i) => x + at[i] - centre[i])));
+            return solid(leads ? "ellipsoid" : kind, semiaxes ?? sizes).map((corners) => corners.map((p) => turned(turn, own(p)).map((x, i) => x + at[i] - centre[i])));
         });
         const reach = Math.max(...places.flat().map((p) => Math.hypot(...p)));
         return places.map((corners) => corners.map((p) => axes.map((axis) => axis.reduce((sum, x, i) => sum + x * p[i], 0) / reach)));
@@ -121,12 +134,13 @@ tumblingLive.yourBodyShapes = (() => {
         }
         return mass > 0 ? { tensor, mass, turned } : { why: "The mass must be above zero." };
     }
-    /** A part as the address has it, `box_0.2_0.077_0.0078_0.16_0_0_0`, with the number of numbers of a kind; a list of one or none. */
+    /** A part as the address has it, `box_0.2_0.077_0.0078_0.16_0_0_0` or with `_2_30` turned by 30° about z; a list of one or none. */
     function fromText(text, count) {
         const [kind, ...numbers] = text.split("_");
         const n = count(kind);
-        const whole = n > 0 && numbers.length === n + 3 && numbers.every((x) => x !== "" && Number.isFinite(Number(x)));
-        return whole ? [{ kind, numbers: numbers.slice(0, n).map(Number), at: numbers.slice(n).map(Number) }] : [];
+        const turn = numbers.length === n + 5 ? numbers.splice(n + 3).map(Number) : [0, 0];
+        const whole = n > 0 && numbers.length === n + 3 && [...numbers, turn[1]].every((x) => x !== "" && Number.isFinite(Number(x))) && [0, 1, 2].includes(turn[0]);
+        return whole ? [{ kind, numbers: numbers.slice(0, n).map(Number), at: numbers.slice(n).map(Number), turn }] : [];
     }
-    return { typed, refused, exactly, around: AROUND, within: WITHIN, question, faces, seen, robot, fromText };
+    return { typed, refused, exactly, around: AROUND, within: WITHIN, question, faces, laid, seen, robot, fromText };
 })();

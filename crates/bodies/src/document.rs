@@ -18,7 +18,8 @@ pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
         }
         _ => Error::new(why),
     };
-    let root = DeTable::parse(text).map_err(|error| at(error.clone(), error.message().to_owned()))?;
+    let root = DeTable::parse(text)
+        .map_err(|error| at(error.clone(), error.message().replace("duplicate key", TWICE)))?;
     if let Some((field, span, why)) =
         root.get_ref().iter().find_map(|(key, value)| bad_number(key.get_ref(), value))
     {
@@ -32,10 +33,7 @@ pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
         let turn = || (field.as_deref() == Some("turn")).then(|| "; write turn = [x, y, z, degrees]".into());
         let hint = list.map(|list| format!(": each table of a list begins with `[[{list}]]`")).or_else(turn);
         let error = at(error, why + &hint.unwrap_or_default());
-        match field {
-            Some(field) => error.of_field(&field),
-            None => error,
-        }
+        field.into_iter().fold(error, |error, field| error.of_field(&field))
     })
 }
 
@@ -78,6 +76,9 @@ fn bad_number(field: &str, value: &toml::Spanned<DeValue<'_>>) -> Option<(String
     };
     Some((field.to_owned(), value.span(), format!("{number} {why}")))
 }
+
+/// What is said of a field or a table that is there twice.
+const TWICE: &str = "this is there already; each table of a list begins with `[[`, such as `[[part]]`";
 
 /// The fields that are lists of tables.
 const LISTS: [&str; 3] = ["body", "part", "torque"];

@@ -141,10 +141,10 @@ impl<'de, const OF: usize> Deserialize<'de> for Size<OF> {
             Some(number / per).filter(|x| x.is_finite())
         };
         UNITS[OF].iter().find_map(read).map(Self).ok_or_else(|| {
-            let such = ["77 mm", "200 g", "0.7 g/cm3"][OF];
+            let such = ["\"77 mm\" (mm, cm, m)", "\"200 g\" (g, kg)", "\"0.7 g/cm3\" (g/cm3, kg/m3)"][OF];
             let lacks = if text.trim().parse::<f64>().is_ok() { ": the unit is missing" } else { "" };
             D::Error::custom(format!(
-                "a number is expected here, or one with its unit such as \"{such}\", not `{text}`{lacks}"
+                "a number is expected here, or one with its unit such as {such}, not `{text}`{lacks}"
             ))
         })
     }

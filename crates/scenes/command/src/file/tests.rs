@@ -268,7 +268,7 @@ fn a_body_of_a_scene_is_what_the_crate_of_bodies_reads() {
         ("shape = 'ball'\nradius = 1", "line 6, `shape`: `mass` (kg) or `density`"),
         (
             "shape = 'ball'\nradius = 'one'\nmass = 1",
-            "line 7, `radius`: a number is expected here, or one with its unit such as \"77 mm\", not `one`",
+            "line 7, `radius`: a number is expected here, or one with its unit such as \"77 mm\" (mm, cm, m), not `one`",
         ),
         ("moments = [2, 3, 4]\nmass = -1", "line 7, `mass`: the mass is -1.0"),
     ] {
