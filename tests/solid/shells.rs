@@ -153,10 +153,8 @@ fn tetrahedra(
 }
 
 #[test]
-fn thousands_of_shells_side_by_side_are_a_solid_and_as_many_in_one_another_are_refused_with_their_number()
-{
-    let row =
-        tetrahedra(4000, false, |k| (Vector3::new((k % 100) as f64, (k / 100) as f64, 0.0) * 4.0, 1.0));
+fn thousands_of_shells_side_by_side_are_a_solid_and_as_many_in_one_another_are_refused_with_their_number() {
+    let row = tetrahedra(4000, false, |k| (Vector3::new((k % 100) as f64, (k / 100) as f64, 0.0) * 4.0, 1.0));
     let one = tetrahedra(1, false, |_| (Vector3::zeros(), 1.0)).unwrap().measure().unwrap();
     assert!((row.unwrap().measure().unwrap() / (4000.0 * one) - 1.0).abs() < 1e-12);
     let nested = |count: usize| tetrahedra(count, true, |k| (Vector3::zeros(), 1.0 - k as f64 / 20_000.0));
