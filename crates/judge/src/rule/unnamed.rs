@@ -5,7 +5,7 @@ use crate::rule::diagnosis::Ranked;
 use crate::rule::tried::explained;
 use crate::rule::{Alteration, Base, Confidence, Explanation, Rule, Subject};
 use crate::thresholds::{
-    ABOVE_ROUNDING, ACCURATE, ALTERED, CLEAR, NEAR, SCATTERED_ROWS, STRAIGHT, TAKEN_BACK,
+    ABOVE_ROUNDING, ACCURATE, ALTERED, CLEAR, NEAR, OF_SCATTER, SCATTERED_ROWS, STRAIGHT, TAKEN_BACK,
 };
 
 /// The exact motion with a number altered, if that explains nearly all of its error; an accurate rule, and
@@ -33,11 +33,11 @@ pub(super) fn unnamed(
     if are_interpolated(pairs, floor) {
         return (ranked, Confidence::Interpolated, None);
     }
-    let scatter = scatter(subject, pairs);
+    let scatter = scatter(subject, pairs).filter(|off| exact.median < OF_SCATTER * off);
     (ranked, if scatter.is_some() { Confidence::Scattered } else { Confidence::NoneFits }, scatter)
 }
 
-/// By how much the spins scatter about a smooth motion, relative to them, if that is most of what is seen:
+/// By how much the spins scatter about a smooth motion, relative to them, if that is most of what they show:
 /// what one row is off by, the next step takes back, while the errors of a rule go on.
 fn scatter(subject: &Subject, pairs: &[Pair]) -> Option<f64> {
     let off =

@@ -150,3 +150,38 @@ fn an_attitude_that_is_turned_on_the_wrong_side_or_twice_is_named_with_its_remed
         assert!(found.advice[0].words.contains(remedy), "{verdict}");
     }
 }
+
+#[test]
+fn noise_scatters_and_the_roundings_of_a_fine_run_turned_on_the_wrong_side_do_not() {
+    let exact = run(BODIES[0], SPINS[3].into(), None);
+    let mut seed = 1_u64;
+    let mut noise = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        3e-3 * ((seed >> 40) as f64 / 16_777_216.0 - 0.5)
+    };
+    let noisy = exact.iter().map(|(t, q, w)| (*t, *q, w + Vector3::from_fn(|_, _| noise())));
+    let said = judged(&timed(BODIES[0], &noisy.collect::<Vec<_>>(), 1, 1.0)).to_string();
+    assert!(said.contains("The rows scatter") && said.contains("noisy sensor"), "{said}");
+
+    let system = System::free(Vector3::from(BODIES[0]).try_into().unwrap()).unwrap();
+    let mut q = Quaternion::identity();
+    let wrong = exact.iter().map(|(t, _, w)| {
+        let row = (*t, q, *w);
+        let mut state = State { attitude: q, momentum: system.momentum(w) };
+        for _ in 0..50 {
+            let next = Method::RungeKutta4.step(&system, &state, H / 50.0).unwrap();
+            let middle = system.omega(&((state.momentum + next.momentum) / 2.0));
+            state = State { attitude: product(&turn(&(middle * (H / 50.0))), &state.attitude), ..next };
+        }
+        q = state.attitude;
+        row
+    });
+    let text = written(
+        "# inertia: 1 2 2.5",
+        &wrong.collect::<Vec<_>>(),
+        |t| format!("{t:?}"),
+        |x| format!("{x:.11e}"),
+    );
+    let said = judged(&text).to_string();
+    assert!(!said.contains("scatter") && said.contains("(dq * q, not q * dq)"), "{said}");
+}
