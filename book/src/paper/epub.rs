@@ -125,7 +125,8 @@ fn nav(paper: &Paper) -> String {
     });
     let first = paper.pages.first().map_or("", |page| page.name.as_str());
     let out = format!(
-        "<nav epub:type=\"toc\" role=\"doc-toc\" id=\"toc\"><h1>Contents</h1>\n<ol>\n{contents}</ol></nav>\n<nav epub:type=\"landmarks\" hidden=\"\"><h2>Places</h2>\n<ol>\n<li><a epub:type=\"titlepage\" \
+        "<nav epub:type=\"toc\" role=\"doc-toc\" id=\"toc\"><h1>Contents</h1>\n<ol>\n{contents}</ol></nav>\n\
+         <nav epub:type=\"landmarks\" hidden=\"\"><h2>Places</h2>\n<ol>\n<li><a epub:type=\"titlepage\" \
          href=\"title.xhtml\">Title page</a></li>\n<li><a epub:type=\"toc\" href=\"nav.xhtml\">Contents</a></li>\n\
          <li><a epub:type=\"bodymatter\" href=\"{first}.xhtml\">Start of the text</a></li>\n</ol></nav>"
     );

@@ -3,7 +3,7 @@
 //! are of rules that the judge does not know; with a seed behind it they begin there, and one record is
 //! printed with its verdict.
 
-#[path = "../tests/judge/common/invented.rs"]
+#[path = "../tests/judge/common/invented/mod.rs"]
 mod invented;
 
 fn main() -> std::io::Result<()> {

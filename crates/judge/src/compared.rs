@@ -376,7 +376,8 @@ impl Comparison {
                 "It starts alike: look at the tensor, its axes, the parts that make it up, and the engine's settings."
             }
             (None, Some(_)) => {
-                "It turns alike: look at the centre of mass and at the velocity at the start. A step of first order errs by itself where the origin is off the centre."
+                "It turns alike: look at the centre of mass and at the velocity at the start. A step of first order errs by \
+                 itself where the origin is off the centre."
             }
             _ => "",
         };

@@ -61,10 +61,7 @@ pub fn fit_inertia(rows: &[(f64, Vector3<f64>)], guess: Option<&Inertia>) -> Res
         if swing * speed > mean.norm() {
             return none(swing);
         }
-        let [swing, left] = [swing, left].map(|x| x * speed);
-        fail(format!(
-            "the spin is steady, which does not determine the moments: it is {swing:.2e} rad/s from its mean, and must be more than {STEADY} times what is left, {left:.2e}"
-        ))
+        fail(is_steady(swing * speed, left * speed))
     };
     let start = match guess.map(Inertia::matrix) {
         Some(m) => {
@@ -98,13 +95,21 @@ pub fn fit_inertia(rows: &[(f64, Vector3<f64>)], guess: Option<&Inertia>) -> Res
     let known = unit * left.max(FIT_FLOOR);
     if known.max() > UNDETERMINED {
         return Err(fail(format!(
-            "the motion does not determine the moments: the standard error of one is {:.2e} of their sum, and must be at most {UNDETERMINED}",
+            "the motion does not determine the moments: the standard error of one is {:.2e} of their sum, and must be at \
+             most {UNDETERMINED}",
             known.max()
         )));
     }
     let is_alike = |[i, j]: &[usize; 2]| moments[*j] - moments[*i] < MOMENTS_APART * known[*i].max(known[*j]);
     let alike = [[0, 1], [1, 2]].into_iter().find(is_alike);
     Ok(FittedInertia { moments, axes, alike, errors: unit * left, residual: left * speed })
+}
+
+fn is_steady(swing: f64, left: f64) -> String {
+    format!(
+        "the spin is steady, which does not determine the moments: it is {swing:.2e} rad/s from its mean, and must be \
+         more than {STEADY} times what is left, {left:.2e}"
+    )
 }
 
 fn no_motion(left: f64, speed: f64) -> String {

@@ -29,7 +29,7 @@ pub(crate) use fit::{fitted_start, least, normal, slopes};
 pub(crate) use grid::Grid;
 pub(crate) use known::{Known, Said, Stopped};
 pub use note::Note;
-pub(crate) use pace::{simplest, times_the_turn};
+pub(crate) use pace::{by_how_much, simplest, times_the_turn};
 pub use reading::FileMistake;
 pub(crate) use reading::Reading;
 pub(crate) use rounding::{Floor, rounding};

@@ -282,9 +282,9 @@ pub(crate) const DIGITS_OF_A_SENSOR: f64 = 3e-4;
 /// Share of a row's error that the next step takes back where rows scatter (half of it, of noise alone), and
 /// the steps that it takes to say so.
 pub(crate) const TAKEN_BACK: f64 = 0.3;
+pub(crate) const SCATTERED_ROWS: f64 = 32.0;
 /// By how many times their scatter a step of the exact motion may be off, if it is the rows that scatter.
 pub(crate) const OF_SCATTER: f64 = 10.0;
-pub(crate) const SCATTERED_ROWS: f64 = 32.0;
 /// How many times as far as steps that still fit one must be from the rule to be a jump, and in how many
 /// steps there may be one: of the records made for the tests pushes are in one of 66 at most, and a rule that
 /// comes to be another's by and by is off in one of 40 and more.

@@ -126,11 +126,13 @@ const ATTITUDE_NAMES: [[&str; 4]; 4] = [
 const VECTORS: [(Kind, &str); 4] = [
     (
         Kind::SpinBody,
-        "w* w*b w*body wbody* omega* omega*body omegabody* angvel* angvel*body angvelbody* angularvelocity* angularvelocity*body angularvelocitybody*",
+        "w* w*b w*body wbody* omega* omega*body omegabody* angvel* angvel*body angvelbody* angularvelocity* \
+         angularvelocity*body angularvelocitybody*",
     ),
     (
         Kind::SpinWorld,
-        "w*w w*world wworld* omega*world omega*w omegaworld* angvel*world angvelworld* angularvelocity*world angularvelocityworld*",
+        "w*w w*world wworld* omega*world omega*w omegaworld* angvel*world angvelworld* angularvelocity*world \
+         angularvelocityworld*",
     ),
     (Kind::MomentumBody, "l* l*b l*body"),
     (Kind::MomentumWorld, "l*w l*world"),
@@ -149,7 +151,8 @@ struct Names {
     plain: Vec<(String, String)>,
 }
 
-const KNOWN: &str = "known are t or step; qw,qx,qy,qz; wx,wy,wz (spin in body axes) or wxw,wyw,wzw (in world axes); lx,ly,lz (momentum in body axes) or lxw,lyw,lzw (in world axes)";
+const KNOWN: &str = "known are t or step; qw,qx,qy,qz; wx,wy,wz (spin in body axes) or wxw,wyw,wzw (in world axes); \
+     lx,ly,lz (momentum in body axes) or lxw,lyw,lzw (in world axes)";
 
 impl Names {
     fn of(separator: Separator, text: &str, line: usize) -> Result<Self, Error> {

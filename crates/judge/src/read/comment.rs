@@ -116,7 +116,8 @@ fn moments(text: &str) -> Result<Option<[Vector3<f64>; 2]>, String> {
     };
     if (0..all.len()).any(|i| !places.contains(&i) && all[i].0 != 0.0) {
         return Err(format!(
-            "{} numbers are given for the inertia, with products that are not zero: give the three principal moments, and write spin and attitude about the principal axes",
+            "{} numbers are given for the inertia, with products that are not zero: give the three principal moments, and \
+             write spin and attitude about the principal axes",
             all.len()
         ));
     }

@@ -11,21 +11,35 @@ use nalgebra::Vector3;
 use tumbling::attitude::{product, rotation_matrix};
 use tumbling::exact::FreeMotion;
 
+/// The nearest whole number, and the ratio that it stands for: itself, or one over it.
+fn whole(ratio: f64) -> [f64; 2] {
+    let count = ratio.max(1.0 / ratio).round().max(1.0);
+    [count, if ratio < 1.0 { 1.0 / count } else { count }]
+}
+
 /// The nearest whole number above one, or one over it, where that is small enough to be told from a unit;
 /// else a number that nothing is near to.
 pub(super) fn in_whole_numbers(ratio: f64) -> f64 {
-    let count = ratio.max(1.0 / ratio).round();
-    match (2.0..=WHOLE_SURE).contains(&count) {
-        true if ratio < 1.0 => 1.0 / count,
-        true => count,
-        false => f64::INFINITY,
-    }
+    let [count, whole] = whole(ratio);
+    if (2.0..=WHOLE_SURE).contains(&count) { whole } else { f64::INFINITY }
+}
+
+/// To four places after the point.
+pub(super) fn to_four_places(x: f64) -> f64 {
+    (x * 1e4).round() / 1e4
+}
+
+/// By how much times are wrong that are too short by a factor, and the words for it: of the times, and of the
+/// spins that would look the same.
+pub(crate) fn by_how_much(times: f64) -> (f64, [&'static str; 2]) {
+    let (size, words) =
+        if times.abs() < 1.0 { (1.0 / times, ["long", "large"]) } else { (times, ["short", "small"]) };
+    (to_four_places(size), words)
 }
 
 /// The simplest number that a ratio found from rows may be: a whole one, one over it, a fraction, itself.
 pub(crate) fn simplest(ratio: f64) -> f64 {
-    let count = ratio.max(1.0 / ratio).round().max(1.0);
-    let whole = if ratio < 1.0 { 1.0 / count } else { count };
+    let [count, whole] = whole(ratio);
     let near = |x: &f64, share: f64| (ratio / x - 1.0).abs() < share;
     if near(&whole, WHOLE_NEAR) && count <= WHOLE_MOST {
         return whole;

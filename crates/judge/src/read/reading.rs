@@ -3,7 +3,7 @@
 //! A spin and the turn from one row to the next say the same thing. Where they do not, and would if the
 //! numbers were read another way, the file is what is wrong.
 
-use crate::read::pace::in_whole_numbers;
+use crate::read::pace::{by_how_much, in_whole_numbers, to_four_places};
 use crate::read::{Kind, Pair, Raw, Row, median};
 use crate::thresholds::{
     LAW_AGREES, LAW_BETTER, LAW_DECIDES, LAW_WEIGHT, NEARER_READING, PACE_APART, RARE_MISTAKE, TURNS_AGREE,
@@ -41,8 +41,8 @@ pub enum FileMistake {
     Nanoseconds,
     /// Time is in minutes.
     Minutes,
-    /// The times are too short by this factor (below one: too long), or the spins too small by it: attitude
-    /// and spin both move so many times as far from row to row as they say.
+    /// The times are too short by this factor (below one: too long), or the spins too small by it: from row
+    /// to row, attitude and spin both change this factor times as much as they say.
     Times(f64),
     /// The spin turns by the left hand, the attitude (if there is one) by the right.
     LeftHandedSpin,
@@ -57,7 +57,9 @@ impl FileMistake {
     #[must_use]
     pub fn words(self) -> String {
         match self {
-            Self::Frame => "the vector is not in the axes that it is said to be in: a spin in world axes where body axes are named, or the other way round. In a file the columns are `wxw,wyw,wzw` for the world, `wx,wy,wz` for the body; in a program name the frame"
+            Self::Frame => "the vector is not in the axes that it is said to be in: a spin in world axes where body axes \
+                 are named, or the other way round. In a file the columns are `wxw,wyw,wzw` for the world, `wx,wy,wz` for \
+                 the body; in a program name the frame"
                 .into(),
             Self::Order => "the quaternion is x, y, z, w under the names w, x, y, z: put the names in the order of the numbers".into(),
             Self::ScalarFirst => "the quaternion is w, x, y, z under the names x, y, z, w: put the names in the order of the numbers".into(),
@@ -71,14 +73,17 @@ impl FileMistake {
             Self::Nanoseconds => "the time is in nanoseconds: write seconds".into(),
             Self::Minutes => "the time is in minutes: write seconds".into(),
             Self::Times(times) => {
-                let (size, way, small) = if times < 1.0 { (1.0 / times, "long", "large") } else { (times, "short", "small") };
-                let [size, times] = [size, times].map(|x| (x * 1e4).round() / 1e4);
+                let (size, [way, small]) = by_how_much(times);
+                let times = to_four_places(times);
                 format!(
-                    "the times are {size} times too {way}: from row to row the attitude turns, and the spin changes, {times} times as far as they say. Look for rows left out, a step taken more than once, or another step than the one named (spins written {size} times too {small} would look the same)"
+                    "the times are {size} times too {way}: from row to row the attitude turns, and the spin changes, \
+                     {times} times as far as they say. Look for rows left out, a step taken more than once, or another step \
+                     than the one named (spins written {size} times too {small} would look the same)"
                 )
             }
             Self::LeftHandedSpin => "the spin turns by the left hand (left-handed axes): write it with the opposite sign".into(),
-            Self::LeftHanded => "the axes are left-handed, one component of attitude and spin mirrored: give that component, of both, the opposite sign"
+            Self::LeftHanded => "the axes are left-handed, one component of attitude and spin mirrored: give that \
+                 component, of both, the opposite sign"
                 .into(),
             Self::MirroredComponent(i) => {
                 format!("the {} component of the spin has the wrong sign (left-handed axes?)", ["x", "y", "z"][i.min(2)])

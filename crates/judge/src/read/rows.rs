@@ -36,7 +36,8 @@ impl<R: BufRead> Rows<R> {
             } else if !text.is_empty() {
                 let columns = Columns::of(text, line, header.step.is_some())?;
                 if matches!(columns.clock, TimeColumn::Steps(_)) && header.step.is_none() {
-                    let problem = "steps are counted, and their length is not given: a comment line `# dt: 0.01`, or a column `t`, is missing";
+                    let problem = "steps are counted, and their length is not given: a comment line `# dt: 0.01`, or a \
+                         column `t`, is missing";
                     return Err(Error::Line { line, problem: problem.into() });
                 }
                 let (last, fields, rows, ended) = (None, Vec::new(), 0, None);

@@ -33,43 +33,73 @@ macro_rules! advices {
 }
 
 advices! {
-    SINGLE: "Each step is exact to the rounding of single precision; over many steps that rounding adds up. For longer runs or for stricter limits carry attitude and momentum in double precision.";
+    SINGLE: "Each step is exact to the rounding of single precision; over many steps that rounding adds up. For longer runs \
+         or for stricter limits carry attitude and momentum in double precision.";
     LONGER: "Record a longer run, and judge it again.";
     NOTHING: "Nothing to do: the steps are the motion itself.";
     COMPARE: "Compare the engine's rule with the known ones." in STEPS;
     DRIFTS_ON: "Its errors fall with its step or its tolerance; what drifts in the table goes on drifting." in STEPS;
     EACH_STEP: "Write a row at each of the engine's steps, and none in between.";
     ONCE: "Write a row at each of the engine's steps, once.";
-    ALL_DIGITS_OR_FIT: "Write the engine's own numbers, with all their digits; of a sensor, fit a motion to many rows instead.";
+    ALL_DIGITS_OR_FIT: "Write the engine's own numbers, with all their digits; of a sensor, fit a motion to many rows \
+         instead.";
     EVERY_STEP: "Write a row at every step, and judge it again.";
-    FASTER: "Errors so close to rounding are those of many rules: record a faster spin, or longer steps, and judge it again.";
+    FASTER: "Errors so close to rounding are those of many rules: record a faster spin, or longer steps, and judge it \
+         again.";
     MORE_DIGITS: "Write the record with all digits (17 of double precision, 9 of single), and judge it again.";
     JUMPS: "Something acts on the body at the jumps: turn off contacts, pushes and resets, or look at what happens there.";
     OTHERS: "Most steps are this rule's: find what acts in the others, a limit, damping, a contact or a push.";
-    ADDS_UP: "Each step is exact to the record's rounding, and over the whole record the laws named here are not kept: errors below that rounding add up. Record all digits, or longer steps, and judge it again.";
+    ADDS_UP: "Each step is exact to the record's rounding, and over the whole record the laws named here are not kept: \
+         errors below that rounding add up. Record all digits, or longer steps, and judge it again.";
     NAMED_HERE: "The steps are the motion itself: what fails the record is named here, and is not the rule.";
-    OTHER_BODY: "The engine steps a body with other moments, or about other axes, than the record says: look for a wrong order of axes, a principal frame that is left out, or a shape that replaces the moments set. A free body shows their ratios, never their common scale." in AXES;
+    OTHER_BODY: "The engine steps a body with other moments, or about other axes, than the record says: look for a wrong \
+         order of axes, a principal frame that is left out, or a shape that replaces the moments set. A free body shows \
+         their ratios, never their common scale." in AXES;
     DAMPING: "Damping takes spin in each step: set the engine's angular damping to 0." in STEPS;
-    TERM: "The gyroscopic term is not that of the body: write w' = J ((I w) x w) in body axes, with J the inverse of the tensor I, once and with this order of the product (with a position stage the engine's own term is off)." in PITFALL_FLIPS;
-    TIMES: "The times are not those of the steps: look for rows left out, a step taken more than once, or another step than the one named.";
-    TERM_OR_TIMES: "Spins alone do not part a wrong term from wrong times. Look at the step and at rows left out, or record the attitude too; if the times are right, the term is not that of the body: w' = J ((I w) x w)." in PITFALL_FLIPS;
-    SIDE: "The turn of a step stands on the wrong side of the attitude: with q from body to world write q * dq where dq is made of a spin in body axes, and dq * q where it is made of a spin in world axes.";
-    OWN_UPDATE: "The turn does not belong to the spin: take attitude and spin at the end of the step both from this rule, after all that changes the spin, and take out the engine's own update of the attitude." in STAGE;
-    ONE_INSTANT: "Spin and attitude of a row are not of one instant: turn the body by the new spin, and write both after the step.";
-    TURNED_OTHERWISE: "The spin goes by this rule, and the attitude does not follow it: look at how the spin turns the body, and at the columns of the attitude.";
+    TERM: "The gyroscopic term is not that of the body: write w' = J ((I w) x w) in body axes, with J the inverse of the \
+         tensor I, once and with this order of the product (with a position stage the engine's own term is \
+         off)." in PITFALL_FLIPS;
+    TIMES: "The times are not those of the steps: look for rows left out, a step taken more than once, or another step than \
+         the one named.";
+    TERM_OR_TIMES: "Spins alone do not part a wrong term from wrong times. Look at the step and at rows left out, or record \
+         the attitude too; if the times are right, the term is not that of the body: w' = J ((I w) x w)." in PITFALL_FLIPS;
+    SIDE: "The turn of a step stands on the wrong side of the attitude: with q from body to world write q * dq where dq is \
+         made of a spin in body axes, and dq * q where it is made of a spin in world axes.";
+    OWN_UPDATE: "The turn does not belong to the spin: take attitude and spin at the end of the step both from this rule, \
+         after all that changes the spin, and take out the engine's own update of the attitude." in STAGE;
+    ONE_INSTANT: "Spin and attitude of a row are not of one instant: turn the body by the new spin, and write both after \
+         the step.";
+    TURNED_OTHERWISE: "The spin goes by this rule, and the attitude does not follow it: look at how the spin turns the \
+         body, and at the columns of the attitude.";
     CAP: "The spin is cut off at a limit: raise the engine's greatest angular velocity.";
-    LIMITS: "The body is too fast for the engine's limits, which slow it or turn it too little: take shorter steps, or raise the limits." in STEPS;
-    FROZEN: "The spin is stepped in the world with the tensor of the body as it stood at the start: turn the tensor with the body, R I R^T, at each step." in PITFALL_TENSOR;
-    MOMENTUM: "The momentum turns the body as if it were the spin: make the spin from it by the inverse tensor turned to the world, w = R J R^T L." in PITFALL_MOMENTUM;
-    STRAIGHT: "The gyroscopic term is taken at the start of the step and adds energy without bound: a stable spin blows up; and the straight step turns the body by too little. Turn the momentum instead of adding to it (three exact turns a step), and the body by the exact turn of its spin, (cos a/2, sin a/2 times the axis)." in REMEDY;
-    KEEPS_LAWS: "Energy and momentum do not drift by it: what is left is an error of phase, smaller in shorter steps." in STEPS;
-    OF_ORDER: "Its errors fall fast with the step, and add up: take shorter steps, or for long runs a method that keeps the laws." in STEPS;
-    NO_TERM: "There is no gyroscopic term: a body never flips and its momentum wanders (a record of the spin looks the same where the momentum is taken for the spin). Turn the momentum in the body (three exact turns a step). An engine's flag for gyroscopic forces makes the body flip, and may lose a stable spin: record one with it." in PITFALL_FLIPS;
-    EXPLICIT: "The gyroscopic term is taken at the start of the step and adds energy without bound: a stable spin blows up. Turn the momentum instead of adding to it (three exact turns a step)." in REMEDY;
-    RESCALED: "The momentum's length is put right after an explicit step, its energy is not: a stable spin drifts toward the separatrix, and flips. Turn the momentum instead (three exact turns a step keep the length without rescaling)." in REMEDY;
-    ONE_IMPLICIT: "One implicit step takes energy and momentum from most bodies that tumble, so that they slow down by themselves; of a step that turns by a radian or more it can multiply the energy. Use three exact turns a step." in REMEDY;
-    MEAN_SPIN: "The spin is of order 4, the attitude of order 2: the momentum wanders in the world. Correct the stages' spins to the turn since the start of the step." in STEPS;
-    EULER: "Everything is stepped straight ahead, and the energy grows without bound: use three exact turns a step." in STEPS;
+    LIMITS: "The body is too fast for the engine's limits, which slow it or turn it too little: take shorter steps, or \
+         raise the limits." in STEPS;
+    FROZEN: "The spin is stepped in the world with the tensor of the body as it stood at the start: turn the tensor with \
+         the body, R I R^T, at each step." in PITFALL_TENSOR;
+    MOMENTUM: "The momentum turns the body as if it were the spin: make the spin from it by the inverse tensor turned to \
+         the world, w = R J R^T L." in PITFALL_MOMENTUM;
+    STRAIGHT: "The gyroscopic term is taken at the start of the step and adds energy without bound: a stable spin blows up; \
+         and the straight step turns the body by too little. Turn the momentum instead of adding to it (three exact turns a \
+         step), and the body by the exact turn of its spin, (cos a/2, sin a/2 times the axis)." in REMEDY;
+    KEEPS_LAWS: "Energy and momentum do not drift by it: what is left is an error of phase, smaller in shorter \
+         steps." in STEPS;
+    OF_ORDER: "Its errors fall fast with the step, and add up: take shorter steps, or for long runs a method that keeps the \
+         laws." in STEPS;
+    NO_TERM: "There is no gyroscopic term: a body never flips and its momentum wanders (a record of the spin looks the same \
+         where the momentum is taken for the spin). Turn the momentum in the body (three exact turns a step). An engine's \
+         flag for gyroscopic forces makes the body flip, and may lose a stable spin: record one with it." in PITFALL_FLIPS;
+    EXPLICIT: "The gyroscopic term is taken at the start of the step and adds energy without bound: a stable spin blows up. \
+         Turn the momentum instead of adding to it (three exact turns a step)." in REMEDY;
+    RESCALED: "The momentum's length is put right after an explicit step, its energy is not: a stable spin drifts toward \
+         the separatrix, and flips. Turn the momentum instead (three exact turns a step keep the length without \
+         rescaling)." in REMEDY;
+    ONE_IMPLICIT: "One implicit step takes energy and momentum from most bodies that tumble, so that they slow down by \
+         themselves; of a step that turns by a radian or more it can multiply the energy. Use three exact turns a \
+         step." in REMEDY;
+    MEAN_SPIN: "The spin is of order 4, the attitude of order 2: the momentum wanders in the world. Correct the stages' \
+         spins to the turn since the start of the step." in STEPS;
+    EULER: "Everything is stepped straight ahead, and the energy grows without bound: use three exact turns a \
+         step." in STEPS;
 }
 
 impl Advice {

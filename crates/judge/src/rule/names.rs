@@ -1,5 +1,6 @@
 //! What a rule is called, and who goes by it.
 
+use crate::read::by_how_much;
 use crate::rule::{Alteration, Base, Limits, PHYSICS_ENGINES, PhysicsEngine, Rule, Turn, When};
 use crate::thresholds::{NEAR_A_TERM, RULES_NAMED};
 use tumbling::step::Method;
@@ -86,8 +87,8 @@ impl Alteration {
                 format!("either {}, or {}", Self::Term(*times).name(), Self::Times(*times).name())
             }
             Self::Times(times) => {
-                let (size, way) = if times.abs() < 1.0 { (1.0 / times, "long") } else { (*times, "short") };
-                format!("times that are {} times too {way}", (size * 1e4).round() / 1e4)
+                let (size, [way, _]) = by_how_much(*times);
+                format!("times that are {size} times too {way}")
             }
             Self::Turned(Turn::Old) => {
                 "the attitude turned by the old spin (or each spin written a row early)".into()

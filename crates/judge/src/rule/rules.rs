@@ -57,7 +57,8 @@ pub enum Alteration {
     Term(f64),
     /// The gyroscopic term, or the times: spins alone do not distinguish these.
     TermOrTimes(f64),
-    /// The times are too short by this factor: spin and attitude both go as far as in so many times the step.
+    /// The times are too short by this factor (below one: too long): in a step, spin and attitude both change
+    /// by as much as the motion does in this factor times the step.
     Times(f64),
     /// The spin is the rule's, and the attitude does not turn by it.
     Turned(Turn),

@@ -111,7 +111,8 @@ impl Verdict {
                 reasons.push("a torque acts, and the laws judged here are those of a free body".into());
             }
             Outcome::NothingToJudge if self.untraceable => reasons.push(
-                "the body turns so far from row to row that no number of double precision says where it should be. Record it with shorter steps, and look at the units"
+                "the body turns so far from row to row that no number of double precision says where it should be. Record \
+                 it with shorter steps, and look at the units"
                     .into(),
             ),
             Outcome::NothingToJudge => reasons.push(
@@ -119,7 +120,8 @@ impl Verdict {
             ),
             Outcome::TooShort => reasons.push(
                 format!(
-                    "no law is broken, and too little is seen to say more: it takes {ENOUGH_ROWS} rows or more, in which the body turns once round or its spin should change by a tenth. Record {} s or more of this body",
+                    "no law is broken, and too little is seen to say more: it takes {ENOUGH_ROWS} rows or more, in which \
+                     the body turns once round or its spin should change by a tenth. Record {} s or more of this body",
                     plain_number(self.enough())
                 ),
             ),
@@ -163,7 +165,8 @@ impl Verdict {
                 (true, false) => ", away from the separatrix at 1",
             };
             let line = format!(
-                "2 E I₂ / L² goes from {first:.6} to {last:.6}{toward} (E energy, I₂ the middle moment: below 1 the spin circles the axis of the largest moment, above 1 that of the smallest)."
+                "2 E I₂ / L² goes from {first:.6} to {last:.6}{toward} (E energy, I₂ the middle moment: below 1 the spin \
+                 circles the axis of the largest moment, above 1 that of the smallest)."
             );
             all.push(section("Separatrix", [line]));
         }

@@ -36,10 +36,12 @@ impl fmt::Display for Complaint {
                 match seen {
                     None => Ok(()),
                     Some(Seen::BodyInWorld) => {
-                        f.write_str(": it turns about a spin in body axes as if that were in the world's (dq * q, not q * dq)")
+                        f.write_str(": it turns about a spin in body axes as if that were in the world's (dq * q, not q * \
+                             dq)")
                     }
                     Some(Seen::WorldInBody) => {
-                        f.write_str(": it turns about a spin in world axes as if that were in the body's (q * dq, not dq * q)")
+                        f.write_str(": it turns about a spin in world axes as if that were in the body's (q * dq, not dq * \
+                             q)")
                     }
                     Some(Seen::Times(times)) => write!(f, ": it turns about the spin's axis, and {times:.3} times as far"),
                     Some(Seen::OtherAxis) => f.write_str(": it turns about another axis"),
@@ -50,7 +52,8 @@ impl fmt::Display for Complaint {
             }
             Self::WrongPace { off, periods, allowed } => write!(
                 f,
-                "the phase of the spin is off by {off:.2} periods after {periods:.2} periods of the exact motion (allowed: {allowed:.2}, unless a limit for phase says otherwise)"
+                "the phase of the spin is off by {off:.2} periods after {periods:.2} periods of the exact motion (allowed: \
+                 {allowed:.2}, unless a limit for phase says otherwise)"
             ),
         }
     }
@@ -61,7 +64,8 @@ impl Complaint {
     pub(crate) fn problem(&self) -> String {
         match self {
             Self::TooFar { turn, .. } => format!(
-                "the attitude turns by {turn:.2} rad or more in one step, and attitudes alone do not distinguish a turn from one that goes the other way round. Record the spin, or shorter steps"
+                "the attitude turns by {turn:.2} rad or more in one step, and attitudes alone do not distinguish a turn \
+                 from one that goes the other way round. Record the spin, or shorter steps"
             ),
             other => other.to_string(),
         }
@@ -80,14 +84,16 @@ impl fmt::Display for Note {
             }
             Self::Flat { printed, missing, moments } => write!(
                 f,
-                "the largest moment is printed as {printed}, {missing:.1e} more than the others together, which no body has; its printed digits leave that open, and a flat body of {}, {}, {} kg m2 is judged",
+                "the largest moment is printed as {printed}, {missing:.1e} more than the others together, which no body \
+                 has; its printed digits leave that open, and a flat body of {}, {}, {} kg m2 is judged",
                 moments.x, moments.y, moments.z
             ),
             Self::EvenSteps { named, step } => {
                 let which = if *named { "that the header names" } else { "that they have in the mean" };
                 write!(
                     f,
-                    "the times are printed with few digits, and are taken as multiples of the step {which}, {step:.9} s as the file counts"
+                    "the times are printed with few digits, and are taken as multiples of the step {which}, {step:.9} s as \
+                     the file counts"
                 )
             }
             Self::StepsPerRow { named, steps } => {
@@ -95,7 +101,8 @@ impl fmt::Display for Note {
             }
             Self::OtherStep { named, row } => write!(
                 f,
-                "the header names a step of {named:.9} s, and the rows are {row:.9} s apart, no whole number of such steps: it is not used"
+                "the header names a step of {named:.9} s, and the rows are {row:.9} s apart, no whole number of such steps: \
+                 it is not used"
             ),
         }
     }

@@ -22,7 +22,7 @@ proofs! {
             r"For all moments, the momentum is turned from the spin towards the axis with the larger moment: with positive components, and the larger moment about the second axis, $L_j/L_i - \omega_j/\omega_i > 0$.";
             but "towards the lighter axis": lean([[1, 0], [2, 1], [2, 0]]),
         "gap-is-never-a-right-angle": acute(1),
-            r"The product $\omega\cdot L = I_1\omega_1^2 + I_2\omega_2^2 + I_3\omega_3^2$ is positive for every spin but none: the angle stays below a right angle.";
+            r"The product $\omega\cdot L = I_1\omega_1^2 + I_2\omega_2^2 + I_3\omega_3^2$ is positive for every spin that is not zero: the angle stays below a right angle.";
             but "one moment with a minus": acute(-1),
         "largest-gap": slant(),
             r"Between two axes with moments $a$ and $b$ the gap has $\tan(\text{gap})^2 = \frac{(b - a)^2}{4 a b} - \frac{(b - a)^2 (b\tan(\theta)^2 - a)^2}{4 a b (a + b\tan(\theta)^2)^2}$, of which the last term, with $4 a b (a + b\tan(\theta)^2)^2 > 0$, is zero at the largest gap alone.";

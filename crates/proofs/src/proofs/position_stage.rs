@@ -148,7 +148,7 @@ fn real([turn, bend]: [i64; 2]) -> Outcome {
     Ok(())
 }
 
-/// With the change of the spin counted so many times.
+/// With the end's spin that of the start and this number of times its change.
 fn work(counted: i64) -> Vec<Scope> {
     let s = Fraction::variable("s");
     // In axes of the world the inverse tensor is any symmetric matrix; in its own it is diagonal.
