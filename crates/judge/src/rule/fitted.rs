@@ -67,8 +67,7 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
             || !with_attitude && method == Method::MeanSpinRungeKutta4);
         let keeps = is_accurate || Rule::plain(base).keeps(LawName::Separatrix);
         let far = if keeps { RATE_APART } else { NEAR_A_TERM[1] };
-        let is_still = matches!(base, Base::Method(Method::ConstantSpin, _));
-        if !is_still && (!keeps || base == Base::Exact) && term.is_finite() {
+        if !is_still(base) && (!keeps || base == Base::Exact) && term.is_finite() {
             let rule = |times: &SVector<f64, 1>| base.but(Alteration::TermOrTimes(times.x));
             let fitted = least([term].into(), |times| misses(subject, &few, &rule(times)), |times| times);
             let other = fitted.map(|times| times.x);
@@ -90,10 +89,18 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
             move |base: Base| turns.iter().map(move |&turn| base.but(Alteration::Turned(turn)))
         };
         all.extend(Base::all().into_iter().chain(Base::every()).flat_map(turned(&[Turn::Old, Turn::Late])));
-        let others = Base::all().into_iter().chain([Base::PositionStage(1)]);
-        all.extend(others.flat_map(turned(&Turn::OTHERS)));
+        let others = Base::all().into_iter().chain([Base::PositionStage(1)]).flat_map(turned(&Turn::OTHERS));
+        // Of a spin that stays, a turn that is made twice may as well be one in times that are wrong.
+        let is_twice = |rule: &Rule| {
+            matches!(rule.alteration, Some(Alteration::Turned(Turn::TwiceBefore | Turn::TwiceAfter)))
+        };
+        all.extend(others.filter(|rule| !(is_still(rule.base) && is_twice(rule))));
     }
     all
+}
+
+const fn is_still(base: Base) -> bool {
+    matches!(base, Base::Method(Method::ConstantSpin, _) | Base::Straight(Method::ConstantSpin, _))
 }
 
 /// What a multiple of the gyroscopic term may be, by how many times as far as the spin says the attitude
