@@ -1,8 +1,6 @@
 //! A body in flight: its inertia, its attitude, its angular momentum. Spin is derived.
 
 pub mod named;
-#[cfg(feature = "serde")]
-mod serial;
 
 use crate::attitude;
 use crate::error::{Error, Refusal, Subject, finite_vector, representable};
@@ -29,8 +27,6 @@ use nalgebra::{Matrix3, Quaternion, SVector, UnitQuaternion, Vector3};
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "serial::Flight", into = "serial::Flight"))]
 pub struct Body {
     inertia: Inertia,
     inverse: Matrix3<f64>,

@@ -7,8 +7,6 @@ mod frame;
 mod moments;
 mod possible;
 mod principal;
-#[cfg(feature = "serde")]
-mod serial;
 
 use crate::number::functions::atan2;
 pub(crate) use frame::Frame;
@@ -97,8 +95,6 @@ pub fn omega_world<T: Ring>(
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "serial::Tensor", into = "serial::Tensor"))]
 pub struct Inertia {
     tensor: Matrix3<f64>,
 }

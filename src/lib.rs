@@ -83,7 +83,6 @@
 //! # Features
 //!
 //! - `std`, on by default: without it the library needs only `core` and `alloc`.
-//! - `serde`: reads and writes tensors, mass properties, bodies and states; what is read is checked.
 //!
 //! The library computes the same bits on every machine: its elementary functions are its own.
 //!

@@ -19,8 +19,6 @@ mod cuboid;
 pub(crate) mod mesh;
 mod properties;
 mod round;
-#[cfg(feature = "serde")]
-mod serial;
 mod shells;
 mod thin;
 

@@ -22,8 +22,6 @@ use nalgebra::{Matrix3, Vector3};
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(feature = "serde", serde(try_from = "[f64; 3]", into = "[f64; 3]"))]
 pub struct PrincipalMoments {
     moments: Vector3<f64>,
     /// Indices of the moments, smallest first.

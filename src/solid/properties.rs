@@ -99,11 +99,6 @@ impl From<MassProperties> for MassMoments<Extended> {
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(try_from = "super::serial::Properties", into = "super::serial::Properties")
-)]
 pub struct MassProperties {
     mass: f64,
     centre: Vector3<f64>,
