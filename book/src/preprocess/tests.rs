@@ -82,12 +82,13 @@ fn code_and_escaped_dollars_stay_as_written() {
 
 #[test]
 fn a_formula_keeps_the_marks_that_cling_to_it() {
-    let out = shown("If ($x$), then $y$-axis; [a $z$](b.md) and $w$![](c.png)\n").unwrap();
+    let out = shown("If ($x$), then $y$-axis; [a $z$](b.md) and $w$![](c.png) $2$ kg m, or\n").unwrap();
     let x = "<span class=\"math-inline\">(<math><mi>x</mi></math>),</span> then";
     let y = "<span class=\"math-inline\"><math><mi>y</mi></math>-</span>axis";
     let z = "[a <math><mi>z</mi></math>](b.md)";
     let w = "<math><mi>w</mi></math>![](c.png)";
-    for expected in [x, y, z, w] {
+    let unit = "<math><mn>2</mn></math> kg m,</span> or";
+    for expected in [x, y, z, w, unit] {
         assert!(out.contains(expected), "{expected} in {out}");
     }
 }
