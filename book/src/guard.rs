@@ -128,16 +128,17 @@ impl Book {
         let mut reader = Reader::default();
         let mut chapters = Vec::new();
         let mut wrong = Vec::new();
-        for file in listed(folder)? {
+        for name in listed(folder)? {
+            let file = format!("{name}.md");
             let path = folder.join(&file);
             let text = files::text(&path)?;
             let shown = if own { format!("book/chapters/{file}") } else { path.display().to_string() };
             let faults = preprocess::unreadable(Path::new(&file), &text);
             wrong.extend(faults.into_iter().map(|f| f.replacen(&format!("book/chapters/{file}"), &shown, 1)));
-            let name = file.trim_end_matches(".md");
-            let translated = Language::of(name).and_then(|own| own.map(|(own, of)| own.page(of)).transpose());
+            let translated =
+                Language::of(&name).and_then(|own| own.map(|(own, of)| own.page(of)).transpose());
             wrong.extend(translated.err());
-            match reader.chapter(name, &shown, &text) {
+            match reader.chapter(&name, &shown, &text) {
                 Ok(chapter) => chapters.push(chapter),
                 Err(fault) => wrong.push(fault),
             }
@@ -169,21 +170,14 @@ impl Book {
     }
 }
 
-/// The chapters' files, in the order of `SUMMARY.md`.
+/// The chapters' names, in the order of `SUMMARY.md`.
 fn listed(folder: &Path) -> Result<Vec<String>, String> {
-    let file = folder.join("SUMMARY.md");
-    let text = files::text(&file)
+    let listed = files::listed(folder)
         .map_err(|what| format!("{what}; a folder of chapters has a SUMMARY.md that lists them"))?;
-    let files: Vec<String> = preprocess::pieces(&text)
-        .into_iter()
-        .filter_map(|(event, _)| match event {
-            pulldown_cmark::Event::Start(pulldown_cmark::Tag::Link { dest_url, .. }) => {
-                Some(dest_url.to_string())
-            }
-            _ => None,
-        })
-        .collect();
-    if files.is_empty() { Err(format!("{} lists no chapter", file.display())) } else { Ok(files) }
+    if listed.is_empty() {
+        return Err(format!("{} lists no chapter", folder.join("SUMMARY.md").display()));
+    }
+    Ok(listed.into_iter().map(|(name, _)| name).collect())
 }
 
 /// The versions that the first page names, as the manifests have them.

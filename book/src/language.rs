@@ -7,6 +7,7 @@
 //! order. What the chapter says and the file lacks, or the other way round, is a fault: the page is behind.
 
 use crate::guard::{number_words, numerals, with_unit};
+use crate::preprocess::blanks;
 use crate::site::{files, paths};
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
@@ -30,7 +31,7 @@ pub(crate) struct Language {
 }
 
 /// What may stand behind a number as its unit.
-const UNITS: [&str; 16] =
+pub(crate) const UNITS: [&str; 16] =
     ["s", "ms", "min", "mm", "cm", "m", "kg", "g", "rad", "rad/s", "Hz", "J", "N", "×", "°", "%"];
 
 /// The attributes that are read out.
@@ -49,9 +50,10 @@ impl Language {
 
     fn parse(code: &str, text: &str) -> Result<Self, String> {
         let found: Self = toml::from_str(text).map_err(|e| format!("book/words.{code}.toml: {e}"))?;
-        let found = Self { code: code.to_owned(), ..found };
+        let mut found = Self { code: code.to_owned(), ..found };
         let all = found.page.values().flatten().chain(&found.words).chain(&found.frame);
         let wrong: Vec<String> = all.filter_map(|(own, said)| found.differs(own, said)).collect();
+        found.page.values_mut().flat_map(Words::values_mut).for_each(|said| *said = blanks::kept(said));
         if wrong.is_empty() { Ok(found) } else { Err(wrong.join("\n")) }
     }
 

@@ -17,7 +17,15 @@
         }
         node.childNodes.forEach(tell);
     }
-    new MutationObserver((changes) => {
-        for (const { type, target, addedNodes } of changes) (type === "childList" ? [...addedNodes] : [target]).forEach(tell);
-    }).observe(page, { subtree: true, childList: true, characterData: true, attributeFilter: LABELS });
+    const seen = new MutationObserver((changes) => {
+        for (const { type, target, addedNodes } of changes) {
+            const changed = type === "childList" ? [...addedNodes] : [target];
+            // Of what the frame gains, a figure's dialog alone is of this page.
+            changed.filter((node) => target !== document.body || node.nodeName === "DIALOG").forEach(tell);
+        }
+    });
+    for (const part of [page, document.getElementById("mdbook-searchresults-header")]) {
+        if (part) seen.observe(part, { subtree: true, childList: true, characterData: true, attributeFilter: LABELS });
+    }
+    seen.observe(document.body, { childList: true });
 })(document.currentScript.parentElement);

@@ -3,6 +3,7 @@
 mod engine;
 mod style;
 
+use crate::draw::escaped;
 use crate::of_body::{Kind, NAMES, Subject, gaps, moments, polhodes};
 use crate::picture::{raised, with_powers};
 use crate::units;
@@ -64,10 +65,6 @@ pub fn report(body: &BodyModel, engine: bool) -> Result<String, Box<dyn Error>> 
     page += &if engine { engine::section(&subject)? } else { String::new() };
     page += "</main>\n</body>\n</html>\n";
     Ok(page)
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 /// A row of a table.

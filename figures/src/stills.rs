@@ -1,7 +1,8 @@
 //! Stills of what moves in the pages, for paper: a body in flight, at equal instants.
 
-use crate::draw::{Canvas, Cuboid, Fill, Ink, Label, P, Pen, View};
-use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use crate::draw::{Canvas, Ink, Label, P, Pen, View};
+use crate::figures::three_tosses::draw_book;
+use nalgebra::{UnitQuaternion, Vector3};
 use std::error::Error;
 use std::f64::consts::TAU;
 use tumbling::body::named::{BOOK, NamedBody, PHONE};
@@ -58,7 +59,7 @@ fn drawn(widget: &str, toss: &Flight) -> Result<String, Box<dyn Error>> {
             let state = motion.at(time)?;
             let centre: P = (44.0 + 82.0 * column as f64, 62.0 + 132.0 * row as f64);
             let view = View::new(centre, toss.scale, -90.0 + 22.0, 18.0);
-            slab(&canvas, &view, &toss.sizes.into(), state.attitude.to_rotation_matrix().into_inner());
+            draw_book(&canvas, &view, &toss.sizes.into(), state.attitude.to_rotation_matrix().into_inner());
             let tip = |v: Vector3<f64>| view.at(&(v.normalize() * (44.0 / toss.scale)));
             canvas.arrow(centre, tip(Vector3::x()), Pen::new(Ink::Momentum, 3.4));
             canvas.arrow(centre, tip(state.attitude * state.omega), Pen::new(Ink::Omega, 1.8));
@@ -78,27 +79,4 @@ fn drawn(widget: &str, toss: &Flight) -> Result<String, Box<dyn Error>> {
             TURNS, toss.push, toss.step
         ),
     ))
-}
-
-/// A flat box whose front is dark, its title a light stripe.
-fn slab(canvas: &Canvas, view: &View, edges: &Vector3<f64>, rotation: Matrix3<f64>) {
-    let solid = Cuboid { rotation, half: edges * 0.5 };
-    let edge = Pen::new(Ink::Text, 1.2);
-    for axis in 0..3 {
-        for sign in [-1.0, 1.0] {
-            if !solid.faces(view, axis, sign) {
-                continue;
-            }
-            let corners = solid.face(axis, sign).map(|p| view.at(&p));
-            canvas.area(&corners, Fill::new(Ink::Paper), None);
-            let front = axis == 1 && sign < 0.0;
-            let fill = if front { Fill::new(Ink::Text).opacity(0.78) } else { Fill::new(Ink::Surface) };
-            canvas.area(&corners, fill, Some(edge));
-            if front {
-                let stripe = [(-0.6, 0.3), (0.6, 0.3), (0.6, 0.6), (-0.6, 0.6)];
-                let stripe = stripe.map(|(x, z)| view.at(&solid.point(x, -1.0, z)));
-                canvas.area(&stripe, Fill::new(Ink::Paper), None);
-            }
-        }
-    }
 }

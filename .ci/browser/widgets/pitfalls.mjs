@@ -7,7 +7,7 @@ export async function pitfalls(page, wants) {
   const of = (which, what) => page.locator("#live-pitfalls .live-engine").nth(which).locator(`[data-of=${what}]`).textContent();
   const start = (which) => page.click(`#live-pitfalls [data-start="${which}"]`);
   const end = () => page.click("#pitfalls-end");
-  const text = await page.textContent("main");
+  const text = (await page.textContent("main")).replace(/\s+/g, " ");
 
   // All in one screen, and it keeps its size whatever its numbers are.
   const before = page.viewportSize();

@@ -4,7 +4,7 @@ import { atTime, said, set, shown, turnsAndPlays } from "./controls.mjs";
 
 export async function turning(page, wants) {
   const entries = () => page.locator("#live-turning [data-at]").allTextContents();
-  const text = await page.textContent("main");
+  const text = (await page.textContent("main")).replace(/\s+/g, " ");
   const [, large, small] = text.match(/change places: ([\d.]+) and ([\d.]+) kg/);
   const [, equal, product] = text.match(/both are\s+([\d.]+) kg m², and a product of (−[\d.]+)/);
   await set(page, "#turning-scrub", 90);

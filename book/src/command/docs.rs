@@ -1,6 +1,7 @@
 //! The library's documentation, made by rustdoc and laid beside the pages, where the chapters link to it.
 
 use crate::command::measure;
+use crate::site::files;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -27,15 +28,11 @@ pub(crate) fn lay_beside(pages: &Path) -> Result<bool, String> {
     };
     let beside = pages.join(FOLDER);
     let ours = ["tumbling", "src/tumbling", "tumbling_scenes", "src/tumbling_scenes"];
-    for part in ours.into_iter().chain(["static.files", "search.index", "trait.impl", "type.impl"]) {
-        if made.join(part).exists() {
-            copy(&made.join(part), &beside.join(part))?;
-        }
-    }
-    for entry in fs::read_dir(&made).into_iter().flatten().flatten() {
-        if entry.path().is_file() {
-            copy(&entry.path(), &beside.join(entry.file_name()))?;
-        }
+    let loaded = ["static.files", "search.index", "trait.impl", "type.impl"];
+    let parts = ours.into_iter().chain(loaded).map(|part| made.join(part)).filter(|part| part.exists());
+    let beside_them = fs::read_dir(&made).into_iter().flatten().flatten().map(|entry| entry.path());
+    for from in parts.chain(beside_them.filter(|path| path.is_file())) {
+        copy(&from, &beside.join(from.strip_prefix(&made).unwrap_or(&from)))?;
     }
     Ok(true)
 }
@@ -48,18 +45,13 @@ fn made() -> Option<PathBuf> {
 }
 
 pub(crate) fn copy(from: &Path, to: &Path) -> Result<(), String> {
-    let cannot = |e: std::io::Error| format!("cannot copy {} to {}: {e}", from.display(), to.display());
-    if from.is_dir() {
-        fs::create_dir_all(to).map_err(cannot)?;
-        for entry in fs::read_dir(from).map_err(cannot)? {
-            let entry = entry.map_err(cannot)?;
-            copy(&entry.path(), &to.join(entry.file_name()))?;
-        }
-    } else {
-        if let Some(folder) = to.parent() {
-            fs::create_dir_all(folder).map_err(cannot)?;
-        }
-        fs::copy(from, to).map_err(cannot)?;
+    if !from.is_dir() {
+        return files::write_changed(to, &files::bytes(from)?).map(|_| ());
+    }
+    let cannot = |e: std::io::Error| format!("cannot read {}: {e}", from.display());
+    for entry in fs::read_dir(from).map_err(cannot)? {
+        let entry = entry.map_err(cannot)?;
+        copy(&entry.path(), &to.join(entry.file_name()))?;
     }
     Ok(())
 }

@@ -12,14 +12,7 @@ const ASSERTED: &str = "it as a string that an `assert_eq!` of this section expe
 /// The answers that no assertion gives.
 pub(super) fn offences(chapter: &Chapter) -> Vec<Offence> {
     let mut found = Vec::new();
-    let mut offend = |at: usize, what: String| {
-        found.push(Offence {
-            file: chapter.path.clone(),
-            line: chapter.line(at),
-            found: what,
-            expected: ASSERTED.into(),
-        });
-    };
+    let mut offend = |at, what| found.push(chapter.offence(chapter.line(at), what, ASSERTED));
     for (at, right) in question::answers(&chapter.text) {
         let asserted = section(chapter, at).is_some_and(|s| asserted(s).any(|words| words == right));
         if !asserted {

@@ -1,6 +1,7 @@
 //! Reads a chapter: its sections, and in each the passages a reader reads and the Rust that is run.
 
 use super::code::{self, Code};
+use super::offence::Offence;
 use super::passage::{Kind, Passage, Tex};
 use crate::preprocess::pieces;
 use pulldown_cmark::{CodeBlockKind, Event, Tag, TagEnd};
@@ -26,6 +27,11 @@ impl Chapter {
     /// The line, from one, of this byte.
     pub(crate) fn line(&self, at: usize) -> usize {
         self.lines.partition_point(|&start| start <= at)
+    }
+
+    /// An offence at a line, counted from one.
+    pub(crate) fn offence(&self, line: usize, found: String, expected: &str) -> Offence {
+        Offence { file: self.path.clone(), line, found, expected: expected.to_owned() }
     }
 }
 
@@ -150,9 +156,8 @@ fn rust(
         CodeBlockKind::Fenced(info) => info,
     };
     let mut words = info.split([' ', '\t', ',']).filter(|word| !word.is_empty());
-    let language = words
-        .next()
-        .ok_or("code of no language: rustdoc would test it as Rust; begin it with ```rust or ```text")?;
+    // The preprocessor has named code of no language.
+    let Some(language) = words.next() else { return Ok(None) };
     if !LANGUAGES.contains(&language) {
         return Err(format!("a block in `{language}`, which is none of {}", LANGUAGES.join(", ")));
     }

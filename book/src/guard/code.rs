@@ -232,6 +232,11 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// An assertion in this line that holds nothing.
+    fn hollow(&mut self, line: usize, why: &str) {
+        self.code.hollow.push((line, why.to_owned(), COMPUTED));
+    }
+
     /// The comparisons of an `assert!`.
     fn claim(&mut self, expr: &Expr) {
         match expr {
@@ -247,11 +252,7 @@ impl<'a> Reader<'a> {
                         && self.values(&self.literal(bound.lit.span())).iter().any(|bound| *bound > 1e-3)
                     {
                         let line = self.literal(bound.lit.span()).line;
-                        self.code.hollow.push((
-                            line,
-                            "a tolerance of more than a thousandth".into(),
-                            COMPUTED,
-                        ));
+                        self.hollow(line, "a tolerance of more than a thousandth");
                     }
                 }
                 _ => {}
@@ -292,8 +293,7 @@ impl<'ast> Visit<'ast> for Reader<'_> {
         };
         let line = mac.path.segments.first().map_or(0, |s| s.ident.span().start().line.saturating_sub(1));
         if name.starts_with("assert") && self.branches > 0 {
-            let why = "an assertion inside a branch, which may never be taken";
-            self.code.hollow.push((line, why.to_owned(), COMPUTED));
+            self.hollow(line, "an assertion inside a branch, which may never be taken");
         }
         let weakest = weakest(arguments.iter().take(if name == "assert" { 1 } else { 2 }));
         // Of literals alone nothing is claimed.
@@ -302,15 +302,14 @@ impl<'ast> Visit<'ast> for Reader<'_> {
             let end = mac.delimiter.span().close().end().line.saturating_sub(1);
             self.claimed.extend((line..=end).map(|line| (line, certainty)));
         }
-        let mut hollow = |why: &str| self.code.hollow.push((line, why.to_owned(), COMPUTED));
         let mut rest = arguments.iter();
         match name.as_str() {
             "assert_eq" => {
                 if weakest == Certainty::Given {
-                    hollow("an assertion of a literal about a literal");
+                    self.hollow(line, "an assertion of a literal about a literal");
                 }
                 if arguments.iter().take(2).any(prints_own_digits) {
-                    hollow("digits in the pattern of a format, which nothing computes");
+                    self.hollow(line, "digits in the pattern of a format, which nothing computes");
                 }
                 rest.by_ref().take(2).for_each(|side| self.expected(side, certainty));
             }

@@ -25,15 +25,6 @@ fn maths(chapter: &Chapter) -> Vec<Equation> {
         .collect()
 }
 
-fn offence(file: &str, fault: Fault) -> Offence {
-    Offence {
-        file: file.to_owned(),
-        line: fault.line.unwrap_or(1),
-        found: format!("`{}`", fault.tex),
-        expected: format!("an equation that the library's functions prove ({})", fault.problem),
-    }
-}
-
 /// Proves the equations of a chapter; what cannot be proven is an offence.
 pub(crate) fn offences(chapter: &Chapter, held: &mut Vec<String>) -> Vec<Offence> {
     let read = read(&laws::of(&chapter.name), &maths(chapter));
@@ -45,7 +36,11 @@ pub(crate) fn offences(chapter: &Chapter, held: &mut Vec<String>) -> Vec<Offence
             format!("{file}:{line}: `{}`: {how}: {}", s.tex, s.why)
         }));
     }
-    read.faults.into_iter().map(|fault| offence(&chapter.path, fault)).collect()
+    let offence = |Fault { line, tex, problem }| {
+        let expected = format!("an equation that the library's functions prove ({problem})");
+        chapter.offence(line.unwrap_or(1), format!("`{tex}`"), &expected)
+    };
+    read.faults.into_iter().map(offence).collect()
 }
 
 /// Chapters that have laws to prove and are not among these.

@@ -65,9 +65,8 @@ struct Checker<'a> {
 }
 
 impl Checker<'_> {
-    fn offend(&mut self, at: usize, found: String, expected: String) {
-        let line = self.chapter.line(at);
-        self.found.offences.push(Offence { file: self.chapter.path.clone(), line, found, expected });
+    fn offend(&mut self, at: usize, found: String, expected: &str) {
+        self.found.offences.push(self.chapter.offence(self.chapter.line(at), found, expected));
     }
 
     fn section(&mut self, section: &Section) {
@@ -78,7 +77,7 @@ impl Checker<'_> {
                 ..phrase.clone()
             }));
             for (line, found, expected) in &block.code.hollow {
-                self.offend(block.source(*line, 0), found.clone(), (*expected).to_owned());
+                self.offend(block.source(*line, 0), found.clone(), expected);
             }
         }
         let phrases = strengthened(phrases);
@@ -97,19 +96,15 @@ impl Checker<'_> {
                 let found = format!("`{}`", phrase.text);
                 let line = phrase.line;
                 match (phrase.said.get(), latest) {
-                    (None, _) => self.found.offences.push(Offence {
-                        file: self.chapter.path.clone(),
-                        line,
-                        found: format!("{found}, asserted"),
-                        expected: "the same in the text of the section".into(),
-                    }),
+                    (None, _) => {
+                        let (found, expected) = (found + ", asserted", "the same in the text of the section");
+                        self.found.offences.push(self.chapter.offence(line, found, expected));
+                    }
                     (Some(at), Some((before, last))) if at < last => {
                         let (text, of) = (&before.text, before.line);
-                        self.offend(
-                            at,
-                            found,
-                            format!("it after `{text}`, as in the assertions of lines {of} and {line}"),
-                        );
+                        let expected =
+                            format!("it after `{text}`, as in the assertions of lines {of} and {line}");
+                        self.offend(at, found, &expected);
                     }
                     (Some(at), _) => latest = Some((phrase, at)),
                 }
@@ -171,11 +166,11 @@ impl Checker<'_> {
         if passage.kind == Kind::Alt {
             let figure = passage.figure.as_deref().unwrap_or("?");
             let expected = format!("it in the description inside the drawing `{figure}`, in this order");
-            self.offend(at, format!("`{own}` in the words for a figure"), expected);
+            self.offend(at, format!("`{own}` in the words for a figure"), &expected);
         } else {
             let row = passage.kind == Kind::Row && phrases.iter().any(Phrase::is_row);
             let own = if row { passage.text.trim() } else { own };
-            self.offend(at, format!("`{own}`"), nearest(phrases, own));
+            self.offend(at, format!("`{own}`"), &nearest(phrases, own));
         }
     }
 
@@ -213,7 +208,7 @@ impl Checker<'_> {
         self.found.places.push(span(passage, &first.at));
         let own = &passage.text[first.at.clone()];
         if own != next {
-            self.offend(passage.source(0), format!("the heading number {own}"), next);
+            self.offend(passage.source(0), format!("the heading number {own}"), &next);
         }
         numbers.remove(0);
     }
@@ -229,12 +224,11 @@ impl Checker<'_> {
         for (words, at) in std::mem::take(&mut self.counting) {
             match left.iter().position(|listed| *listed == words) {
                 Some(place) => drop(left.swap_remove(place)),
-                None => self.offend(at, format!("`{words}`"), LISTED.into()),
+                None => self.offend(at, format!("`{words}`"), LISTED),
             }
         }
         for words in left {
-            let expected = "it, as book/words.toml lists it, or not there";
-            self.offend(0, format!("no `{words}`"), expected.into());
+            self.offend(0, format!("no `{words}`"), "it, as book/words.toml lists it, or not there");
         }
     }
 
@@ -245,8 +239,7 @@ impl Checker<'_> {
         };
         let gone: Vec<String> = self.own_facts().filter(|f| !stated(f)).map(|f| f.text.clone()).collect();
         for text in gone {
-            let expected = "these words of the facts file, or no such fact there";
-            self.offend(0, format!("no `{text}`"), expected.into());
+            self.offend(0, format!("no `{text}`"), "these words of the facts file, or no such fact there");
         }
     }
 }

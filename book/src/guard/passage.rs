@@ -3,10 +3,11 @@
 use std::ops::Range;
 
 /// Where a passage stands.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub(crate) enum Kind {
     /// Its level, from one.
     Heading(u8),
+    #[default]
     Prose,
     /// A paragraph in italics after a figure.
     Caption,
@@ -22,7 +23,7 @@ pub(crate) enum Kind {
 
 /// Running text as phrases quote it: a minus is `-`, code a single `\u{fffc}`, and TeX stands without its
 /// dollars and its thin spaces, a power of ten as `3e-13`.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(crate) struct Passage {
     pub(crate) kind: Kind,
     pub(crate) text: String,
@@ -47,14 +48,7 @@ pub(crate) struct Tex {
 
 impl Passage {
     pub(crate) fn new(kind: Kind) -> Self {
-        Self {
-            kind,
-            text: String::new(),
-            tex: Vec::new(),
-            figure: None,
-            values: Vec::new(),
-            places: Vec::new(),
-        }
+        Self { kind, ..Self::default() }
     }
 
     pub(crate) fn push(&mut self, text: &str, source: usize) {

@@ -2,10 +2,9 @@
 
 use super::page::Page;
 use super::pages::{Paper, contents};
-use super::tree::{Node, each, rewritten, xml};
+use super::tree::{Node, rewritten, xml};
 use crate::site::places::escaped;
 use crate::site::{files, paths};
-use std::collections::BTreeSet;
 use std::io::{Cursor, Write as _};
 use std::time::{Duration, SystemTime};
 use zip::write::SimpleFileOptions;
@@ -81,20 +80,15 @@ pub(super) fn entries(paper: &Paper) -> Result<Vec<Entry>, String> {
     }
     for page in &paper.pages {
         let text = document(paper, &page.title, &xml(&renamed(page)));
-        entries.push(entry(&format!("{}.xhtml", page.name), XHTML, &properties(page), text.into_bytes()));
+        entries.push(entry(&format!("{}.xhtml", page.name), XHTML, &properties(&text), text.into_bytes()));
     }
     Ok(entries)
 }
 
 /// What the manifest must say of a page with formulas or drawings.
-fn properties(page: &Page) -> String {
-    let mut found = BTreeSet::new();
-    each(&page.body, &mut |element| match element.name.as_str() {
-        "math" => drop(found.insert("mathml")),
-        "svg" => drop(found.insert("svg")),
-        _ => {}
-    });
-    Vec::from_iter(found).join(" ")
+fn properties(text: &str) -> String {
+    let inside = [("mathml", "<math "), ("svg", "<svg ")].into_iter().filter(|(_, tag)| text.contains(tag));
+    inside.map(|(name, _)| name).collect::<Vec<_>>().join(" ")
 }
 
 /// The page with links to the files of the publication.

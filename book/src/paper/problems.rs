@@ -38,9 +38,11 @@ pub(super) fn sheet(
     let class = if answers { "answers" } else { "problems" };
     let list = |from: usize, to: usize| {
         let items = problems[from..to].iter().map(|problem| {
-            let nodes = if answers { &problem.answer } else { &problem.asked };
+            let Problem { asked, answer } = problem;
+            let after = Element::new("div", &[("class", "answer")], answer.clone());
+            let nodes: Vec<_> = asked.iter().cloned().chain(answers.then(|| after.into())).collect();
             // What takes longer to answer has more room.
-            let (room, words) = (1 + text(&problem.answer).len() / 90, xml(&sheet::within(nodes, class)));
+            let (room, words) = (1 + text(answer).len() / 90, xml(&sheet::within(&nodes, class)));
             format!("<li class=\"problem\" style=\"flex-grow: {room}\">{words}</li>\n")
         });
         format!("<ol start=\"{}\">{}</ol>\n", from + 1, items.collect::<String>())
@@ -77,8 +79,9 @@ fn translated(problems: Vec<Problem>, own: &Language) -> Result<Vec<Problem>, St
     let mut say = |nodes: Vec<Node>| {
         rewritten(nodes, &mut |mut element| {
             if ["p", "h2"].contains(&element.name.as_str()) {
-                let said = left.remove(&element.text());
-                lost.extend(said.is_none().then(|| element.text()));
+                let own = element.text().replace('\u{a0}', " ");
+                let said = left.remove(&own);
+                lost.extend(said.is_none().then_some(own));
                 element.children = said.into_iter().map(Node::Text).collect();
             }
             vec![element.into()]

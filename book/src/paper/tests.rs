@@ -138,11 +138,12 @@ fn every_chapter_has_a_handout_and_the_first_ten_have_six_problems_or_more() {
     }
     let german = |answers| problems::sheet(&PAPER, "toss-a-book-de", Size::A4, 0, answers).unwrap();
     assert!(
-        german(false).contains("<html lang=\"de\">") && german(false).contains("Kanten von 24, 12 und 7 cm")
+        german(false).contains("<html lang=\"de\">")
+            && german(false).contains("Kanten von 24, 12 und 7\u{a0}cm")
     );
-    assert!(german(true).contains("nach 2,80 s") && german(true).contains("Wirf ein Buch: Antworten"));
+    assert!(german(true).contains("nach 2,80\u{a0}s") && german(true).contains("Wirf ein Buch: Antworten"));
     // The story is whole without its question.
     let story = handout::sheet(&PAPER, "toss-a-book", Size::A4, 0).unwrap();
-    assert!(story.contains("It first flips after 0.64 s.") && story.contains("come every 1.08 s"));
+    assert!(story.contains("It first flips after 0.64\u{a0}s.") && story.contains("come every 1.08\u{a0}s"));
     assert!(problems::sheet(&PAPER, "nosuch", Size::A4, 0, false).unwrap_err().contains("two-arrows, "));
 }

@@ -10,7 +10,7 @@ use crate::site::files;
 use pulldown_cmark::{Event, Tag, TagEnd};
 use std::collections::BTreeMap;
 use std::ops::Range;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
 /// The drawings that the book shows so far, by name, and where.
 pub(super) type Shown = BTreeMap<String, (Drawing, PathBuf)>;
@@ -26,11 +26,11 @@ pub(super) fn replace(
     let mut faults = Vec::new();
     for (at, depth, (event, range)) in nested(pieces) {
         if let Event::Start(Tag::Image { dest_url, .. }) = event
-            && let Some(name) = figure_name(source, dest_url, folders)
+            && let Some(name) = figure_name(dest_url)
         {
             let placed = if depth == 1 { placed(pieces, at) } else { None };
             let html = match &placed {
-                Some(_) => opening(source, &name, &words(&pieces[at..]), folders, shown),
+                Some(_) => opening(source, &name, &pieces[at..], folders, shown),
                 None => Err("a figure stands in a paragraph of its own, in no list and no quote".into()),
             };
             match (placed, html) {
@@ -52,28 +52,9 @@ pub(super) fn lay_out(shown: &Shown, palette: &Palette, folder: &Path) -> Result
     files::lay_out(folder, &shown.iter().map(alone).collect())
 }
 
-/// The name of the figure that this target leads to, if it leads to one.
-fn figure_name(source: &Source<'_>, target: &str, folders: &Folders) -> Option<String> {
-    let chapter = folders.chapters.join(source.path);
-    let file = normal(&chapter.parent()?.join(target));
-    (file.parent() == Some(&normal(&folders.figures)))
-        .then(|| file.file_name()?.to_str()?.strip_suffix(".svg").map(str::to_owned))
-        .flatten()
-}
-
-/// The path without `.` and `..`, taken by its words: no file needs to exist.
-fn normal(path: &Path) -> PathBuf {
-    let mut out = PathBuf::new();
-    for part in path.components() {
-        match part {
-            Component::CurDir => {}
-            Component::ParentDir => {
-                out.pop();
-            }
-            part => out.push(part),
-        }
-    }
-    out
+/// The name of the figure that this target leads to, if it leads to one: all chapters lie in one folder.
+fn figure_name(target: &str) -> Option<String> {
+    target.strip_prefix("../../figures/")?.strip_suffix(".svg").map(str::to_owned)
 }
 
 /// A paragraph that holds a figure and nothing else, and the caption after it.
@@ -127,29 +108,15 @@ fn caption(next: &[Piece<'_>]) -> Option<Caption> {
         .then(|| Caption { paragraph: paragraph.clone(), inner: emphasis.start + 1..emphasis.end - 1 })
 }
 
-/// The description of the image that these pieces start with.
-fn words(image: &[Piece<'_>]) -> String {
-    let mut out = String::new();
-    for (event, _) in image {
-        match event {
-            Event::Text(text) | Event::Code(text) => out.push_str(text),
-            Event::SoftBreak | Event::HardBreak => out.push(' '),
-            Event::End(TagEnd::Image) => break,
-            _ => {}
-        }
-    }
-    out
-}
-
 /// The figure up to its caption, with no blank line in it: that would end the HTML.
 fn opening(
     source: &Source<'_>,
     name: &str,
-    words: &str,
+    image: &[Piece<'_>],
     folders: &Folders,
     shown: &mut Shown,
 ) -> Result<String, String> {
-    if words.trim().is_empty() {
+    if matches!(image, [_, (Event::End(TagEnd::Image), _), ..]) {
         return Err(format!("the figure `{name}` needs words that say what is seen: `![words](...)`"));
     }
     if let Some((_, earlier)) = shown.get(name) {
@@ -161,11 +128,10 @@ fn opening(
     let text = files::text(&folders.figures.join(format!("{name}.svg")))
         .map_err(|what| format!("{what}; `cargo run -- figures {name}` draws it if `-- list` knows it"))?;
     let drawing = svg::Drawing::new(name, text)?;
-    let up = "../".repeat(source.path.components().count().saturating_sub(1));
     let html = format!(
         "<figure class=\"fig\" id=\"fig-{name}\">\n<div class=\"fig-frame\">{}</div>\n\
-         <a class=\"fig-large\" href=\"{up}figures/{name}.svg\">Open large</a>\n",
-        drawing.inline(words)
+         <a class=\"fig-large\" href=\"figures/{name}.svg\">Open large</a>\n",
+        drawing.inline()
     );
     shown.insert(name.to_owned(), (drawing, source.path.to_owned()));
     Ok(html)

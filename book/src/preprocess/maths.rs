@@ -1,7 +1,7 @@
 //! TeX between dollar signs, into MathML.
 
 use super::edits::Edits;
-use super::{Piece, Source};
+use super::{Piece, Source, blanks};
 use math_core::{LatexToMathML, MathCoreConfig, MathDisplay};
 use pulldown_cmark::{Event, Tag, TagEnd};
 use std::ops::Range;
@@ -109,13 +109,15 @@ fn parts<'a>(tex: &'a str, command: &str) -> Vec<&'a str> {
 }
 
 /// The range of inline maths together with the marks that cling to it: an opening parenthesis before,
-/// a comma or a hyphen after. Browsers may break the line at either side of a formula, and would leave
-/// a comma to begin the next.
+/// a comma, a hyphen or a unit after. Browsers may break the line at either side of a formula, and would
+/// leave a comma to begin the next.
 fn with_its_marks<'a>(text: &'a str, range: &Range<usize>) -> (Range<usize>, &'a str, &'a str) {
     let (head, tail) = (&text[..range.start], &text[range.end..]);
     // `](` opens the target of a link, `![` an image: no marks of ours.
     let opens = head.ends_with('(') && !head.ends_with("](") && !head.ends_with("\\(");
-    let marks = tail.find(|c| !".,;:!?)-–’".contains(c)).unwrap_or(tail.len());
+    let unit = blanks::unit_behind(tail);
+    let other = |c| !".,;:!?)-–’".contains(c);
+    let marks = tail[unit..].find(other).map_or(tail.len(), |at| unit + at);
     let marks =
         if tail[..marks].ends_with('!') && tail[marks..].starts_with('[') { marks - 1 } else { marks };
     let start = range.start - usize::from(opens);

@@ -4,6 +4,7 @@
 //! Works on the Markdown, before mdBook makes pages of it, and changes only the byte ranges that hold maths,
 //! a figure, a widget or a program; what only looks like one stays as written.
 
+pub(crate) mod blanks;
 mod check;
 mod edits;
 mod exercises;
@@ -194,6 +195,7 @@ fn chapter_as_shown(
     faults.extend(widget::replace(source, &pieces, folders, &mut seen.widgets, &mut edits));
     faults.extend(question::replace(source, &pieces, &mut edits));
     programs::replace(source.text, &pieces, &mut edits);
+    blanks::replace(source, &pieces, &mut edits);
     if faults.is_empty() { Ok(edits.applied_to(source.text)) } else { Err(faults) }
 }
 

@@ -1,13 +1,9 @@
 //! A drawing, as its own document and as a part of a page.
 
-use crate::site::places::escaped;
-
 /// A drawing that may stand in a page: it is one `<svg>` and its ids cannot clash with another's.
 #[derive(Debug)]
 pub(super) struct Drawing {
     text: String,
-    title: Option<String>,
-    description: Option<String>,
 }
 
 impl Drawing {
@@ -37,9 +33,10 @@ impl Drawing {
                 rest = &rest[at + outside.len()..];
             }
         }
-        let title = id_of(&text, "title");
-        let description = id_of(&text, "desc");
-        Ok(Self { text, title, description })
+        if !text.contains(&format!(" aria-labelledby=\"{name}-title {name}-desc\"")) {
+            return fault("has no title and no description of its own".into());
+        }
+        Ok(Self { text })
     }
 
     /// The drawing as a document of its own, with this put at its end: as large as the window it is opened
@@ -60,25 +57,11 @@ impl Drawing {
         format!("{}{added}{}", &text[..end], &text[end..])
     }
 
-    /// The drawing as a part of a page, known by its own title and description, or where it has none
-    /// by these words.
-    pub(super) fn inline(&self, words: &str) -> String {
-        let mut named = String::new();
-        if !self.start_tag().contains(" role=") {
-            named.push_str(" role=\"img\"");
-        }
-        if !self.start_tag().contains(" aria-label") {
-            named.push_str(&match (&self.title, &self.description) {
-                (Some(title), Some(description)) => {
-                    format!(" aria-labelledby=\"{title} {description}\"")
-                }
-                (Some(id), None) | (None, Some(id)) => format!(" aria-labelledby=\"{id}\""),
-                (None, None) => format!(" aria-label=\"{}\"", escaped(words)),
-            });
-        }
+    /// The drawing as a part of a page.
+    pub(super) fn inline(&self) -> String {
         // No blank line and no carriage return: the first would end a block of HTML in Markdown.
         let lines: Vec<&str> = self.text.lines().filter(|line| !line.trim().is_empty()).collect();
-        lines.join("\n").replacen("<svg", &format!("<svg{named}"), 1)
+        lines.join("\n")
     }
 
     fn start_tag(&self) -> &str {
@@ -89,10 +72,4 @@ impl Drawing {
 /// The values of all `id` attributes.
 fn ids(svg: &str) -> impl Iterator<Item = &str> {
     svg.split(" id=\"").skip(1).filter_map(|rest| rest.split('"').next())
-}
-
-/// The id of the first element of this kind, if it has one.
-fn id_of(svg: &str, element: &str) -> Option<String> {
-    let start = svg.find(&format!("<{element} "))?;
-    ids(svg[start..].split('>').next()?).next().map(str::to_owned)
 }

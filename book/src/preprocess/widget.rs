@@ -53,7 +53,7 @@ pub(super) fn replace(
         match event {
             Event::Start(Tag::Paragraph) if depth == 0 => {
                 if let Some(name) = directive(&source.text[range.clone()]) {
-                    match place(source, name, folders, placed) {
+                    match place(name, folders, placed) {
                         Ok(html) => edits.replace(range.clone(), html),
                         Err(what) => faults.push(source.fault(range.start, what)),
                     }
@@ -81,7 +81,7 @@ fn directive(paragraph: &str) -> Option<&str> {
 }
 
 /// What stands in the page for a widget, with no blank line in it: that would end the HTML.
-fn place(source: &Source<'_>, name: &str, folders: &Folders, placed: &mut Placed) -> Result<String, String> {
+fn place(name: &str, folders: &Folders, placed: &mut Placed) -> Result<String, String> {
     let still = folders.widgets.join(format!("page/{name}.html"));
     let html = fs::read_to_string(&still)
         .map_err(|e| format!("there is no widget `{name}`: {} cannot be read ({e})", still.display()))?;
@@ -94,10 +94,9 @@ fn place(source: &Source<'_>, name: &str, folders: &Folders, placed: &mut Placed
         lines.push("</template>");
         id.clear();
     }
-    let up = "../".repeat(source.path.components().count().saturating_sub(1));
     Ok(format!(
-        "<div class=\"live\"{id} data-live=\"{name}\" data-modules=\"{}\" data-from=\"{up}widgets/\">\n{}\n</div>\n\
-         <script src=\"{up}widgets/live.js\" defer></script>\n\n",
+        "<div class=\"live\"{id} data-live=\"{name}\" data-modules=\"{}\" data-from=\"widgets/\">\n{}\n</div>\n\
+         <script src=\"widgets/live.js\" defer></script>\n\n",
         modules(&name).join(" "),
         lines.join("\n")
     ))

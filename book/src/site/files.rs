@@ -20,6 +20,19 @@ pub(crate) fn text(file: &Path) -> Result<String, String> {
     fs::read_to_string(file).map_err(|e| format!("cannot read {}: {e}", file.display()))
 }
 
+/// The pages that `SUMMARY.md` in this folder lists, in order: the name of each file without its ending, and
+/// its title.
+///
+/// # Errors
+/// That it cannot be read.
+pub(crate) fn listed(folder: &Path) -> Result<Vec<(String, String)>, String> {
+    let line = |line: &str| {
+        let (title, file) = line.trim_start_matches([' ', '-']).strip_prefix('[')?.split_once("](")?;
+        Some((file.strip_suffix(".md)")?.to_owned(), title.to_owned()))
+    };
+    Ok(text(&folder.join("SUMMARY.md"))?.lines().filter_map(line).collect())
+}
+
 /// Writes the file where its content differs, with the folders above it; returns whether it did. A file that
 /// stays as it is wakes neither cargo nor a watching `mdbook serve`.
 ///

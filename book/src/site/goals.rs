@@ -65,16 +65,11 @@ pub(crate) fn replace(text: &str) -> Result<String, String> {
 
 /// The chapters that have exercises and their titles, in order.
 fn chapters() -> Result<Vec<(String, String)>, String> {
-    let summary = files::text(&paths::chapters().join("SUMMARY.md"))?;
-    let line = |line: &str| {
-        let (title, file) = line.trim_start().strip_prefix("- [")?.split_once("](")?;
-        Some((file.strip_suffix(".md)")?.to_owned(), title.to_owned()))
-    };
     let taught = |(name, _): &(String, String)| {
         let text = fs::read_to_string(paths::chapters().join(format!("{name}.md")));
         text.is_ok_and(|text| text.contains("{{#exercises}}"))
     };
-    Ok(summary.lines().filter_map(line).filter(taught).collect())
+    Ok(files::listed(&paths::chapters())?.into_iter().filter(taught).collect())
 }
 
 fn read() -> Result<Goals, String> {

@@ -106,16 +106,13 @@ fn with_head(html: &str, sentence: &str, address: Option<&str>, site: Option<&Si
     };
     let old = between(html, "<meta name=\"description\" content=\"", "\">")?;
     let sentence = escaped(sentence);
-    let mut head = format!(
-        "{sentence}\">\n        <meta property=\"og:type\" content=\"article\">\n        <meta property=\"og:title\" \
-         content=\"{title}\">\n        <meta property=\"og:description\" content=\"{sentence}"
-    );
     // Without an address the picture's is relative: enough for those who read the pages where they stand.
     let root = site.map_or("", |Site(root)| root);
-    head.push_str(&format!(
-        "\">\n        <meta property=\"og:image\" content=\"{root}{PREVIEW}\">\n        <meta name=\"twitter:card\" \
-         content=\"summary_large_image"
-    ));
+    let mut head = format!(
+        "{sentence}\">\n        <meta property=\"og:type\" content=\"article\">\n        <meta property=\"og:title\" \
+         content=\"{title}\">\n        <meta property=\"og:description\" content=\"{sentence}\">\n        <meta \
+         property=\"og:image\" content=\"{root}{PREVIEW}\">\n        <meta name=\"twitter:card\" content=\"summary_large_image"
+    );
     if let (Some(address), Some(_)) = (address, site) {
         head.push_str(&format!(
             "\">\n        <link rel=\"canonical\" href=\"{root}{address}\">\n        <meta property=\"og:url\" \

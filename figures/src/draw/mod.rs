@@ -15,4 +15,4 @@ pub(crate) use plot::{Plot, Scale};
 pub(crate) use point::{P, polar};
 pub(crate) use solid::{hull, solid};
 pub(crate) use space::{Cuboid, View};
-pub(crate) use text::Label;
+pub(crate) use text::{Label, escaped};

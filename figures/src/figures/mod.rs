@@ -31,7 +31,7 @@ mod scene_costs;
 mod seen_from_body;
 mod series_terms;
 mod three_spins;
-mod three_tosses;
+pub(crate) mod three_tosses;
 mod torque;
 mod turning_place;
 mod turning_tensor;

@@ -25,8 +25,9 @@ const TOSSES: [Toss; 3] = [
     Toss { words: "across the cover, end over end", axis: Axis::Middle, about: 0, watched: 2 },
 ];
 
-/// The book upright at the identity: its width along x, its thickness along y, its height along z.
-fn draw_book(canvas: &Canvas, view: &View, edges: &Vector3<f64>, rotation: Matrix3<f64>) {
+/// The book, or another flat box, upright at the identity: its width along x, its thickness along y, its
+/// height along z.
+pub(crate) fn draw_book(canvas: &Canvas, view: &View, edges: &Vector3<f64>, rotation: Matrix3<f64>) {
     let solid = Cuboid { rotation, half: edges * 0.5 };
     let edge = Pen::new(Ink::Text, 1.2);
     for (axis, sign) in [(0, -1.0), (0, 1.0), (1, -1.0), (1, 1.0), (2, -1.0), (2, 1.0)] {

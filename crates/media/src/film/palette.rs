@@ -21,7 +21,7 @@ impl Palette {
     pub fn new(first: &[Rgb], samples: &[Picture], most: usize) -> Self {
         let mut counts: HashMap<Rgb, u32> = HashMap::new();
         for colour in samples.iter().flat_map(|picture| &picture.pixels) {
-            *counts.entry(colour.map(|x| x & 0xf8 | x >> 5)).or_default() += 1;
+            *counts.entry(*colour).or_default() += 1;
         }
         let mut common: Vec<_> = counts.into_iter().collect();
         common.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(&b.0)));
