@@ -63,6 +63,12 @@ export async function twoArrows(page, wants) {
   wants(`the energy stays: ${free.spin}`, Math.abs(free.spin[0] * easy + free.spin[1] * 4 * hard - easy * easy - 4 * hard * hard) < 1e-9);
   await page.click("#two-arrows-back");
   wants("back, it stands as before", (await arrow("live-omega")) === ahead);
+  // On an axis nothing would be seen to happen: it says so.
+  await set(page, spin, 0);
+  await page.click("#two-arrows-play");
+  await page.click("#two-arrows-play");
+  wants("let go on an axis, it says that both arrows stay", /both arrows stay/.test(await page.locator("#live-two-arrows svg").textContent()));
+  await page.click("#two-arrows-back");
 
   // Dragged fast, far out of the drawing and back.
   await set(page, spin, 30);

@@ -6,11 +6,12 @@ import { finger } from "./hands.mjs";
 export async function yourBox(page, wants) {
   const wrong = "#live-your-box .live-wrong";
   wants("it begins with the chapter's box", (await shown(page, "your-box", "moments")) === "0.833, 1.083, 0.417");
-  wants("its momentum is the chapter's", (await shown(page, "your-box", "momentum")) === "0.833, 1.083, 0");
-  wants("its gap is the chapter's", (await shown(page, "your-box", "gap")) === "7.4°");
-  await set(page, "#your-box-y", 0);
+  wants("it begins with another spin than that of the question above it", (await shown(page, "your-box", "momentum")) === "0.833, 0, 0.417" && (await shown(page, "your-box", "gap")) === "18.4°");
+  await set(page, "#your-box-z", 0);
   wants("along an edge the gap is none", (await shown(page, "your-box", "gap")) === "0.0°");
   await set(page, "#your-box-y", 1);
+  wants("its momentum is the chapter's", (await shown(page, "your-box", "momentum")) === "0.833, 1.083, 0");
+  wants("its gap is the chapter's", (await shown(page, "your-box", "gap")) === "7.4°");
   await boxDrawn(page, set, shown, wants);
   for (const [field, value, says] of [
     ["a", "0", "above zero"], ["b", "-1", "above zero"], ["c", "", "Type a number"], ["m", "0", "above zero"], ["a", "1e200", "floating-point"],

@@ -90,7 +90,11 @@ tumblingLive.widget("two-arrows", async (stage, origin) => {
         const low = tip[0] < centre[0] + 40 ? Math.max(tip[1] - 8, 0.03 * height + 52) : tip[1] - (now.to < 10 ? 16 : 8);
         const aside = low > tip[1] - 8 || now.gap <= 12 ? 14 : 4;
         draw("text", svg, { class: "live-momentum", x: tip[0] - aside, y: low, "text-anchor": "end" }, "L");
-        if (free.t > 0) return; // what follows belongs to a spin that is still held
+        if (free.t > 0) { // what follows belongs to a spin that is still held
+            const moved = Math.hypot(...at(now.from, reach).map((part, k) => part - omega[k]));
+            if (now.gap < 0.01 && moved < 1) draw("text", svg, { x: 0.97 * width, y: 0.03 * height + 12, "text-anchor": "end" }, "both arrows stay");
+            return;
+        }
         draw("text", svg, { x: omega[0] + 10, y: beside + (now.from < 20 ? -17 : 17) }, "drag");
         draw("circle", svg, { class: "live-arc live-omega live-ring", cx: omega[0], cy: omega[1], r: 7 });
         if (now.gap >= 8) {
@@ -118,7 +122,7 @@ tumblingLive.widget("two-arrows", async (stage, origin) => {
 
     /** Moves the body to an instant after it was let go; returns that in words. */
     function go(t) {
-        const { moments, places } = asked();
+        const { moments, places, gap } = asked();
         const angle = (Number(spin.value) * Math.PI) / 180;
         const omega = [0, 0, 0];
         [omega[places[0]], omega[places[1]]] = [Math.cos(angle), Math.sin(angle)];
@@ -126,7 +130,7 @@ tumblingLive.widget("two-arrows", async (stage, origin) => {
         const turned = rows(it.slice(3));
         Object.assign(free, { t, turned, spin: turned.map((row) => dot(row, it)) });
         redraw();
-        return t > 0 ? `After ${fixed(t, 1)} s the spin has moved; the momentum stands where it stood.` : "Let go.";
+        return t === 0 ? "Let go." : `After ${fixed(t, 1)} s ${gap < 0.01 ? "both arrows stand where they stood" : "the spin has moved; the momentum stands where it stood"}.`;
     }
 
     /** Shows what the module answers now; returns it in words. */
@@ -140,7 +144,7 @@ tumblingLive.widget("two-arrows", async (stage, origin) => {
         shown("gap").textContent = between;
         spin.setAttribute("aria-valuetext", `spin ${ours} from axis ${axes[0]}, momentum ${theirs}, gap ${between}`);
         redraw();
-        return `Spin ${ours} from axis ${axes[0]}, the lighter. Momentum ${theirs}. Gap ${between}.`;
+        return `Spin ${ours} from axis ${axes[0]}, the easier. Momentum ${theirs}. Gap ${between}.`;
     }
     const { pause } = clock(stage, play, { step: 0.4, start: "Let go", go: (seconds) => Boolean(go(free.t + 2 * seconds)), pressed: () => say(go(free.t)) });
     back.addEventListener("click", () => say(show()));
