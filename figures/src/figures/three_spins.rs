@@ -18,7 +18,7 @@ pub(super) fn draw() -> Drawing {
     let pens = spins::pens();
     let mut said = Vec::new();
     for (k, axis) in Axis::ALL.into_iter().enumerate() {
-        let name = ["smallest", "middle", "largest"][k];
+        let name = ["axis of the smallest moment", "middle axis", "axis of the largest moment"][k];
         let top = 58.0 + 190.0 * k as f64;
         let plot = axes(&canvas, top, k == 2);
         let mut omega = Vector3::repeat(PUSH);
@@ -29,7 +29,7 @@ pub(super) fn draw() -> Drawing {
             plot.curve(run.iter().map(|(t, body)| (*t, body.omega_body()[i])), pens[i])?;
         }
         let moment = inertia.principal().moment(axis);
-        let title = format!("about the {name} axis, $I_{}$ = {moment:.3} kg m²", k + 1);
+        let title = format!("about the {name}, $I_{}$ = {moment:.3} kg m²", k + 1);
         canvas.label((14.0, top - 12.0), &Label::new(title).ink(pens[k].ink()));
         let beside = |i: usize, y: f64, nudge: f64| {
             let p = plot.at(END, y);
@@ -48,7 +48,7 @@ pub(super) fn draw() -> Drawing {
             let others = [0, 1, 2].into_iter().filter(|&i| i != k);
             let most = |i: usize| run.iter().map(|(_, b)| b.omega_body()[i].abs()).fold(0.0, f64::max);
             said.push(format!(
-                "About the {name} axis the other components never exceed {:.2} rad/s",
+                "About the {name} the other components never exceed {:.2} rad/s",
                 others.clone().map(most).fold(0.0, f64::max)
             ));
             beside(k, w_end[k], 0.0);
