@@ -36,7 +36,6 @@ fn what_is_wrong_is_named_with_its_line_and_its_field() {
         ("moments = [1, 2, 3.1]", "line 1, `moments`: no body has principal moments"),
         ("moments = [1, 2, 3.0001]", "; if its digits were rounded, `tolerance` says by how much"),
         ("density = '7 kg'\nsides = [1, 2, 3]", "such as \"0.7 g/cm3\" (g/cm3, kg/m3), not `7 kg`"),
-        ("mass = 'a'", "`mass`: a number is expected here, or one with its unit such as \"200 g\""),
         ("sides = ['1 m', '2 g', 3]\nmass = 1", "line 1, `sides`: a number is expected here, or one"),
         ("shape = 'ball'\nradius = 0,07\nmass = 1", "; write 0.07"),
         ("shape = 'ball'\nradius = '7,5 cm'\nmass = 1", "not `7,5 cm`; write '7.5 cm'"),
@@ -58,7 +57,6 @@ fn what_is_wrong_is_named_with_its_line_and_its_field() {
             "line 1, `part`: a list is expected here, not map: each table of a list begins with `[[part]]`",
         ),
         ("[[body]]\nmoments = [1, 2, 3]", "line 1, `body`: a string is expected here, not sequence: each"),
-        ("spin = 0\nmoments = [1, 2, 2]", "line 1, `spin`: 0 rad/s is not above zero"),
         ("[[part]]\nsides = [1, 2, 3]\nmass = 1\nspin = 1", "line 4, `spin`: it is the whole body's"),
         ("mass = 1\nname = \"a\\u0000b\"\nsides = [1, 2, 3]", "line 2, `name`: '\\0' is not a character"),
         (
@@ -67,7 +65,7 @@ fn what_is_wrong_is_named_with_its_line_and_its_field() {
         ),
         ("sides = [1, 2, 3]\nmass = 1\nattitude = [1, 0, 0, 0]", "line 3, `attitude`: it is of a body"),
         ("moments = [1, 2, 1e-400]", "line 1, `moments`: 1e-400 is closer to zero"),
-        ("sides = [1, 2, 3]\nmass = 1\nat = [1e300, 0, 0]", "line 3, `at`: so far away that rounding"),
+        ("sides = [1, 2, 3]\nmass = 1\nat = [1e10, 0, 0]", "line 3, `at`: so far away that rounding"),
     ] {
         let error = body(text).unwrap_err().to_string();
         assert!(error.contains(words), "{text}\n{error}");
@@ -122,8 +120,8 @@ fn a_size_or_a_mass_may_have_its_unit_and_a_number_that_lacks_it_is_questioned()
         ))
     };
     assert_eq!(racket("0.2").unwrap().question, None);
-    let far = racket("-15").unwrap().question.unwrap();
-    assert_eq!(far, "a part 0.06 m large lies 15 m from the others: is its place in cm, or in mm?");
+    let far = racket("-1.2").unwrap().question.unwrap();
+    assert_eq!(far, "a part 0.06 m large lies 1 m from the others: is its place in cm, or in mm?");
     let part = "[[part]]\nsides = [1, 2, 3]\nmass = 6000\n";
     let twice = body(&part.repeat(2)).unwrap().question.unwrap();
     assert_eq!(twice, "part 2 equals another in the same place: is it written twice?");
@@ -243,6 +241,8 @@ fn parts_add_up_as_a_compound_does_wherever_they_are_written() {
     let found = body(&pair).unwrap();
     assert!((found.inertia.matrix() - whole.inertia.matrix()).amax() < 1e-13);
     assert_eq!(found.mass, whole.mass);
+    let capsule = "shape = 'capsule'\nradius = 1\nlength = 3\ndensity = 3";
+    assert!((body(capsule).unwrap().mass.unwrap() - 13.0 * std::f64::consts::PI).abs() < 1e-13);
     let nested = pair.replace("[[part]]", "[[part.part]]");
     assert_eq!(body(&format!("[[part]]\nat = [0, 7, 0]\n{nested}")).unwrap().centre.y, 7.0);
 }
