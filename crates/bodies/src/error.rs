@@ -21,7 +21,9 @@ impl Error {
     /// What is wrong, of no place.
     #[must_use]
     pub fn new(why: impl fmt::Display) -> Self {
-        Self { file: None, line: None, field: None, why: why.to_string() }
+        // What a program calls, a file says by a field.
+        let why = why.to_string().replace("`within` takes a tolerance", "`tolerance` says by how much");
+        Self { file: None, line: None, field: None, why }
     }
 
     /// What is wrong at a place of a text.

@@ -13,7 +13,7 @@ use std::fmt::Display;
 use std::ops::Range;
 use toml::Spanned;
 use tumbling::solid::{Compound, Cuboid, Mesh};
-use tumbling::{Inertia, MassProperties};
+use tumbling::{ErrorKind, Inertia, MassProperties};
 
 /// How many parts a body may have, and how many solids with those of the files that its parts name.
 const MOST_PARTS: usize = 10_000;
@@ -120,7 +120,9 @@ impl<'a> Reader<'a> {
 
     /// A refusal of the library, at the field that it speaks of or at the one that says what the body is.
     fn refused(&self, error: &tumbling::Error) -> Error {
-        self.wrong(self.blamed(fields_of(error.subject())), error)
+        // A surface that bounds nothing does so in any unit.
+        let fields = if error.kind() == ErrorKind::BadMesh { &[] } else { fields_of(error.subject()) };
+        self.wrong(self.blamed(fields), error)
     }
 
     fn sizes_of(&self, shape: &str) -> Result<&'static [&'static str], Error> {
@@ -159,25 +161,15 @@ impl<'a> Reader<'a> {
 
     /// Of the fields that make a body large or small, that whose number is the farthest from 1.
     fn extreme(&self) -> &'static str {
-        let t = self.table;
-        let one = |field: &Option<Spanned<f64>>| vec![number(field)];
-        let list = |field: &Option<Spanned<[f64; 3]>>| field.iter().flat_map(|x| *x.get_ref()).collect();
-        let sizes = [
-            ("unit", one(&t.unit)),
-            ("sides", t.sides.as_ref().map(|sides| sides.get_ref().clone()).unwrap_or_default()),
-            ("semiaxes", list(&t.semiaxes)),
-            ("vertices", t.vertices.iter().flat_map(|x| x.get_ref().as_flattened().to_vec()).collect()),
-            ("radius", one(&t.radius)),
-            ("height", one(&t.height)),
-            ("length", one(&t.length)),
-            ("moments", list(&t.moments)),
-            ("mass", if self.by == "moments" { one(&t.mass) } else { Vec::new() }),
-        ];
-        let off = |sizes: &[f64]| {
-            sizes.iter().filter(|x| **x != 0.0).map(|x| x.abs().log10().abs()).fold(0.0, f64::max)
+        let sizes = ["unit", "sides", "semiaxes", "vertices", "radius", "height", "length", "moments"];
+        let counts = |field: &str| sizes.contains(&field) || (field == "mass" && self.by == "moments");
+        let off = |(_, span): &&(&str, Range<usize>)| {
+            let words = self.text[span.clone()].split(|c: char| !c.is_alphanumeric() && !"+-.".contains(c));
+            let numbers = words.map(|word| word.trim_end_matches(char::is_alphabetic).parse().unwrap_or(0.0));
+            numbers.filter(|x| *x != 0.0).map(|x: f64| x.abs().log10().abs()).fold(0.0, f64::max)
         };
-        let most = sizes.iter().max_by(|a, b| off(&a.1).total_cmp(&off(&b.1)));
-        most.filter(|(_, sizes)| off(sizes) > 0.0).map_or(self.by, |(name, _)| name)
+        let fields = self.present.iter().filter(|(field, _)| counts(field));
+        fields.max_by(|a, b| off(a).total_cmp(&off(b))).map_or(self.by, |(field, _)| *field)
     }
 
     fn weight(&self) -> Result<Weight, Error> {
@@ -235,9 +227,9 @@ impl<'a> Reader<'a> {
         self.unless(unit > 0.0 && unit.is_finite(), "unit", why)?;
         let triangles = mesh::read(&self.files.folder.join(file), self.files);
         let (mut vertices, faces) = triangles.map_err(|error| self.wrong(self.by, error))?;
-        for vertex in &mut vertices {
-            *vertex *= unit;
-        }
+        let finite = vertices.iter().flatten().all(|x| x.is_finite());
+        self.unless(finite, self.by, "a number of a vertex is not finite")?;
+        vertices.iter_mut().for_each(|vertex| *vertex *= unit);
         let weight = self.weight()?;
         let properties = Mesh::new(&vertices, &faces).and_then(|mesh| weight.of(&mesh));
         let faces = faces.into_iter().map(|face| face.to_vec()).collect();
@@ -259,9 +251,10 @@ impl<'a> Reader<'a> {
             let why = "`mass` (kg) is missing: a part without is no part";
             let mass = found.mass.ok_or_else(|| Error::at(self.text, &span, why))?;
             let of_part = MassProperties::new(mass, &found.centre, found.inertia);
-            whole = whole.at(of_part.map_err(|error| self.wrong(self.by, error))?, &Vector3::zeros());
+            let of_part = of_part.map_err(|error| self.wrong(self.by, error))?;
+            whole = whole.at(of_part, &Vector3::zeros());
             let far = found.surfaces.iter().flat_map(|s| &s.vertices).map(|p| (p - found.centre).norm());
-            places.push((found.centre, far.fold(0.0, f64::max)));
+            places.push((of_part, far.fold(0.0, f64::max)));
             surfaces.extend(found.surfaces);
             question = question.or(found.question);
             if surfaces.len() > MOST_PARTS {
@@ -270,7 +263,7 @@ impl<'a> Reader<'a> {
             }
         }
         let properties = whole.properties().map_err(|error| self.wrong(self.by, error))?;
-        let question = question.or_else(|| question::apart(&places));
+        let question = question.or_else(|| question::placed(&places));
         Ok(BodyModel { question, ..BodyModel::of(properties, surfaces) })
     }
 
@@ -278,10 +271,7 @@ impl<'a> Reader<'a> {
         let (moments, products) = self.table.tensor().unwrap_or_default();
         let ([xx, yy, zz], [xy, xz, yz]) = (moments, products);
         let matrix = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
-        let found = match &self.table.tolerance {
-            Some(tolerance) => Inertia::within(&matrix, *tolerance.get_ref()),
-            None => Inertia::try_from(matrix).map(|inertia| (inertia, 0.0)),
-        };
+        let found = within(matrix, self.table.tolerance.as_ref().map(|tolerance| *tolerance.get_ref()));
         let alone = || products != [0.0; 3] && Inertia::from_moments(xx, yy, zz).is_ok();
         let (inertia, moved) = found.map_err(|error| match fields_of(error.subject()) {
             // The moments are right without the products.
@@ -358,6 +348,15 @@ impl<'a> Reader<'a> {
         }
         Ok(found)
     }
+}
+
+/// The tensor of a matrix, and how far it was moved: not at all, or by the tolerance at most.
+pub(crate) fn within(
+    matrix: Matrix3<f64>,
+    tolerance: Option<f64>,
+) -> Result<(Inertia, f64), tumbling::Error> {
+    let as_given = || Inertia::try_from(matrix).map(|inertia| (inertia, 0.0));
+    tolerance.map_or_else(as_given, |tolerance| Inertia::within(&matrix, tolerance))
 }
 
 #[cfg(test)]

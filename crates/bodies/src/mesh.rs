@@ -12,9 +12,11 @@ pub(crate) type Triangles = (Vec<Vector3<f64>>, Vec<[usize; 3]>);
 /// The triangles of a file; those of an STL are welded where coordinates are equal.
 pub(crate) fn read(path: &Path, files: &Files<'_>) -> Result<Triangles, Error> {
     let bytes = files.mesh(path)?;
+    // The mark of UTF-8 that some programs write first.
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
     let found = match path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).as_deref() {
-        Some("stl") => stl(&bytes),
-        Some("obj") => obj(&String::from_utf8_lossy(&bytes)),
+        Some("stl") => stl(bytes),
+        Some("obj") => obj(&String::from_utf8_lossy(bytes)),
         _ => Err(Error::new("a mesh is read from a file that ends in .stl or .obj")),
     };
     found.map_err(|error| error.in_file(path))
@@ -47,7 +49,8 @@ fn stl(bytes: &[u8]) -> Result<Triangles, Error> {
         let triangle = |each: &[u8]| [12, 24, 36].map(|at| corner(&each[at..at + 12]));
         return Ok(welded(bytes[HEADER..].chunks_exact(EACH).map(triangle)));
     }
-    let text = String::from_utf8_lossy(bytes);
+    // Some programs write all words large.
+    let text = String::from_utf8_lossy(bytes).to_lowercase();
     if !text.trim_start().starts_with("solid") {
         let why =
             format!("neither text that begins with `solid` nor {EACH} bytes for each of {count} triangles");
@@ -60,8 +63,7 @@ fn stl(bytes: &[u8]) -> Result<Triangles, Error> {
         }
     }
     if corners.len() % 3 != 0 {
-        let count = corners.len();
-        return Err(Error::new(format!("{count} vertices are not three for each triangle")));
+        return Err(Error::new(format!("{} vertices are not three for each triangle", corners.len())));
     }
     Ok(welded(corners.chunks_exact(3).map(|three| [three[0], three[1], three[2]])))
 }
@@ -88,12 +90,8 @@ fn obj(text: &str) -> Result<Triangles, Error> {
             let index = |word: &str| -> Option<usize> {
                 let index: isize = word.split('/').next()?.parse().ok()?;
                 // A number below zero counts back from the last vertex.
-                let from_zero = if index < 0 {
-                    vertices.len().checked_add_signed(index)?
-                } else {
-                    usize::try_from(index - 1).ok()?
-                };
-                Some(from_zero)
+                let from_first = || usize::try_from(index - 1).ok();
+                if index < 0 { vertices.len().checked_add_signed(index) } else { from_first() }
             };
             let around: Vec<usize> =
                 rest.split_whitespace().map(index).collect::<Option<_>>().ok_or_else(wrong)?;
@@ -136,6 +134,7 @@ mod tests {
         }
         assert_eq!(obj("v 1 2 3\nf 1 2\n").unwrap_err().line, Some(2));
         assert!(stl(b"PK").is_err());
+        assert_eq!(stl(text.to_uppercase().as_bytes()).unwrap(), stl(text.as_bytes()).unwrap());
         // A triangle of two corners is not left out, and a tab is as good as a space.
         let short = text.replacen("vertex 0 0 0\n", "", 1);
         assert!(stl(short.as_bytes()).unwrap_err().why.starts_with("11 vertices are not three"));

@@ -53,10 +53,9 @@ impl BodyModel {
                 "a mesh alone does not say what it weighs: name it in a TOML file, `mesh = \"...\"` with `mass = ...` (kg)",
             ))),
             _ => {
-                let names: Vec<String> = NamedBody::ALL.into_iter().map(|body| format!("`{}`", word(body))).collect();
+                let names = NamedBody::ALL.map(|body| format!("`{}`", word(body))).join(", ");
                 let why = format!(
-                    "`{argument}` is neither a body of the book ({}) nor a file that ends in .toml or .urdf",
-                    names.join(", ")
+                    "`{argument}` is neither a body of the book ({names}) nor a file that ends in .toml or .urdf"
                 );
                 Err(Error::new(why))
             }

@@ -4,8 +4,8 @@ use crate::document::from_toml;
 use crate::file::number;
 use crate::shape::{Weight, shaped};
 use crate::table::Table;
-use nalgebra::Vector3;
 use std::ops::Range;
+use tumbling::MassProperties;
 
 /// Whether a number stands without its unit.
 fn bare(number: &str) -> bool {
@@ -71,7 +71,8 @@ pub(crate) fn of(
         false => with_unit(all, unit),
     };
     let plain = |all: &str, unit: &str| shown(all, unit).replace(['[', ']', '"', '\''], "");
-    let plain = format!("{} in {}", plain(mass, "kg"), plain(&sizes, "m").replace(',', " ×"));
+    let plain =
+        format!("{} in {}", plain(mass, "kg"), plain(&sizes, "m").replace(", ", ",").replace(',', " × "));
     match words.is_empty() {
         false => Some(format!("{plain}: is this in {words}?")),
         true => (in_m == in_kg && far("m", "kg").is_none()).then(|| format!("{plain}: {NONE_IS}")),
@@ -88,15 +89,19 @@ fn dense(written: &str) -> Option<String> {
     (!SOLIDS.contains(&density)).then(|| format!("{}{unit}: {meant}", written.replace(['"', '\''], "")))
 }
 
-/// Of parts, each with its centre and its reach, m: whether one that lies ten times its own size from all
-/// others was meant to lie nearer.
-pub(crate) fn apart(parts: &[(Vector3<f64>, f64)]) -> Option<String> {
+/// Of parts, each with its reach, m: whether one that equals another in its place was meant to be written
+/// twice, and whether one that lies ten times its own size from all others was meant to lie nearer.
+pub(crate) fn placed(parts: &[(MassProperties, f64)]) -> Option<String> {
     let gap = |at: usize| {
-        let others = parts.iter().enumerate().filter(|(other, _)| *other != at);
-        others.map(|(_, (centre, reach))| (centre - parts[at].0).norm() - reach).fold(f64::INFINITY, f64::min)
+        let others = (0..parts.len()).filter(|other| *other != at).map(|other| &parts[other]);
+        let far = others.map(|(part, reach)| (part.centre() - parts[at].0.centre()).norm() - reach);
+        far.fold(f64::INFINITY, f64::min)
     };
     // What is made of more is no longer written by hand.
     let few = if parts.len() <= 100 { parts.len() } else { 0 };
+    if let Some(at) = (0..few).find(|&at| parts[..at].contains(&parts[at])) {
+        return Some(format!("part {} equals another in the same place: is it written twice?", at + 1));
+    }
     let sizes = (0..few).map(|at| (2.0 * parts[at].1, gap(at)));
     let (size, gap) =
         sizes.into_iter().find(|(size, gap)| gap.is_finite() && *size > 0.0 && *gap > 10.0 * size)?;

@@ -199,16 +199,11 @@ mod tests {
 
     #[test]
     fn faces_look_outwards_and_bound_the_volume_of_the_solid() {
+        let corner = [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 0.0, 6.0], [0.0, 4.0, 0.0]];
         let ball = Surface::ellipsoid(&Vector3::new(1.0, 2.0, 3.0));
         for (surface, volume, within) in [
             (Surface::cuboid(&Vector3::new(2.0, 3.0, 5.0)), 30.0, 1e-14),
-            (
-                Surface::tetrahedron(
-                    [[0.0; 3], [4.0, 0.0, 0.0], [0.0, 0.0, 6.0], [0.0, 4.0, 0.0]].map(Vector3::from),
-                ),
-                16.0,
-                1e-14,
-            ),
+            (Surface::tetrahedron(corner.map(Vector3::from)), 16.0, 1e-14),
             (Surface::cylinder(0.0, 2.0, 5.0), 20.0 * PI, 4e-3),
             (Surface::cylinder(1.0, 2.0, 5.0), 15.0 * PI, 4e-3),
             (Surface::cone(2.0, 3.0), 4.0 * PI, 4e-3),

@@ -4,11 +4,12 @@
 //! <https://wiki.ros.org/urdf/XML/link>.
 
 use crate::error::Error;
+use crate::file::within;
 use crate::model::{BodyModel, nameable};
 use crate::surface::{FARTHEST, Surface, drawable};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use roxmltree::{Document, Node};
-use tumbling::{Inertia, MassProperties};
+use tumbling::MassProperties;
 
 fn wrong(node: Node<'_, '_>, why: impl std::fmt::Display) -> Error {
     let place = node.document().text_pos_at(node.range().start);
@@ -118,6 +119,11 @@ fn surfaces(
             "sphere" => Surface::ellipsoid(&Vector3::repeat(number(solid, "radius")?)),
             _ => continue,
         };
+        let below = |text: &str| text.split_whitespace().any(|size| size.starts_with('-'));
+        if let Some(size) = solid.attributes().find(|size| below(size.value())) {
+            let why = format!("{}=\"{}\": no size may be below zero", size.name(), size.value());
+            return Err(wrong(solid, why));
+        }
         let reach = surface.reach();
         drawable(reach).map_err(|why| wrong(solid, why))?;
         if (place - centre).amax() > FARTHEST * reach {
@@ -145,35 +151,35 @@ pub(crate) fn read(text: &str, name: Option<&str>, tolerance: f64) -> Result<Bod
         let more = heavy.len().saturating_sub(20);
         first.join(", ") + &if more == 0 { String::new() } else { format!(" and {more} more") }
     };
-    let link = match name {
-        Some(name) => *links.iter().find(|link| called(link) == name).ok_or_else(|| {
-            Error::new(format!("no link is called `{name}`; those with inertia are {}", names()))
-                .of_field("link")
-        })?,
-        None => match heavy.as_slice() {
-            [only] => *only,
-            [] => return Err(Error::new("no link has an `<inertial>` element")),
-            _ => return Err(Error::new(format!("name the link, after a `#` or by `link`: {}", names()))),
-        },
+    let named = |name: &str| links.iter().copied().filter(|link| called(link) == name).collect();
+    let meant: Vec<_> = name.map_or_else(|| heavy.clone(), named);
+    let link = match (meant.as_slice(), name) {
+        ([only], _) => *only,
+        ([], Some(name)) => {
+            let why = format!("no link is called `{name}`; those with inertia are {}", names());
+            return Err(Error::new(why).of_field("link"));
+        }
+        ([_, again, ..], Some(_)) => return Err(wrong(*again, "another link has this name too")),
+        ([], None) => return Err(Error::new("no link has an `<inertial>` element")),
+        _ => return Err(Error::new(format!("name the link, after a `#` or by `link`: {}", names()))),
     };
     let inertial = child(link, "inertial").ok_or_else(|| wrong(link, "it has no `<inertial>` element"))?;
+    for name in ["inertial", "origin", "mass", "inertia"] {
+        let here = [link, inertial].into_iter().flat_map(|node| node.children());
+        if let Some(second) = here.filter(|child| child.has_tag_name(name)).nth(1) {
+            return Err(wrong(second, "one alone is expected here"));
+        }
+    }
     let inside =
         |name: &str| child(inertial, name).ok_or_else(|| wrong(inertial, format!("`<{name}>` is missing")));
     let (mass, tensor) = (inside("mass")?, inside("inertia")?);
-    let [xx, xy, xz, yy, yz, zz] =
-        ["ixx", "ixy", "ixz", "iyy", "iyz", "izz"].map(|name| number(tensor, name));
-    let (xx, xy, xz, yy, yz, zz) = (xx?, xy?, xz?, yy?, yz?, zz?);
+    let of = |name: &str| number(tensor, name);
+    let (xx, xy, xz, yy, yz, zz) = (of("ixx")?, of("ixy")?, of("ixz")?, of("iyy")?, of("iyz")?, of("izz")?);
     let matrix = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
     let (centre, turn) = origin(inertial)?;
-    let read = || {
-        let (inertia, moved) = if tolerance > 0.0 {
-            Inertia::within(&matrix, tolerance)?
-        } else {
-            (Inertia::try_from(matrix)?, 0.0)
-        };
-        Ok::<_, tumbling::Error>((inertia.turned(turn)?, moved))
-    };
-    let (inertia, moved) = read().map_err(|error| wrong(tensor, error))?;
+    let found = within(matrix, Some(tolerance).filter(|tolerance| *tolerance > 0.0));
+    let (inertia, moved) = found.map_err(|error| wrong(tensor, error))?;
+    let inertia = inertia.turned(turn).map_err(|error| wrong(tensor, error))?;
     let properties =
         MassProperties::new(number(mass, "value")?, &centre, inertia).map_err(|error| wrong(mass, error))?;
     let surfaces = surfaces(link, inertial, &centre)?;
@@ -223,12 +229,9 @@ mod tests {
             ("iyz='0'", "", 7, "`iyz` is missing"),
             ("xyz='0.1 0.2 0.3'", "xyz='0.1 0.2'", 5, "3 numbers expected"),
             ("xyz='0.1 0.2 0.3'", "xyz='0.1 inf 0.3'", 5, "`origin`: a number of `xyz` is inf"),
-        ] {
-            let error = read(&ARM.replace(from, to), Some("arm"), 0.0).unwrap_err();
-            assert_eq!(error.line, Some(line), "{error}");
-            assert!(error.to_string().contains(words), "{error}");
-        }
-        for (from, to, line, words) in [
+            ("<mass", "<mass value='1'/>\n<mass", 7, "`mass`: one alone is expected"),
+            ("</robot>", "<link name='arm'/></robot>", 10, "`link`: another link has this name too"),
+            ("size='0.2 0.3 0.4'", "size='0.2 -0.3 0.4'", 9, "`box`: size=\"0.2 -0.3 0.4\": no size may be"),
             ("size='0.2 0.3 0.4'", "size='1e308 1e308 1e308'", 9, "drawn is from 1e-100 m to 1e100 m"),
             ("size='0.2 0.3 0.4'", "size='0 0 0'", 9, "drawn is from"),
             ("<visual>", "<visual>\n<origin xyz='1e300 0 0'/>", 10, "so far away"),

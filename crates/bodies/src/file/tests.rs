@@ -34,10 +34,8 @@ fn what_is_wrong_is_named_with_its_line_and_its_field() {
         ("mass = 1\nshape = 'cone'\nheight = 1", "line 2, `shape`: `radius` is missing"),
         ("mass = 1\nshape = 'ball'\nradius = 1\ninner = 2", "line 4, `inner`: the inner radius"),
         ("moments = [1, 2, 3.1]", "line 1, `moments`: no body has principal moments"),
-        ("moments = [1, 2, 2]\nmass = 0", "line 2, `mass`: the mass is 0.0: it must be above zero"),
-        ("moments = [1, 2, nan]", "line 1, `moments`"),
+        ("moments = [1, 2, 3.0001]", "; if its digits were rounded, `tolerance` says by how much"),
         ("density = '7 kg'\nsides = [1, 2, 3]", "such as \"0.7 g/cm3\" (g/cm3, kg/m3), not `7 kg`"),
-        ("mass = 'a'", "`mass`: a number is expected here, or one with its unit such as \"200 g\""),
         ("sides = ['1 m', '2 g', 3]\nmass = 1", "line 1, `sides`: a number is expected here, or one"),
         ("shape = 'ball'\nradius = 0,07\nmass = 1", "; write 0.07"),
         ("shape = 'ball'\nradius = '7,5 cm'\nmass = 1", "not `7,5 cm`; write '7.5 cm'"),
@@ -51,8 +49,6 @@ fn what_is_wrong_is_named_with_its_line_and_its_field() {
         ("[[part]]\nmass = [1]", "line 2, `mass`: a number is expected here, or a text with its unit"),
         ("[[part]]\nmomets = [1]", "line 2, `momets`: no such field. Did you mean `moments`?"),
         ("[[part]]\nmoments = [1, 2, 3]", "line 1: `mass` (kg) is missing"),
-        ("[[part]]\nsides = [1, 2, 3]\nmass = 1\nturn = [0, 0, 0, 1]", "line 4, `turn`: x, y and z"),
-        ("mesh = 'none.stl'\nmass = 1", "line 1, `mesh`: none.stl: it cannot be read"),
         ("mass = 1\nshape = 'rod'\nlength = 1", "line 2, `shape`: the smallest principal moment, 0.0"),
         ("moments = [0, 0, 0]\nproducts = [0.1, 0, 0]", "line 1, `moments`: the largest moment of"),
         ("moments = [1, 2, 2.5]\nproducts = [5, 0, 0]", "line 2, `products`: the smallest principal"),
@@ -61,9 +57,7 @@ fn what_is_wrong_is_named_with_its_line_and_its_field() {
             "line 1, `part`: a list is expected here, not map: each table of a list begins with `[[part]]`",
         ),
         ("[[body]]\nmoments = [1, 2, 3]", "line 1, `body`: a string is expected here, not sequence: each"),
-        ("spin = 0\nmoments = [1, 2, 2]", "line 1, `spin`: 0 rad/s is not above zero"),
         ("[[part]]\nsides = [1, 2, 3]\nmass = 1\nspin = 1", "line 4, `spin`: it is the whole body's"),
-        ("points = [[1, 0, 0, 0]]", "line 1, `points`"),
         ("mass = 1\nname = \"a\\u0000b\"\nsides = [1, 2, 3]", "line 2, `name`: '\\0' is not a character"),
         (
             &format!("name = '{}'\nsides = [1, 2, 3]\nmass = 1", "n".repeat(2_000_000)),
@@ -71,7 +65,7 @@ fn what_is_wrong_is_named_with_its_line_and_its_field() {
         ),
         ("sides = [1, 2, 3]\nmass = 1\nattitude = [1, 0, 0, 0]", "line 3, `attitude`: it is of a body"),
         ("moments = [1, 2, 1e-400]", "line 1, `moments`: 1e-400 is closer to zero"),
-        ("sides = [1, 2, 3]\nmass = 1\nat = [1e300, 0, 0]", "line 3, `at`: so far away that rounding"),
+        ("sides = [1, 2, 3]\nmass = 1\nat = [1e10, 0, 0]", "line 3, `at`: so far away that rounding"),
     ] {
         let error = body(text).unwrap_err().to_string();
         assert!(error.contains(words), "{text}\n{error}");
@@ -126,8 +120,12 @@ fn a_size_or_a_mass_may_have_its_unit_and_a_number_that_lacks_it_is_questioned()
         ))
     };
     assert_eq!(racket("0.2").unwrap().question, None);
-    let far = racket("-15").unwrap().question.unwrap();
-    assert_eq!(far, "a part 0.06 m large lies 15 m from the others: is its place in cm, or in mm?");
+    let far = racket("-1.2").unwrap().question.unwrap();
+    assert_eq!(far, "a part 0.06 m large lies 1 m from the others: is its place in cm, or in mm?");
+    let part = "[[part]]\nsides = [1, 2, 3]\nmass = 6000\n";
+    let twice = body(&part.repeat(2)).unwrap().question.unwrap();
+    assert_eq!(twice, "part 2 equals another in the same place: is it written twice?");
+    assert_eq!(body(&format!("{part}{part}at = [0, 2, 0]")).unwrap().question, None);
     let wood = body("sides = [1, 2, 3]\ndensity = '0.7 g/cm3'").unwrap();
     assert!((wood.mass.unwrap() - 4200.0).abs() < 1e-9 && wood.question.is_none());
     // A satellite is light, and of a thin plate nothing is known.
@@ -169,7 +167,10 @@ fn the_field_that_is_made_bad_is_the_field_that_is_named() {
                 ("sides", "[1, 1, 0]"),
             ],
         ),
-        ("mass = 1\nmesh = 'corner.obj'\nunit = 1", &[("mass", "-1"), ("unit", "0"), ("unit", "1e308")]),
+        (
+            "mass = 1\nmesh = 'corner.obj'\nunit = 1",
+            &[("mass", "-1"), ("unit", "0"), ("unit", "1e308"), ("mesh", "'flipped.obj'")],
+        ),
         ("mesh = 'corner.obj'\nunit = 1\ndensity = 1", &[("density", "-1"), ("unit", "1e200")]),
         (
             "urdf = 'arm.urdf'\nlink = 'arm'\ntolerance = 0.1",
@@ -204,6 +205,14 @@ fn the_field_that_is_made_bad_is_the_field_that_is_named() {
     }
 }
 
+/// A mark of UTF-8 before the first vertex does not hide it.
+#[test]
+fn a_marked_mesh_has_all_its_vertices() {
+    let mesh = |name| BodyModel::from_toml(&format!("mesh = '{name}'\nmass = 1"), Path::new("tests/files"));
+    assert_eq!(mesh("marked.obj").unwrap(), mesh("corner.obj").unwrap());
+    assert_eq!(mesh("endless.obj").unwrap_err().why, "a number of a vertex is not finite");
+}
+
 #[test]
 fn what_would_take_minutes_or_the_stack_is_refused_with_its_count() {
     let part = "[[part]]\nsides = [1, 2, 3]\nmass = 1\n";
@@ -215,9 +224,7 @@ fn what_would_take_minutes_or_the_stack_is_refused_with_its_count() {
     };
     assert!(nested(30).is_ok());
     assert!(nested(31).unwrap_err().why.starts_with("31 bodies, one the part of the other: at most 30"));
-    for depth in [100, 1000] {
-        assert!(nested(depth).is_err());
-    }
+    assert!(nested(1000).is_err());
     for depth in [1000, 100_000] {
         assert!(body(&format!("part = {}{}", "[".repeat(depth), "]".repeat(depth))).is_err());
         assert!(body(&format!("[{}]", vec!["part"; depth].join("."))).is_err());
@@ -234,6 +241,8 @@ fn parts_add_up_as_a_compound_does_wherever_they_are_written() {
     let found = body(&pair).unwrap();
     assert!((found.inertia.matrix() - whole.inertia.matrix()).amax() < 1e-13);
     assert_eq!(found.mass, whole.mass);
+    let capsule = "shape = 'capsule'\nradius = 1\nlength = 3\ndensity = 3";
+    assert!((body(capsule).unwrap().mass.unwrap() - 13.0 * std::f64::consts::PI).abs() < 1e-13);
     let nested = pair.replace("[[part]]", "[[part.part]]");
     assert_eq!(body(&format!("[[part]]\nat = [0, 7, 0]\n{nested}")).unwrap().centre.y, 7.0);
 }

@@ -44,16 +44,13 @@ impl Film {
     /// # Errors
     /// A picture of another size, or what the encoder reports.
     pub fn add(&mut self, picture: &Picture) -> Result<(), Error> {
-        let [width, height] = self.size;
-        if [picture.width, picture.height] != self.size.map(u32::from) {
-            return Err(Error(format!(
-                "a picture of {} × {} pixels in a film of {width} × {height}",
-                picture.width, picture.height
-            )));
+        let found = [picture.width, picture.height];
+        if found != self.size.map(u32::from) {
+            return Err(Error(format!("a picture of {found:?} pixels in a film of {:?}", self.size)));
         }
         let next: Vec<u8> = picture.pixels.iter().map(|&colour| self.palette.nearest(colour)).collect();
         let before = std::mem::replace(&mut self.shown, next);
-        let wide = usize::from(width);
+        let wide = usize::from(self.size[0]);
         // A film has no picture without pixels: one that stays the same is one pixel.
         let [left, top, right, bottom] = bounds(&before, &self.shown, wide).unwrap_or([0, 0, 1, 1]);
         let places = (top..bottom).flat_map(|row| row * wide + left..row * wide + right);
