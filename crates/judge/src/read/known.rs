@@ -53,10 +53,11 @@ impl Known {
         };
         let (clock, note) = clock.read(reading.time(), said.step);
         said.notes.extend(note);
-        let of_numbers = rounding(probe);
+        let of_numbers = rounding(probe, said.kind.in_world());
         let of_grid = grid.as_ref().map_or(0.0, |grid| grid.floor(probe, &reading, &moments));
         let floor = Floor {
             size: of_numbers.max(of_grid),
+            numbers: of_numbers,
             few: of_numbers.max(of_grid) > FEW_DIGITS * f64::from(f32::EPSILON),
             single: of_numbers == f64::from(f32::EPSILON),
         };

@@ -252,7 +252,10 @@ fn is_biased(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> bo
     // own rounding may add up.
     let [allowed, kept] = match floor.is_of_writing() {
         true => [ends * (parts as f64).sqrt() + turns * turned / root, kept * root],
-        false if floor.size > FITS_FEW_FROM => [each * count, kept * root],
+        // Of a spin made from a turn the next step takes back what this one is off by.
+        false if floor.size > FITS_FEW_FROM => {
+            [ends * floor.size + each / floor.size * floor.numbers * count, kept * root]
+        }
         false => [floor.limits()[1] * count; 2],
     };
     let holds = |own: f64, seen: f64| own.abs() > kept && seen.abs() < KEPT_OF_CHANGED * own.abs();

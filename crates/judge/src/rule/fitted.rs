@@ -5,7 +5,7 @@ use crate::read::{Pair, least, median, normal, ordered, simplest, slopes, times_
 use crate::rule::{Alteration, Base, Rule, Subject, Turn, When};
 use crate::thresholds::{
     BEYOND, CAPPED_ROUNDINGS, CAPPED_ROWS, DAMPED, DAMPED_ROUNDINGS, FITTED_STEPS, JOLT, NEAR_A_TERM,
-    OTHER_BODY, RATE_APART, ROUND_RATE, STEPS_PER_ROW_MOST, UNKNOWN_BODY,
+    OTHER_BODY, RATE_APART, ROUND_RATE, STEPS_PER_ROW_MOST, STILL, UNKNOWN_BODY,
 };
 use nalgebra::{Matrix3, Rotation3, SVector, UnitQuaternion, Vector3};
 use tumbling::PrincipalMoments;
@@ -44,7 +44,7 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
     let of_spin = pairs.iter().all(|pair| pair.to.ahead.is_none());
     let (term, turned) =
         (times_the_term(subject, &few), with_attitude.then(|| times_the_turn(few.iter().copied())));
-    let mut all = Vec::new();
+    let (mut all, cap) = (Vec::new(), capped(pairs, rounding));
     for base in Base::all() {
         // Spins alone do not show whether they are damped before or after the turn, nor turns alone on which
         // side of the row.
@@ -74,21 +74,34 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
             let other = other.filter(|times| (times - 1.0).abs() > far && times.abs() > NEAR_A_TERM[1]);
             all.extend(other.into_iter().flat_map(|times| multiples(times, turned).map(|how| base.but(how))));
         }
-        all.extend(capped(pairs, rounding).map(|most| base.but(Alteration::Capped(most))));
-    }
-    if !with_attitude && term > 1.5 {
-        // Rows that are left out, with the rest counted as if they were not.
-        let rows = (term.min(STEPS_PER_ROW_MOST) - 0.5) as u32..=term.min(STEPS_PER_ROW_MOST) as u32 + 1;
-        let left_out = |rows: u32| {
-            Base::every().map(move |base| base.in_parts(rows).but(Alteration::TermOrTimes(f64::from(rows))))
+        // It cuts what the base makes beyond it.
+        let cuts = |most: &f64| {
+            let beyond = most * (1.0 + BEYOND.max(CAPPED_ROUNDINGS * rounding));
+            let own = |pair: &Pair| subject.spin_after(&Rule::plain(base), pair);
+            few.iter().filter_map(own).any(|omega| omega.norm() > beyond)
         };
-        all.extend(rows.flat_map(left_out));
+        all.extend(cap.filter(cuts).map(|most| base.but(Alteration::Capped(most))));
+    }
+    // Rows that are left out, with the rest counted as if they were not.
+    let times = match with_attitude {
+        true => all.iter().find_map(|rule| match rule.alteration {
+            Some(Alteration::Times(times)) if rule.base == Base::Exact => Some([times; 2]),
+            _ => None,
+        }),
+        false => Some([term - 1.0, term + 1.0]),
+    };
+    if let Some([least, most]) = times.filter(|_| term > 1.5) {
+        let whole = |x: f64| x.clamp(1.0, STEPS_PER_ROW_MOST).round() as u32;
+        let times = |rows| if with_attitude { Alteration::Times(rows) } else { Alteration::TermOrTimes(rows) };
+        let left_out =
+            |rows: u32| Base::every().map(move |base| base.in_parts(rows).but(times(f64::from(rows))));
+        all.extend((whole(least)..=whole(most)).filter(|rows| *rows > 1).flat_map(left_out));
     }
     if with_attitude && of_spin {
         let turned = |turns: &'static [Turn]| {
             move |base: Base| turns.iter().map(move |&turn| base.but(Alteration::Turned(turn)))
         };
-        all.extend(Base::all().into_iter().chain(Base::every()).flat_map(turned(&[Turn::Old, Turn::Late])));
+        all.extend(Base::all().into_iter().chain(Base::every()).flat_map(turned(&[Turn::Old, Turn::Late, Turn::Early])));
         let others = Base::all().into_iter().chain([Base::PositionStage(1)]).flat_map(turned(&Turn::OTHERS));
         // Of a spin that stays, a turn that is made twice may as well be one in times that are wrong.
         let is_twice = |rule: &Rule| {
@@ -131,6 +144,13 @@ fn times_the_term(subject: &Subject, pairs: &[Pair]) -> f64 {
 /// The body with which each base makes the spins of the record: a tensor of the same trace as that named.
 pub(crate) fn other_bodies(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<Rule> {
     let few = some(pairs, FITTED_STEPS);
+    // A spin that stays is right for each body that has a principal axis there.
+    let moves = |pair: &Pair| {
+        (pair.to.omega - pair.from.omega).norm() > STILL * rounding * pair.from.omega.norm()
+    };
+    if !few.iter().any(moves) {
+        return Vec::new();
+    }
     let trace = subject.moments.sum();
     let named = subject.moments / trace;
     // Euler's equation, as it stands between two rows, is linear in the tensor.

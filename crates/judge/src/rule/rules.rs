@@ -91,8 +91,8 @@ pub enum Turn {
 
 impl Turn {
     /// Those of a turn in the wrong place or by the wrong spin, as they are tried.
-    pub(crate) const OTHERS: [Self; 6] =
-        [Self::Early, Self::BodyInWorld, Self::WorldInBody, Self::TwiceBefore, Self::TwiceAfter, Self::Own];
+    pub(crate) const OTHERS: [Self; 5] =
+        [Self::BodyInWorld, Self::WorldInBody, Self::TwiceBefore, Self::TwiceAfter, Self::Own];
 
     /// Whether row and row are of different instants, of a rule that may be right.
     pub(crate) const fn is_of_rows(self) -> bool {
@@ -210,6 +210,21 @@ impl Base {
             Self::Engine(engine) => engine.parts,
             _ => 1,
         }
+    }
+
+    /// The method that makes its spin, and in how many parts.
+    const fn spins_as(&self) -> Option<(Method, u32)> {
+        match *self {
+            Self::Method(Method::ExplicitEuler, parts) => Some((Method::SemiImplicitEuler, parts)),
+            Self::Method(Method::RescaledLinearAttitude, parts) => Some((Method::Rescaled, parts)),
+            Self::Method(method, parts) | Self::Straight(method, parts) => Some((method, parts)),
+            _ => None,
+        }
+    }
+
+    /// Whether it makes the spin of another rule, and turns the body otherwise.
+    pub(crate) fn has_spin_of(&self, other: &Self) -> bool {
+        self != other && self.spins_as().is_some() && self.spins_as() == other.spins_as()
     }
 
     /// This rule with this number of parts a step.
