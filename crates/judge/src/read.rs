@@ -32,7 +32,7 @@ pub use note::Note;
 pub(crate) use pace::{by_how_much, simplest, times_the_turn};
 pub use reading::FileMistake;
 pub(crate) use reading::Reading;
-pub(crate) use rounding::{Floor, rounding};
+pub(crate) use rounding::{Floor, of_attitudes, rounding};
 pub(crate) use rows::Rows;
 pub(crate) use sample::Sample;
 pub(crate) use source::{Exact, Printed, Raw, Source};

@@ -201,6 +201,9 @@ pub(crate) const ON_AXIS: f64 = 8.0;
 pub(crate) const TURN_ROUNDINGS: f64 = 8.0;
 /// Roundings in a law kept: of the numbers, and of each step.
 pub(crate) const LAW_ROUNDINGS: [f64; 2] = [32.0, 4.0];
+/// Digits, in roundings of two rows, by which a law may be off though nothing breaks it: half a unit in each
+/// of three components.
+pub(crate) const LAW_DIGITS: f64 = 2.0;
 /// How many times these for laws that are a product of two such numbers, or an angle between two vectors.
 pub(crate) const LAW_OF_TWO: f64 = 2.0;
 

@@ -137,7 +137,8 @@ impl Jumps {
         }
         let back = (state.omega - self.first.omega).norm() <= BACK * self.first.omega.norm();
         let Some(((first, q), was)) = self.first.attitude.zip(state.attitude).zip(last.attitude) else {
-            return back && (last.omega - state.omega).norm() > jump * now;
+            let far = jump.max(turns * now * (state.t - last.t));
+            return back && (last.omega - state.omega).norm() > far * now;
         };
         let turned = angle_between(&was, &q);
         back && angle_between(&first, &q) < BACK

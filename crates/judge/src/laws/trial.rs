@@ -48,7 +48,7 @@ impl Trial {
         let (has_spin, floor, errors) = (known.has_spin(), known.floor.size, Errors::default());
         let Subject { moments, torque, .. } = *subject;
         Ok(Self {
-            laws: Laws::new(&moments, &first, direction, floor)?,
+            laws: Laws::new(&moments, &first, direction, known.floor)?,
             first,
             sample: Sample::new(),
             jumps: Jumps { first, moments, torque, has_spin, floor, errors },

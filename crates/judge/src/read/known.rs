@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::read::{
-    Clock, Derived, Feed, Floor, Grid, Kind, Note, Raw, Reading, Row, angle_between, median, rounding,
+    Clock, Derived, Feed, Floor, Grid, Kind, Note, Raw, Reading, Row, angle_between, median, of_attitudes, rounding,
 };
 use crate::thresholds::{FEW_DIGITS, SPIN_FROM_TURN};
 use nalgebra::Vector3;
@@ -57,7 +57,7 @@ impl Known {
         let of_grid = grid.as_ref().map_or(0.0, |grid| grid.floor(probe, &reading, &moments));
         let floor = Floor {
             size: of_numbers.max(of_grid),
-            numbers: of_numbers,
+            attitude: of_attitudes(probe),
             few: of_numbers.max(of_grid) > FEW_DIGITS * f64::from(f32::EPSILON),
             single: of_numbers == f64::from(f32::EPSILON),
         };

@@ -4,13 +4,13 @@
 //! numbers were read another way, the file is what is wrong.
 
 use crate::read::pace::{by_how_much, in_whole_numbers, to_four_places};
-use crate::read::{Kind, Pair, Raw, Row, median};
+use crate::read::{Kind, Pair, Raw, Row, angle_between, median};
 use crate::thresholds::{
     LAW_AGREES, LAW_BETTER, LAW_DECIDES, LAW_WEIGHT, NEARER_READING, PACE_APART, RARE_MISTAKE, TURNS_AGREE,
     TURNS_EQUAL, TURNS_WEIGHT, UNIT_APART,
 };
 use nalgebra::{Quaternion, Vector3};
-use tumbling::dynamics::euler;
+use tumbling::{attitude, dynamics::euler};
 
 /// A mistake of a file: what its numbers seem to be, against what its names say.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -269,7 +269,12 @@ impl Reading {
         let off =
             |reading: &Self| median(reading.pairs(pairs, moments).filter_map(|pair| pair.inconsistency()));
         let plain = off(&self);
-        if plain.is_finite() && plain < TURNS_AGREE {
+        // Of turns that are too long to be compared with a spin the ends are.
+        let ends = self.pairs(pairs, moments).filter_map(|Pair { from, to, h }| {
+            let turn = attitude::turn(&((from.omega + to.omega) * (h / 2.0)));
+            Some(angle_between(&attitude::product(&from.attitude?, &turn), &to.attitude?))
+        });
+        if plain < TURNS_AGREE || plain.is_infinite() && median(ends) < TURNS_AGREE {
             return self;
         }
         if let Some(paced) = self.paced(pairs, moments).filter(|way| free && off(way) < TURNS_AGREE) {
@@ -321,7 +326,9 @@ impl Reading {
             .min_by(|a, b| worth(a).total_cmp(&worth(b)));
         let best = best.map_or(self, |way| way.0);
         let other = Self { frame: !self.frame, ..self };
-        let on_other_side = off(&other) < TURNS_AGREE && self.goes_by_law_unlike(&best, pairs, moments);
+        let off_side = off(&other);
+        let on_other_side = off_side < TURNS_AGREE
+            && (off_side < NEARER_READING * off(&best) || self.goes_by_law_unlike(&best, pairs, moments));
         if free && on_other_side { self } else { best }
     }
 

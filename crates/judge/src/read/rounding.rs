@@ -24,6 +24,11 @@ pub(crate) fn rounding(probe: &[Raw], in_world: bool) -> f64 {
     groups.map(own).fold(f64::EPSILON, f64::max)
 }
 
+/// The rounding of the attitudes' numbers.
+pub(crate) fn of_attitudes(probe: &[Raw]) -> f64 {
+    rounding_of(probe, 0, 1.0, false).max(f64::EPSILON)
+}
+
 /// The rounding of numbers that have this number of digits, or that single precision holds.
 fn rounding_of(probe: &[Raw], group: usize, size: f64, stays: bool) -> f64 {
     let all = probe.iter().map(|raw| raw.exact[group]);
@@ -56,8 +61,8 @@ fn rounding_of(probe: &[Raw], group: usize, size: f64, stays: bool) -> f64 {
 pub(crate) struct Floor {
     /// Of the spins, relative to them.
     pub size: f64,
-    /// Of the numbers themselves, from which spins may have to be made, relative to 1.
-    pub numbers: f64,
+    /// Of the attitudes, relative to 1.
+    pub attitude: f64,
     /// Whether it is of a few decimal digits, fewer than single precision has.
     pub few: bool,
     /// Whether it is that of single precision.

@@ -108,6 +108,8 @@ pub(crate) struct Whole {
     pub kept: bool,
     /// The share of the pairs of rows that are one step apart.
     pub share: f64,
+    /// Whether the attitude is turned on the wrong side.
+    pub on_wrong_side: bool,
 }
 
 impl Diagnosis {
@@ -254,7 +256,9 @@ fn is_biased(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> bo
         true => [ends * (parts as f64).sqrt() + turns * turned / root, kept * root],
         // Of a spin made from a turn the next step takes back what this one is off by.
         false if floor.size > FITS_FEW_FROM => {
-            [ends * floor.size + each / floor.size * floor.numbers * count, kept * root]
+            let is_sought = pairs.iter().any(|pair| pair.to.ahead.is_some());
+            let own = if is_sought { floor.attitude } else { floor.size };
+            [ends * floor.size + each / floor.size * own * count, kept * root]
         }
         false => [floor.limits()[1] * count; 2],
     };

@@ -44,6 +44,7 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
     let of_spin = pairs.iter().all(|pair| pair.to.ahead.is_none());
     let (term, turned) =
         (times_the_term(subject, &few), with_attitude.then(|| times_the_turn(few.iter().copied())));
+    let both = with_attitude && of_spin;
     let (mut all, cap) = (Vec::new(), capped(pairs, rounding));
     for base in Base::all() {
         // Spins alone do not show whether they are damped before or after the turn, nor turns alone on which
@@ -66,13 +67,19 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
         let is_accurate = matches!(base, Base::Method(method, _) if method.info().order > 2
             || !with_attitude && method == Method::MeanSpinRungeKutta4);
         let keeps = is_accurate || Rule::plain(base).keeps(LawName::Separatrix);
-        let far = if keeps { RATE_APART } else { NEAR_A_TERM[1] };
-        if !is_still(base) && (!keeps || base == Base::Exact) && term.is_finite() {
+        // With attitudes an error of its rate is none of the times: both would be off by one factor.
+        let far = if keeps && !both { RATE_APART } else { NEAR_A_TERM[1] };
+        if !is_still(base) && (!keeps || both || base == Base::Exact) && term.is_finite() {
             let rule = |times: &SVector<f64, 1>| base.but(Alteration::TermOrTimes(times.x));
             let fitted = least([term].into(), |times| misses(subject, &few, &rule(times)), |times| times);
             let other = fitted.map(|times| times.x);
             let other = other.filter(|times| (times - 1.0).abs() > far && times.abs() > NEAR_A_TERM[1]);
-            all.extend(other.into_iter().flat_map(|times| multiples(times, turned).map(|how| base.but(how))));
+            let is_seen = |how: &Alteration| {
+                let is_far = other.is_some_and(|times| (times - 1.0).abs() > RATE_APART);
+                !keeps || matches!(how, Alteration::Times(_)) || base == Base::Exact && is_far
+            };
+            let how = other.into_iter().flat_map(|times| multiples(times, turned)).filter(is_seen);
+            all.extend(how.map(|how| base.but(how)));
         }
         // It cuts what the base makes beyond it.
         let cuts = |most: &f64| {
@@ -97,7 +104,7 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
             |rows: u32| Base::every().map(move |base| base.in_parts(rows).but(times(f64::from(rows))));
         all.extend((whole(least)..=whole(most)).filter(|rows| *rows > 1).flat_map(left_out));
     }
-    if with_attitude && of_spin {
+    if both {
         let turned = |turns: &'static [Turn]| {
             move |base: Base| turns.iter().map(move |&turn| base.but(Alteration::Turned(turn)))
         };

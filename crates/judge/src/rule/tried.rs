@@ -7,7 +7,7 @@ use crate::rule::{
     of_parts, other_bodies, plain,
 };
 use crate::thresholds::{
-    ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, AS_EXACT, CLEAR, NEAR_RATIO, PARTS, TRIED_IN_PARTS,
+    ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, AS_EXACT, CLEAR, NEAR_RATIO, PACE_APART, PARTS, TRIED_IN_PARTS,
 };
 use tumbling::step::Method;
 
@@ -58,7 +58,12 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
     let more: [Fitted; 3] = [|_, pairs, _| frozen_at(pairs), compound, other_bodies];
     for rules in more {
         if free && !fits(&found) {
-            found.extend(rules(subject, pairs, floor.size).into_iter().filter_map(explained));
+            // Times that are nearly right are wrong where that is all there is.
+            let is_small = |rule: &Rule| {
+                matches!(rule.alteration, Some(Alteration::Times(times)) if (times - 1.0).abs() < PACE_APART)
+            };
+            let rules = rules(subject, pairs, floor.size).into_iter().filter_map(explained);
+            found.extend(rules.filter(|x| !is_small(&x.rule) || x.fits(floor)));
         }
     }
     found.extend(equals(&found[plain..], floor).into_iter().filter_map(explained));

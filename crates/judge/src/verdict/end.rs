@@ -123,6 +123,10 @@ impl End<'_> {
             fails,
             kept: !laws.untraceable() && self.laws.iter().all(|law| law.growth.rank() == 0),
             share: sample.seen() as f64 / (*pairs).max(1) as f64,
+            on_wrong_side: complaints.iter().any(|complaint| {
+                let seen = [Seen::BodyInWorld, Seen::WorldInBody].map(Some);
+                matches!(complaint, Complaint::Otherwise { seen: way, .. } if seen.contains(way))
+            }),
         }
     }
 
@@ -131,7 +135,7 @@ impl End<'_> {
         let Trial { known, laws, sample, stopped, ended, rows, .. } = self.trial;
         let mut all = Vec::new();
         all.extend(ended.clone().map(|at| Complaint::Ended { at }));
-        all.extend(self.flips.into_iter().flat_map(spin_faults));
+        all.extend(self.flips.filter(|_| laws.shows_flips()).into_iter().flat_map(spin_faults));
         let moved = laws.seen.moved;
         if self.free()
             && !self.still
@@ -147,7 +151,7 @@ impl End<'_> {
         all.extend(self.otherwise().map(|off| Complaint::Otherwise { off, seen: turned(sample.pairs()) }));
         if self.free() && *rows >= ENOUGH_ROWS {
             let first = laws.separatrix().map(|x| x[0]);
-            all.extend(wrong_pace(self.laws, first, laws.periods(), self.options));
+            all.extend(wrong_pace(self.laws, first, [laws.periods(), laws.pace_left_open()], self.options));
         }
         all
     }

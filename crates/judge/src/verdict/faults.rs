@@ -45,13 +45,14 @@ const fn is_wrong(rule: &Rule) -> bool {
     base || altered
 }
 
-/// A phase that ran away, where the caller has set no limit of its own for it. So near the separatrix that
+/// A phase that ran away, where the caller has set no limit of its own for it; of a motion of that many
+/// periods, a share of which its digits leave open. So near the separatrix that
 /// 2 E I2 / L² came farther from its first value than that is from 1, and within its limit, any period is
 /// right.
 pub(crate) fn wrong_pace(
     laws: &[Law],
     first: Option<f64>,
-    periods: f64,
+    [periods, open]: [f64; 2],
     options: &Options,
 ) -> Option<Complaint> {
     let separatrix = laws.iter().find(|law| law.name == LawName::Separatrix && options.allows(law));
@@ -59,7 +60,7 @@ pub(crate) fn wrong_pace(
         return None;
     }
     let phase = laws.iter().find(|law| law.name == LawName::Phase)?;
-    let allowed = PHASE + PHASE * periods;
+    let allowed = PHASE + (PHASE + open) * periods;
     let wrong = options.allowed(LawName::Phase).is_none() && phase.most > allowed;
     wrong.then_some(Complaint::WrongPace { off: phase.most, periods, allowed })
 }
