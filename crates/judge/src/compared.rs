@@ -87,7 +87,11 @@ impl Motion {
         if all.len() < 2 {
             return Err(if all.is_empty() { Error::NoRows } else { Error::OneRow });
         }
-        Ok(Self { rows: all, rounding: rounding(&raws, kind.in_world()), has: [kind != Kind::Attitude, positions] })
+        Ok(Self {
+            rows: all,
+            rounding: rounding(&raws, kind.in_world()),
+            has: [kind != Kind::Attitude, positions],
+        })
     }
 
     /// How far `other` is from this motion.

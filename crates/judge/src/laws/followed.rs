@@ -3,9 +3,7 @@
 use crate::law::LawName;
 use crate::laws::{Curve, FlipCount, Law, Point, Stretches};
 use crate::read::{Floor, Pair, Row, in_world, ordered};
-use crate::thresholds::{
-    ALLOWED, CONSTANT, FLIP_TIMES, LAW_DIGITS, LAW_OF_TWO, LAW_ROUNDINGS, ON_AXIS, PHASE, POINTS, TURN_ROUNDINGS, UNTRACEABLE,
-};
+use crate::thresholds::*;
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 use tumbling::exact::{FreeMotion, Regime};
@@ -248,7 +246,7 @@ impl Laws {
         }
         let x = state.omega[middle];
         let flips = &mut self.flips;
-        if x.abs() <= zero || t <= flips.from && flips.from > 0.0 {
+        if x == 0.0 || t <= flips.from && flips.from > 0.0 {
             return;
         }
         if let Some((t0, x0)) = flips.last
@@ -352,10 +350,18 @@ impl Laws {
         (0..6).map(other).fold(0.0, f64::max)
     }
 
-    /// Whether digits show which way round the spin goes, and when it flips.
-    pub(crate) fn shows_flips(&self) -> bool {
+    /// Whether digits show which axis the spin circles; and whether it flips, or where a first flip so near to
+    /// the end that an error of phase decides.
+    pub(crate) fn shows_flips(&self) -> [bool; 2] {
+        let shown = self.pace_left_open() < PHASE;
+        let end = self.seen.last.t - self.start.row.t;
+        let first = self.exact.flips(self.flips.from.min(end), (1.0 + PHASE) * end).ok();
+        let is_early = |first: f64| first < (1.0 - PHASE) * end;
+        let is_clear = first.and_then(|mut flips| flips.next()).is_none_or(is_early);
         let zero = LAW_DIGITS * self.floor.size * self.start.row.omega.norm();
-        self.seen.flipping > zero && self.pace_left_open() < PHASE
+        let is_none = |middle: usize| self.flips.from == 0.0 && self.start.row.omega[middle].abs() <= zero;
+        let is_open = self.middle.is_some_and(is_none) || self.seen.flipping <= zero;
+        [shown, shown && is_clear && !is_open]
     }
 
     /// How each law was kept that there was something of.

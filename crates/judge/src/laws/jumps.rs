@@ -1,10 +1,7 @@
 //! Where a motion starts anew: a step out of all proportion, or back at the start without a way there.
 
 use crate::read::{Pair, Row, angle_between};
-use crate::thresholds::{
-    BACK, BACK_IN_ERRORS, ERROR_KEPT, JUMP, JUMP_BACK, JUMP_IN_ERRORS, JUMP_IN_TURNS, NEARLY_AT_REST,
-    SHORT_TURN, STEPS_BEFORE_A_JUMP, THROWN_IN_ROUNDINGS, THROWN_IN_TURNS,
-};
+use crate::thresholds::*;
 use nalgebra::Vector3;
 use tumbling::dynamics::euler;
 
@@ -133,7 +130,7 @@ impl Jumps {
         let [jump, turns] = JUMP_BACK;
         let (before, now) = (last.omega.norm(), state.omega.norm());
         if before > 0.0 && now == 0.0 {
-            return before > NEARLY_AT_REST * self.first.omega.norm();
+            return before > NEARLY_AT_REST.max(ON_AXIS * self.floor) * self.first.omega.norm();
         }
         let back = (state.omega - self.first.omega).norm() <= BACK * self.first.omega.norm();
         let Some(((first, q), was)) = self.first.attitude.zip(state.attitude).zip(last.attitude) else {

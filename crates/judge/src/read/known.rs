@@ -2,9 +2,10 @@
 
 use crate::error::Error;
 use crate::read::{
-    Clock, Derived, Feed, Floor, Grid, Kind, Note, Raw, Reading, Row, angle_between, median, of_attitudes, rounding,
+    Clock, Derived, Feed, Floor, Grid, Kind, Note, Raw, Reading, Row, angle_between, median, of_attitudes,
+    rounding,
 };
-use crate::thresholds::{FEW_DIGITS, SPIN_FROM_TURN};
+use crate::thresholds::*;
 use nalgebra::Vector3;
 
 /// What a record says of itself.

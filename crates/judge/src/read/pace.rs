@@ -3,10 +3,7 @@
 
 use crate::read::reading::{Reading, alike};
 use crate::read::{Pair, Raw, median, middle_and_most};
-use crate::thresholds::{
-    FRACTION_NEAR, LAW_AGREES, LONG_TURN, PACE_APART, PACE_OF_LAW, SIDES_APART, TURN_LIMITED, WHOLE_MOST, WHOLE_NEAR,
-    WHOLE_SURE,
-};
+use crate::thresholds::*;
 use nalgebra::Vector3;
 use tumbling::attitude::{product, rotation_matrix};
 use tumbling::exact::FreeMotion;

@@ -5,10 +5,7 @@
 
 use crate::read::pace::{by_how_much, in_whole_numbers, to_four_places};
 use crate::read::{Kind, Pair, Raw, Row, angle_between, median};
-use crate::thresholds::{
-    LAW_AGREES, LAW_BETTER, LAW_DECIDES, LAW_WEIGHT, NEARER_READING, PACE_APART, RARE_MISTAKE, TURNS_AGREE,
-    TURNS_EQUAL, TURNS_WEIGHT, UNIT_APART,
-};
+use crate::thresholds::*;
 use nalgebra::{Quaternion, Vector3};
 use tumbling::{attitude, dynamics::euler};
 

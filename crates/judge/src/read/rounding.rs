@@ -1,10 +1,7 @@
 //! How exact the numbers of a record are, and what is rounding in its steps.
 
 use crate::read::{Raw, median};
-use crate::thresholds::{
-    BELOW_SINGLE, BITS_OF_HALF, BITS_OF_SINGLE, CLOSELY, CLOSELY_SINGLE, DIGITS_OF_DOUBLE, DIGITS_OF_SINGLE,
-    FEWEST_DIGITS, FITS, FITS_FEW, FITS_FEW_FROM, FITS_SINGLE, HALF, MOST_DIGITS,
-};
+use crate::thresholds::*;
 
 /// The rounding of a record's numbers: of attitudes and of vectors each on their own, and the larger of both.
 /// Attitudes that turn vectors (`in_world`) to the body do so by angles, which are off by twice as much.

@@ -5,9 +5,7 @@ use crate::read::{
     Columns, Exact, Header, Printed, Raw, Separator, Source, TimeColumn, last_place, significant,
     significant_bits,
 };
-use crate::thresholds::{
-    BITS_OF_SINGLE, FIELD_SHOWN, LINE_BYTES, MOST_DIGITS_OF_SINGLE, ROWS_BEFORE_THE_END,
-};
+use crate::thresholds::*;
 use nalgebra::{Quaternion, Vector3};
 use std::io::BufRead;
 

@@ -10,10 +10,7 @@ use crate::rule::unnamed::unnamed;
 use crate::rule::{
     Advice, Alteration, Base, Confidence, Rule, Subject, When, engine_names, engines, first_named, settings,
 };
-use crate::thresholds::{
-    BIASED, FASTER, FITS_EXACT, FITS_FEW_FROM, JUMP_EVERY, JUMP_IN_LIMITS, KEPT_OF_CHANGED, RESETS, SAME,
-    TRIED_TURNS,
-};
+use crate::thresholds::*;
 use nalgebra::{Vector2, Vector3};
 use serde::Serialize;
 

@@ -3,7 +3,7 @@
 use crate::law::LawName;
 use crate::read::Pair;
 use crate::rule::{Limits, PHYSICS_ENGINES, PhysicsEngine};
-use crate::thresholds::{BEYOND, MORE_PARTS, PARTS};
+use crate::thresholds::*;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use tumbling::attitude;
 use tumbling::step::Method;
@@ -30,7 +30,7 @@ pub enum Base {
     /// A physics engine's rule, and what the engine adds to it for a fast body.
     Engine(PhysicsEngine),
     /// The spin in the world by the body's tensor as it stood at this attitude.
-    FrozenTensor(Quaternion<f64>, Steps),
+    FrozenTensor(Quaternion<f64>),
     /// The momentum, divided by this one number, turns the body.
     MomentumForSpin(f64),
     /// The spin by this method, and the attitude straight by the new one: `q + h/2 q w`, its length set to 1
@@ -98,15 +98,6 @@ impl Turn {
     pub(crate) const fn is_of_rows(self) -> bool {
         matches!(self, Self::Old | Self::Late | Self::Early | Self::Otherwise)
     }
-}
-
-/// Of what order the frozen tensor's spin is stepped.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Steps {
-    /// Straight ahead.
-    First,
-    /// By Runge and Kutta.
-    Fourth,
 }
 
 /// Where in a step the spin is damped.
@@ -280,7 +271,7 @@ pub(crate) fn plain(free: bool, pairs: &[Pair]) -> Vec<Rule> {
     }
     all.extend(Method::ALL.iter().map(|&method| Base::Method(method, 1)));
     all.extend(free.then_some(Base::PositionStage(1)));
-    all.extend([Steps::First, Steps::Fourth].map(|steps| Base::FrozenTensor(Quaternion::identity(), steps)));
+    all.push(Base::FrozenTensor(Quaternion::identity()));
     distinct(all).into_iter().map(Rule::plain).collect()
 }
 
@@ -327,10 +318,9 @@ pub(crate) fn of_parts(parts: u32) -> Vec<Rule> {
 
 /// The tensor frozen as it stood at the record's first attitude, where that is another than the identity.
 pub(crate) fn frozen_at(pairs: &[Pair]) -> Vec<Rule> {
-    let first = pairs.first().and_then(|pair| pair.from.attitude);
-    let first = first.map(|q| q / q.norm()).filter(|q| q.imag().norm() > 0.0 && q.norm().is_finite());
-    let both = |q| [Steps::First, Steps::Fourth].map(|steps| Rule::plain(Base::FrozenTensor(q, steps)));
-    first.map_or(Vec::new(), |q| both(q).to_vec())
+    let first = pairs.first().and_then(|pair| pair.from.attitude).map(|q| q / q.norm());
+    let other = first.filter(|q| q.imag().norm() > 0.0 && q.norm().is_finite());
+    other.map(|q| Rule::plain(Base::FrozenTensor(q))).into_iter().collect()
 }
 
 /// The most spin along an axis of the world after any step.

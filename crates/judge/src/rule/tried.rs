@@ -6,9 +6,7 @@ use crate::rule::{
     Alteration, Base, Explanation, Rule, Subject, Turn, compound, frozen_at, in_parts, momentum_for_spin,
     of_parts, other_bodies, plain,
 };
-use crate::thresholds::{
-    ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, AS_EXACT, CLEAR, NEAR_RATIO, PACE_APART, PARTS, TRIED_IN_PARTS,
-};
+use crate::thresholds::*;
 use tumbling::step::Method;
 
 /// Rules with numbers that are fitted to the pairs, of numbers with this rounding.
@@ -59,9 +57,7 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
     for rules in more {
         if free && !fits(&found) {
             // Times that are nearly right are wrong where that is all there is.
-            let is_small = |rule: &Rule| {
-                matches!(rule.alteration, Some(Alteration::Times(times)) if (times - 1.0).abs() < PACE_APART)
-            };
+            let is_small = |rule: &Rule| matches!(rule.alteration, Some(Alteration::Times(times)) if (times - 1.0).abs() < PACE_APART);
             let rules = rules(subject, pairs, floor.size).into_iter().filter_map(explained);
             found.extend(rules.filter(|x| !is_small(&x.rule) || x.fits(floor)));
         }

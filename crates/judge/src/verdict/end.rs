@@ -5,9 +5,7 @@ use crate::laws::{Complaint, FlipCount, Law, Seen, Trial};
 use crate::options::Options;
 use crate::read::{Fit, Kind, Pair, median, unit};
 use crate::rule::{Advice, Subject, Whole, diagnose};
-use crate::thresholds::{
-    ENOUGH_CHANGE, ENOUGH_ROWS, LAW_ROUNDINGS, NEARER_READING, PACE_APART, STILL, TURNS_AGREE,
-};
+use crate::thresholds::*;
 use crate::verdict::{Outcome, Recording, Verdict, spin_faults, wrong_pace, wrong_rule};
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
@@ -135,7 +133,7 @@ impl End<'_> {
         let Trial { known, laws, sample, stopped, ended, rows, .. } = self.trial;
         let mut all = Vec::new();
         all.extend(ended.clone().map(|at| Complaint::Ended { at }));
-        all.extend(self.flips.filter(|_| laws.shows_flips()).into_iter().flat_map(spin_faults));
+        all.extend(self.flips.into_iter().flat_map(|flips| spin_faults(flips, laws.shows_flips())));
         let moved = laws.seen.moved;
         if self.free()
             && !self.still
