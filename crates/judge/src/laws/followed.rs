@@ -105,12 +105,9 @@ impl Laws {
         let circled = circled(&exact, moments);
         let angular = moments.component_mul(&first.omega);
         // A spin that starts in the plane of the other two axes does not flip there.
-        let flips_from = flips_from(moments, first, middle);
-        let flips = exact.flips(flips_from, 1e9).or_else(|_| exact.flips(flips_from, 1e3));
-        let exact_flips: Box<dyn Iterator<Item = f64>> = match flips {
-            Ok(flips) => Box::new(flips),
-            Err(_) => Box::new(std::iter::empty()),
-        };
+        let (from, count) = (flips_from(moments, first, middle), FlipCount::default());
+        let flips = exact.flips(from, 1e9).or_else(|_| exact.flips(from, 1e3));
+        let flips = Flips { from, exact: Box::new(flips.into_iter().flatten()), count, last: None };
         let start = Start {
             row: *first,
             energy: observe::energy(&first.omega, &angular),
@@ -137,7 +134,7 @@ impl Laws {
             curves: LawName::ALL.map(|name| (name, Curve::new())),
             points: Stretches::new(POINTS),
             lag: 0.0,
-            flips: Flips { from: flips_from, exact: exact_flips, count: FlipCount::default(), last: None },
+            flips,
             seen,
             floor,
         })
@@ -213,23 +210,20 @@ impl Laws {
         let change = (to - from).norm() / speed;
         let changes = if change.is_finite() { change.max(self.seen.change) } else { self.seen.change };
         if let Some(off) = pair.inconsistency() {
-            // A spin that changes in a step leaves open which of its values turned the body; a turn has its
-            // rounding.
+            // A spin that changes leaves open which of its values turned the body; a turn has its rounding.
             let allowed = changes + TURN_ROUNDINGS * self.floor.size / (speed * pair.h);
             self.put(LawName::Consistency, pair.to.t - self.start.row.t, (off - allowed).max(0.0));
         }
         self.seen.change = if change.is_finite() { change } else { 0.0 };
     }
 
-    /// Where the spin is on its way round the axis, rad: the angle in the plane in which that way is a
-    /// circle.
+    /// Where the spin is on its way round the axis, rad, in the plane in which that way is a circle.
     fn phase(&self, [a, b, c]: [usize; 3], omega: &Vector3<f64>) -> f64 {
         let weight = |i: usize| (self.moments[i] * (self.moments[a] - self.moments[i]).abs()).sqrt();
         (weight(c) * omega[c]).atan2(weight(b) * omega[b])
     }
 
-    /// Which way round the spin goes: counter-clockwise about the largest moment's axis where it spins
-    /// forward.
+    /// Which way round: counter-clockwise about the largest moment's axis where the body spins forward.
     fn sense(&self, [a, b, _]: [usize; 3]) -> f64 {
         (self.moments[a] - self.moments[b]).signum() * self.start.row.omega[a].signum()
     }
@@ -285,9 +279,8 @@ impl Laws {
         }
     }
 
-    /// Whether the body turns so far in the time of the record that the rounding of that angle alone is a
-    /// tenth of a radian, or more than any number holds: where in its motion the body should be then, an
-    /// `f64` does not determine.
+    /// Whether the body turns so far that the rounding of that angle is a tenth of a radian, or more than any
+    /// number holds: where in its motion it should be then, an `f64` does not determine.
     pub(crate) fn untraceable(&self) -> bool {
         let uncertain = f64::EPSILON * self.seen.turned;
         !uncertain.is_finite() || uncertain > UNTRACEABLE
@@ -333,24 +326,22 @@ impl Laws {
             }
     }
 
-    /// The share of the motion's rate that the digits of the first spin leave open; all of it where they leave
-    /// open which axis the spin circles.
+    /// The share of the motion's rate that the digits of the first spin leave open; all of it where they
+    /// leave open which axis the spin circles.
     pub(crate) fn pace_left_open(&self) -> f64 {
-        let (omega, off) = (self.start.row.omega, LAW_DIGITS * self.floor.size * self.start.row.omega.norm());
+        let omega = self.start.row.omega;
         let Ok(Some(period)) = self.exact.period() else { return 0.0 };
-        let other = |i: usize| {
-            let moved = |off: f64| {
-                let omega = omega + Vector3::ith(i % 3, off);
-                let motion = FreeMotion::new(self.moments.try_into().ok()?, &omega).ok()?;
-                let is_same = circled(&motion, &self.moments) == self.circled.map(|axes| axes[0]);
-                Some((motion.period().ok()?.filter(|_| is_same)? / period - 1.0).abs())
-            };
-            moved(if i < 3 { off } else { -off }).unwrap_or(1.0)
+        let off = LAW_DIGITS * self.floor.size * omega.norm();
+        let other = |off: Vector3<f64>| {
+            let motion = FreeMotion::new(self.moments.try_into().ok()?, &(omega + off)).ok()?;
+            let is_same = circled(&motion, &self.moments) == self.circled.map(|axes| axes[0]);
+            Some((motion.period().ok()?.filter(|_| is_same)? / period - 1.0).abs())
         };
-        (0..6).map(other).fold(0.0, f64::max)
+        let each = (0..6).map(|i| other(Vector3::ith(i % 3, if i < 3 { off } else { -off })).unwrap_or(1.0));
+        each.fold(0.0, f64::max)
     }
 
-    /// Whether digits show which axis the spin circles; and whether it flips, or where a first flip so near to
+    /// Whether digits show which axis the spin circles; and whether it flips, where that is not so near to
     /// the end that an error of phase decides.
     pub(crate) fn shows_flips(&self) -> [bool; 2] {
         let shown = self.pace_left_open() < PHASE;
@@ -384,9 +375,8 @@ impl Laws {
                 }
             })
             .map(|(name, curve)| {
-                // Some rounding units a step, besides the rounding of the numbers themselves; of a time, of
-                // all that turns in it. Digits that a file lacks are lacking in each row alone: the engine
-                // steps on with its own, of single precision or better.
+                // Some rounding units a step, besides that of the numbers; of a time, of all it turns.
+                // Digits that a file lacks are lacking in each row alone: the engine goes on with its own.
                 let own = (f64::from(f32::EPSILON) / self.floor.size).min(1.0);
                 let [once, each] = LAW_ROUNDINGS;
                 let units = once + each * self.seen.steps * own;

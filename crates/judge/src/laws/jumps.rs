@@ -38,9 +38,6 @@ pub(crate) struct Errors {
     off: f64,
     /// How many steps there were.
     steps: u64,
-    /// The most in spin of all steps before the last, and of the last.
-    most: f64,
-    now: f64,
     /// The most in turn.
     turn: f64,
 }
@@ -49,7 +46,7 @@ impl Jumps {
     /// Whether the motion starts anew with a row, this number of steps after the last.
     pub(crate) fn reset(&mut self, pair: &Pair, times: f64) -> Option<Reset> {
         let Pair { from: last, to: state, .. } = pair;
-        let to_start = self.starts_anew(last, state) || self.comes_back(last, state, times);
+        let to_start = self.starts_anew(last, state);
         let jumps = times == 1.0 && self.jumps(pair);
         let to_rest = state.omega == Vector3::zeros();
         let line = state.ahead.map_or(state.line, |(line, _)| line);
@@ -74,8 +71,6 @@ impl Jumps {
         if !off.is_finite() {
             return false;
         }
-        self.errors.most = self.errors.most.max(self.errors.now);
-        self.errors.now = spin;
         // A slow body turns little in a step: what is no jump for a fast one is many steps for it.
         let thrown = self.errors.steps > STEPS_BEFORE_A_JUMP
             && turn > THROWN_IN_TURNS * speed * pair.h
@@ -95,24 +90,6 @@ impl Jumps {
             self.errors.steps += 1;
         }
         jumps
-    }
-
-    /// Back at the spin of the start, to its last digit, by a step that is farther from the law than any
-    /// before: a record without attitudes that starts anew where the spin is near its first value anyway.
-    fn comes_back(&self, last: &Row, state: &Row, times: f64) -> bool {
-        let (first, now, was) = (&self.first.omega, &state.omega, &last.omega);
-        let h = state.t - last.t;
-        if self.errors.steps < STEPS_BEFORE_A_JUMP
-            || times != 1.0
-            || state.attitude.is_some()
-            || (now - first).norm() > BACK * first.norm()
-        {
-            return false;
-        }
-        let [errors, roundings] = BACK_IN_ERRORS;
-        let rate = euler::angular_acceleration(&self.moments, &((was + now) / 2.0), &Vector3::zeros());
-        let off = (now - was - rate * h).norm() / now.norm().max(was.norm());
-        off > errors * self.errors.most.max(self.errors.now) && off > roundings * self.floor
     }
 
     /// The torque in body axes, for a mean over the step.

@@ -2,7 +2,7 @@
 //! row.
 
 use crate::law::LawName;
-use crate::read::{Floor, Known, Pair, Row, Sample, angle_between};
+use crate::read::{Floor, Known, Pair, Row, angle_between};
 use crate::rule::confidence::confidence_in;
 use crate::rule::fitted::some;
 use crate::rule::tried::{alike_to_best, explained, tried};
@@ -298,14 +298,14 @@ fn drifts_from(subject: &Subject, pairs: &[Pair], best: &Explanation, whole: &Wh
 /// Tries every candidate on the sample.
 pub(crate) fn diagnose(
     subject: &Subject,
-    sample: &Sample,
+    sample: &[Pair],
     known: &Known,
     whole: &Whole,
 ) -> Option<Diagnosis> {
     let floor = known.floor;
     // Of attitudes alone each rule's spin has to be found first, step by step: fewer steps do.
-    let sought = sample.pairs().iter().any(|pair| pair.to.ahead.is_some());
-    let pairs = &*if sought { some(sample.pairs(), TRIED_TURNS) } else { sample.pairs().to_vec() };
+    let sought = sample.iter().any(|pair| pair.to.ahead.is_some());
+    let pairs = &*if sought { some(sample, TRIED_TURNS) } else { sample.to_vec() };
     let found = tried(subject, pairs, known, sought);
     let (mut ranked, mut error) = (Ranked::of(&found, floor)?, None);
     let (mut confidence, mut jumps) = confidence_in(subject, pairs, &ranked, known, whole.share);

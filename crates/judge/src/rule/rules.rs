@@ -5,7 +5,6 @@ use crate::read::Pair;
 use crate::rule::{Limits, PHYSICS_ENGINES, PhysicsEngine};
 use crate::thresholds::*;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use tumbling::attitude;
 use tumbling::step::Method;
 
 /// A rule, as a diagnosis names it.
@@ -204,18 +203,13 @@ impl Base {
     }
 
     /// The method that makes its spin, and in how many parts.
-    const fn spins_as(&self) -> Option<(Method, u32)> {
+    pub(crate) const fn spin(&self) -> Option<(Method, u32)> {
         match *self {
             Self::Method(Method::ExplicitEuler, parts) => Some((Method::SemiImplicitEuler, parts)),
             Self::Method(Method::RescaledLinearAttitude, parts) => Some((Method::Rescaled, parts)),
             Self::Method(method, parts) | Self::Straight(method, parts) => Some((method, parts)),
             _ => None,
         }
-    }
-
-    /// Whether it makes the spin of another rule, and turns the body otherwise.
-    pub(crate) fn has_spin_of(&self, other: &Self) -> bool {
-        self != other && self.spins_as().is_some() && self.spins_as() == other.spins_as()
     }
 
     /// This rule with this number of parts a step.
@@ -255,20 +249,12 @@ impl Base {
 }
 
 /// Plain rules, in the order in which they are preferred where several explain a record alike.
-pub(crate) fn plain(free: bool, pairs: &[Pair]) -> Vec<Rule> {
+pub(crate) fn plain(free: bool) -> Vec<Rule> {
     let possible = |base: &Base| free || matches!(base, Base::Method(..));
     let mut all: Vec<Base> = Base::all().into_iter().filter(possible).collect();
     let plain = [Limits::NONE, Limits::STRAIGHT];
-    for &engine in PHYSICS_ENGINES.iter().filter(|engine| !plain.contains(&engine.limits)) {
-        all.push(Base::Engine(engine));
-        // Bullet's greatest spin is a setting, and may have been raised.
-        if let (Some(usual), Some(most)) = (engine.limits.component, greatest(pairs))
-            && most > usual * (1.0 + BEYOND)
-        {
-            let limits = Limits { component: Some(most), ..engine.limits };
-            all.push(Base::Engine(PhysicsEngine { limits, record: None, ..engine }));
-        }
-    }
+    let limited = PHYSICS_ENGINES.iter().filter(|engine| !plain.contains(&engine.limits));
+    all.extend(limited.map(|&engine| Base::Engine(engine)));
     all.extend(Method::ALL.iter().map(|&method| Base::Method(method, 1)));
     all.extend(free.then_some(Base::PositionStage(1)));
     all.push(Base::FrozenTensor(Quaternion::identity()));
@@ -321,10 +307,4 @@ pub(crate) fn frozen_at(pairs: &[Pair]) -> Vec<Rule> {
     let first = pairs.first().and_then(|pair| pair.from.attitude).map(|q| q / q.norm());
     let other = first.filter(|q| q.imag().norm() > 0.0 && q.norm().is_finite());
     other.map(|q| Rule::plain(Base::FrozenTensor(q))).into_iter().collect()
-}
-
-/// The most spin along an axis of the world after any step.
-fn greatest(pairs: &[Pair]) -> Option<f64> {
-    let along = |pair: &Pair| Some((attitude::rotation_matrix(&pair.from.attitude?) * pair.to.omega).amax());
-    pairs.iter().filter_map(along).reduce(f64::max)
 }

@@ -33,7 +33,7 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
     let explained = |rule: Rule| explained(subject, pairs, rule);
     let fits = |found: &[Explanation]| found.iter().any(|x| x.fits(floor));
     let free = subject.torque.is_none();
-    let mut found: Vec<Explanation> = plain(free, pairs).into_iter().filter_map(explained).collect();
+    let mut found: Vec<Explanation> = plain(free).into_iter().filter_map(explained).collect();
     if free && (known.said.kind.is_momentum() || !fits(&found)) {
         found.extend(momentum_for_spin(subject, pairs).and_then(explained));
     }
@@ -57,7 +57,10 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
     for rules in more {
         if free && !fits(&found) {
             // Times that are nearly right are wrong where that is all there is.
-            let is_small = |rule: &Rule| matches!(rule.alteration, Some(Alteration::Times(times)) if (times - 1.0).abs() < PACE_APART);
+            let is_small = |rule: &Rule| match rule.alteration {
+                Some(Alteration::Times(times)) => (times - 1.0).abs() < PACE_APART,
+                _ => false,
+            };
             let rules = rules(subject, pairs, floor.size).into_iter().filter_map(explained);
             found.extend(rules.filter(|x| !is_small(&x.rule) || x.fits(floor)));
         }
@@ -85,8 +88,8 @@ fn equals(found: &[Explanation], floor: Floor) -> Vec<Rule> {
     let equal = |x: &Explanation| match x.rule.base {
         base if x.rule.alteration.is_some() => {
             let others = Base::every().map(|other| other.in_parts(base.parts()));
-            let others = others.filter(|other| other.has_spin_of(&base));
-            others.map(|base| Rule { base, ..x.rule }).collect()
+            let same = |other: &Base| other.spin().is_some() && other.spin() == base.spin();
+            others.filter(same).map(|base| Rule { base, ..x.rule }).collect()
         }
         Base::Straight(Method::SemiImplicitEuler, parts) => {
             vec![Base::Method(Method::ExplicitEuler, parts).but(Alteration::Turned(Turn::Late))]
