@@ -182,6 +182,8 @@ pub(crate) const ERROR_KEPT: f64 = 0.98;
 /// Difference from the start, as a share or in rad, below which a body is back there: to the last digits of
 /// the file.
 pub(crate) const BACK: f64 = 1e-12;
+/// Step, relative to the largest error before, that is no way back; and the same in roundings.
+pub(crate) const BACK_IN_ERRORS: [f64; 2] = [4.0, 64.0];
 /// Jump back to the start, as a share of the spin or in rad, and in angles turned a step.
 pub(crate) const JUMP_BACK: [f64; 2] = [0.2, 1.5];
 /// Share of the first spin below which a body may come to rest by itself.

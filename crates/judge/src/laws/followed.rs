@@ -194,8 +194,7 @@ impl Laws {
             spin_range: [state.omega; 2],
             exact_range: [wanted; 2],
         });
-        let speed = state.omega.norm();
-        self.seen.speed = self.seen.speed.max(speed);
+        self.seen.speed = self.seen.speed.max(state.omega.norm());
         self.seen.constant &= (state.omega - self.start.row.omega).amax()
             <= CONSTANT * self.floor.size * self.start.row.omega.amax();
         self.flip(t, state);
@@ -346,9 +345,9 @@ impl Laws {
     pub(crate) fn shows_flips(&self) -> [bool; 2] {
         let shown = self.pace_left_open() < PHASE;
         let end = self.seen.last.t - self.start.row.t;
-        let first = self.exact.flips(self.flips.from.min(end), (1.0 + PHASE) * end).ok();
-        let is_early = |first: f64| first < (1.0 - PHASE) * end;
-        let is_clear = first.and_then(|mut flips| flips.next()).is_none_or(is_early);
+        let flips = self.exact.flips(self.flips.from.min(end), (1.0 + PHASE) * end).ok();
+        let first = flips.and_then(|mut flips| flips.next());
+        let is_clear = first.is_none_or(|first| first < (1.0 - PHASE) * end);
         let zero = LAW_DIGITS * self.floor.size * self.start.row.omega.norm();
         let is_none = |middle: usize| self.flips.from == 0.0 && self.start.row.omega[middle].abs() <= zero;
         let is_open = self.middle.is_some_and(is_none) || self.seen.flipping <= zero;

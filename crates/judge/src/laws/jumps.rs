@@ -77,13 +77,11 @@ impl Jumps {
             && turn > JUMP_IN_ERRORS * self.errors.turn
             && turn > THROWN_IN_ROUNDINGS * self.floor;
         self.errors.turn = self.errors.turn.max(turn);
-        if thrown {
-            return true;
-        }
-        let jumps = self.errors.steps > STEPS_BEFORE_A_JUMP
-            && off > JUMP
-            && off > JUMP_IN_TURNS * speed * pair.h
-            && off > JUMP_IN_ERRORS * self.errors.off;
+        let jumps = thrown
+            || self.errors.steps > STEPS_BEFORE_A_JUMP
+                && off > JUMP
+                && off > JUMP_IN_TURNS * speed * pair.h
+                && off > JUMP_IN_ERRORS * self.errors.off;
         if !jumps {
             // Forgotten slowly, so that a rule that goes astray now and then is known to.
             self.errors.off = off.max(ERROR_KEPT * self.errors.off);
@@ -111,8 +109,12 @@ impl Jumps {
         }
         let back = (state.omega - self.first.omega).norm() <= BACK * self.first.omega.norm();
         let Some(((first, q), was)) = self.first.attitude.zip(state.attitude).zip(last.attitude) else {
-            let far = jump.max(turns * now * (state.t - last.t));
-            return back && (last.omega - state.omega).norm() > far * now;
+            let (h, [errors, roundings]) = (state.t - last.t, BACK_IN_ERRORS);
+            let mean = (last.omega + state.omega) / 2.0;
+            let rate = euler::angular_acceleration(&self.moments, &mean, &Vector3::zeros());
+            let off = (state.omega - last.omega - rate * h).norm() / before.max(now);
+            let is_far = off > errors * self.errors.off && off > roundings * self.floor;
+            return back && is_far && self.errors.steps >= STEPS_BEFORE_A_JUMP;
         };
         let turned = angle_between(&was, &q);
         back && angle_between(&first, &q) < BACK

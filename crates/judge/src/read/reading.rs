@@ -274,16 +274,14 @@ impl Reading {
         }
         let mut ways = Vec::new();
         for order in [Order::AsNamed, Order::Last, Order::First] {
-            for inverse in [false, true] {
-                for frame in [false, true] {
-                    for hand in [Hand::Right, Hand::Left, Hand::One(0), Hand::One(1), Hand::One(2)] {
-                        let turned = Self { order, inverse, frame, hand, ..self };
-                        let way = turned.scaled(pairs, moments);
+            for (inverse, frame) in [(false, false), (false, true), (true, false), (true, true)] {
+                for hand in [Hand::Right, Hand::Left, Hand::One(0), Hand::One(1), Hand::One(2)] {
+                    let turned = Self { order, inverse, frame, hand, ..self };
+                    let way = turned.scaled(pairs, moments);
+                    ways.push((way, off(&way)));
+                    if hand == Hand::Right && matches!(self.kind, Kind::SpinBody | Kind::SpinWorld) {
+                        let way = Self { momentum: true, ..turned };
                         ways.push((way, off(&way)));
-                        if hand == Hand::Right && matches!(self.kind, Kind::SpinBody | Kind::SpinWorld) {
-                            let way = Self { momentum: true, ..turned };
-                            ways.push((way, off(&way)));
-                        }
                     }
                 }
             }

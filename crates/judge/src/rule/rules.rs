@@ -5,6 +5,7 @@ use crate::read::Pair;
 use crate::rule::{Limits, PHYSICS_ENGINES, PhysicsEngine};
 use crate::thresholds::*;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use tumbling::attitude::rotation_matrix;
 use tumbling::step::Method;
 
 /// A rule, as a diagnosis names it.
@@ -249,12 +250,20 @@ impl Base {
 }
 
 /// Plain rules, in the order in which they are preferred where several explain a record alike.
-pub(crate) fn plain(free: bool) -> Vec<Rule> {
+pub(crate) fn plain(free: bool, pairs: &[Pair]) -> Vec<Rule> {
     let possible = |base: &Base| free || matches!(base, Base::Method(..));
     let mut all: Vec<Base> = Base::all().into_iter().filter(possible).collect();
     let plain = [Limits::NONE, Limits::STRAIGHT];
     let limited = PHYSICS_ENGINES.iter().filter(|engine| !plain.contains(&engine.limits));
-    all.extend(limited.map(|&engine| Base::Engine(engine)));
+    let most = greatest(pairs);
+    for &engine in limited {
+        all.push(Base::Engine(engine));
+        // Bullet's greatest spin is a setting, and may have been raised.
+        if engine.limits.component.is_some_and(|usual| most > usual * (1.0 + BEYOND)) {
+            let limits = Limits { component: Some(most), ..engine.limits };
+            all.push(Base::Engine(PhysicsEngine { limits, record: None, ..engine }));
+        }
+    }
     all.extend(Method::ALL.iter().map(|&method| Base::Method(method, 1)));
     all.extend(free.then_some(Base::PositionStage(1)));
     all.push(Base::FrozenTensor(Quaternion::identity()));
@@ -266,11 +275,8 @@ pub(crate) fn plain(free: bool) -> Vec<Rule> {
 pub(crate) fn in_parts(per_row: Option<u32>, all: bool) -> Vec<Rule> {
     let mut found = Vec::new();
     if let Some(parts) = per_row.filter(|parts| *parts > 1) {
-        found.extend(
-            PHYSICS_ENGINES
-                .iter()
-                .map(|engine| Base::Method(engine.method, parts.saturating_mul(engine.parts))),
-        );
+        let of = |engine: &PhysicsEngine| Base::Method(engine.method, parts.saturating_mul(engine.parts));
+        found.extend(PHYSICS_ENGINES.iter().map(of));
         found.extend(Base::every().map(|base| base.in_parts(parts)));
     }
     for base in Base::every() {
@@ -307,4 +313,10 @@ pub(crate) fn frozen_at(pairs: &[Pair]) -> Vec<Rule> {
     let first = pairs.first().and_then(|pair| pair.from.attitude).map(|q| q / q.norm());
     let other = first.filter(|q| q.imag().norm() > 0.0 && q.norm().is_finite());
     other.map(|q| Rule::plain(Base::FrozenTensor(q))).into_iter().collect()
+}
+
+/// The most spin along an axis of the world after any step.
+fn greatest(pairs: &[Pair]) -> f64 {
+    let along = |pair: &Pair| Some((rotation_matrix(&pair.from.attitude?) * pair.to.omega).amax());
+    pairs.iter().filter_map(along).fold(0.0, f64::max)
 }

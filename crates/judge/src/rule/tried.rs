@@ -33,7 +33,7 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
     let explained = |rule: Rule| explained(subject, pairs, rule);
     let fits = |found: &[Explanation]| found.iter().any(|x| x.fits(floor));
     let free = subject.torque.is_none();
-    let mut found: Vec<Explanation> = plain(free).into_iter().filter_map(explained).collect();
+    let mut found: Vec<Explanation> = plain(free, pairs).into_iter().filter_map(explained).collect();
     if free && (known.said.kind.is_momentum() || !fits(&found)) {
         found.extend(momentum_for_spin(subject, pairs).and_then(explained));
     }
@@ -57,10 +57,8 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
     for rules in more {
         if free && !fits(&found) {
             // Times that are nearly right are wrong where that is all there is.
-            let is_small = |rule: &Rule| match rule.alteration {
-                Some(Alteration::Times(times)) => (times - 1.0).abs() < PACE_APART,
-                _ => false,
-            };
+            let near = |times: f64| (times - 1.0).abs() < PACE_APART;
+            let is_small = |rule: &Rule| matches!(rule.alteration, Some(Alteration::Times(x)) if near(x));
             let rules = rules(subject, pairs, floor.size).into_iter().filter_map(explained);
             found.extend(rules.filter(|x| !is_small(&x.rule) || x.fits(floor)));
         }

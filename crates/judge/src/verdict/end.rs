@@ -31,9 +31,8 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, fit: Option<Fit>, options
     let floor = trial.known.floor.size;
     let end = End { trial: &trial, subject, options, laws: &laws, flips: flips.as_ref(), still };
     let mut complaints = end.complaints();
-    let whole = end.whole(&complaints);
-    let of_steps = || diagnose(subject, trial.sample.all(), &trial.known, &whole);
-    let mut diagnosis = (!still).then(of_steps).flatten();
+    let (whole, steps) = (end.whole(&complaints), trial.sample.all());
+    let mut diagnosis = if still { None } else { diagnose(subject, steps, &trial.known, &whole) };
     if free && trial.rows >= ENOUGH_ROWS {
         complaints.extend(diagnosis.as_ref().and_then(wrong_rule));
     }
