@@ -87,7 +87,11 @@ impl Motion {
         if all.len() < 2 {
             return Err(if all.is_empty() { Error::NoRows } else { Error::OneRow });
         }
-        Ok(Self { rows: all, rounding: rounding(&raws), has: [kind != Kind::Attitude, positions] })
+        Ok(Self {
+            rows: all,
+            rounding: rounding(&raws, kind.in_world()),
+            has: [kind != Kind::Attitude, positions],
+        })
     }
 
     /// How far `other` is from this motion.
@@ -290,12 +294,9 @@ impl Comparison {
         let (a, b) = (a?, b?);
         let ratio =
             |x: &FittedInertia| (x.moments / x.moments.x).map(|x| format!("{x:.4}")).as_slice().join(" : ");
-        let turned = match (a.alike, b.alike) {
-            (None, None) => {
-                format!(", about axes turned by {:.1}°", turn_of_axes(&a.axes, &b.axes).to_degrees())
-            }
-            _ => String::new(),
-        };
+        let degrees = turn_of_axes(&a.axes, &b.axes).to_degrees();
+        let turned =
+            a.alike.or(b.alike).map_or(format!(", about axes turned by {degrees:.1}°"), |_| String::new());
         Some(format!("Its spins are those of moments {}{turned}; the others' of {}.", ratio(&b), ratio(&a)))
     }
 }
@@ -354,16 +355,15 @@ fn rounded(x: f64) -> f64 {
 
 impl Comparison {
     fn why(&self, f: &mut fmt::Formatter<'_>, k: usize, apart: &Apart) -> fmt::Result {
-        let words =
-            ["the spin is off by up to", "the attitude is off by up to", "the position is off by up to"];
-        for ((off, words), unit) in apart.off.iter().zip(words).zip([
-            "of the fastest",
-            "rad",
-            "of the greatest distance from the start",
-        ]) {
+        let far = "of the greatest distance from the start";
+        let parts = [["spin", "of the fastest"], ["attitude", "rad"], ["position", far]];
+        for (off, [part, unit]) in apart.off.iter().zip(parts) {
             if let Some(since) = off.since {
                 let [most, limit] = [off.most, off.limit].map(plain_number);
-                writeln!(f, "  {words} {most} {unit}, and by more than {limit} from {since:.4} s on.")?;
+                writeln!(
+                    f,
+                    "  the {part} is off by up to {most} {unit}, and by more than {limit} from {since:.4} s on."
+                )?;
             }
         }
         let [spin, attitude, position] = apart.off.map(|off| off.since);

@@ -3,9 +3,7 @@
 use crate::error::Error;
 use crate::read::{least, normal, slopes};
 use crate::rule::{inside, tensor};
-use crate::thresholds::{
-    FIT_ANGLE, FIT_FLOOR, FIT_LEFT, FIT_PART_ROWS, FIT_PARTS, JOLT, MOMENTS_APART, STEADY, UNDETERMINED,
-};
+use crate::thresholds::*;
 use nalgebra::{Matrix3, SVector, UnitQuaternion, Vector3};
 use tumbling::exact::FreeMotion;
 use tumbling::{Body, Inertia};

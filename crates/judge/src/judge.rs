@@ -65,8 +65,7 @@ pub(crate) fn judge_rows(rows: &mut dyn Source, said: Said, options: &Options) -
     let (mut states, stopped) = known.understood(&probe, &mut feed)?;
     let rest = states.iter().position(|row| row.omega != Vector3::zeros()).unwrap_or(0);
     states.drain(..rest);
-    let moves = states.first().filter(|_| rest > 0);
-    known.said.notes.extend(moves.map(|first| Note::Rest { line: first.line }));
+    known.said.notes.extend(states.first().filter(|_| rest > 0).map(|first| Note::Rest { line: first.line }));
     let (first, fitted) = start(&states, stopped, probe.len(), &subject.moments, options)?;
     let (direction, fit) = fitted.unzip();
     let mut trial = Trial::new(&subject, first, direction.flatten(), known)?;

@@ -150,13 +150,7 @@ impl Story {
     #[must_use]
     pub fn options(&self, h: f64) -> Options {
         let options = Options::default();
-        let rate = self.rate(h).max(options.threshold);
-        options.with(LawName::Consistency, rate)
-    }
-
-    /// The share by which a rule of second order gets the rate of a turn wrong.
-    fn rate(&self, h: f64) -> f64 {
-        (self.fastest * h).powi(2) / 12.0
+        options.with(LawName::Consistency, ((self.fastest * h).powi(2) / 12.0).max(options.threshold))
     }
 }
 

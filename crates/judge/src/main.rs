@@ -10,7 +10,7 @@ use tumbling_judge::{Error, LawName, Motion, Options, Outcome, compare, judge};
 
 /// Judges an engine by its record of a free body
 #[derive(Debug, Parser)]
-#[command(version, after_help = ABOUT)]
+#[command(version, after_help = include_str!("about.txt"))]
 struct Arguments {
     /// The record, comma-separated values; - for the standard input
     file: PathBuf,
@@ -30,8 +30,6 @@ struct Arguments {
     #[arg(long)]
     json: bool,
 }
-
-const ABOUT: &str = include_str!("about.txt");
 
 /// The largest error allowed of one law, or of all.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::judge::judge_rows;
 use crate::options::Options;
 use crate::read::{Exact, Kind, Printed, Raw, Said, Source, significant_bits};
-use crate::thresholds::{MOST_DIGITS, ROWS_BEFORE_THE_END};
+use crate::thresholds::*;
 use crate::verdict::Verdict;
 use nalgebra::{Quaternion, Vector3};
 

@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::law::LawName;
-use crate::laws::Law;
+use crate::laws::{Growth, Law};
 use crate::thresholds::ALLOWED;
 use nalgebra::Vector3;
 
@@ -35,9 +35,9 @@ impl Options {
         LawName::ALL.into_iter().zip(self.thresholds).filter_map(|(law, most)| Some((law, most?)))
     }
 
-    /// Whether a law is kept within what is allowed.
+    /// Whether a law is kept within what is allowed, or within what its digits show.
     pub(crate) fn allows(&self, law: &Law) -> bool {
-        self.allowed(law.name).is_none_or(|most| law.most.abs() <= most)
+        law.growth == Growth::Rounding || self.allowed(law.name).is_none_or(|most| law.most.abs() <= most)
     }
 
     /// With a limit of its own for a law.

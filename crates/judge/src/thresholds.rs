@@ -201,6 +201,9 @@ pub(crate) const ON_AXIS: f64 = 8.0;
 pub(crate) const TURN_ROUNDINGS: f64 = 8.0;
 /// Roundings in a law kept: of the numbers, and of each step.
 pub(crate) const LAW_ROUNDINGS: [f64; 2] = [32.0, 4.0];
+/// Digits, in roundings of two rows, by which a law may be off though nothing breaks it: half a unit in each
+/// of three components.
+pub(crate) const LAW_DIGITS: f64 = 2.0;
 /// How many times these for laws that are a product of two such numbers, or an angle between two vectors.
 pub(crate) const LAW_OF_TWO: f64 = 2.0;
 
@@ -237,8 +240,9 @@ pub(crate) const FITS: [f64; 2] = [100.0, 1e4];
 pub(crate) const FITS_SINGLE: [f64; 2] = [8.0, 64.0];
 /// Roundings of few decimal digits within which they are: each is off by half a unit at most.
 pub(crate) const FITS_FEW: [f64; 2] = [2.0, 16.0];
-/// Rounding of decimal digits below which they are more than single precision has.
-pub(crate) const BELOW_SINGLE: f64 = 5e-10;
+/// Rounding of decimal digits below which steps that are a rule's to it are not those of an engine in single
+/// precision: of its numbers half are off by more than 3e-8.
+pub(crate) const BELOW_SINGLE: f64 = 1.5e-8;
 /// Roundings within which steps are those of the exact motion, to which any accurate rule comes near.
 pub(crate) const FITS_EXACT: [f64; 2] = [8.0, 256.0];
 /// Rounding from which on it is that of decimal digits, not of an engine's double precision.

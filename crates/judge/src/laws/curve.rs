@@ -1,9 +1,7 @@
 //! An error in the course of time, in little room; and how it grows.
 
 use crate::laws::{Stretch, Stretches};
-use crate::thresholds::{
-    BOUNDED, EXPONENTIAL, EXPONENTIAL_FROM, GROWN, GROWTH_FROM, OF_ITSELF, POWERS, STAYED, STRETCHES,
-};
+use crate::thresholds::*;
 
 /// The size of an error over a record of any length.
 #[derive(Debug, Clone)]

@@ -2,10 +2,8 @@
 
 use crate::law::LawName;
 use crate::laws::{Curve, FlipCount, Law, Point, Stretches};
-use crate::read::{Pair, Row, in_world, ordered};
-use crate::thresholds::{
-    ALLOWED, CONSTANT, FLIP_TIMES, LAW_OF_TWO, LAW_ROUNDINGS, ON_AXIS, POINTS, TURN_ROUNDINGS, UNTRACEABLE,
-};
+use crate::read::{Floor, Pair, Row, in_world, ordered};
+use crate::thresholds::*;
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
 use tumbling::exact::{FreeMotion, Regime};
@@ -28,7 +26,7 @@ pub(crate) struct Laws {
     lag: f64,
     flips: Flips,
     pub seen: Seen,
-    floor: f64,
+    floor: Floor,
 }
 
 /// What the laws are held against: the first row, and what it has of each.
@@ -47,6 +45,8 @@ pub(crate) struct Seen {
     pub constant: bool,
     /// How far the exact spin ever is from its first value, relative to the first speed.
     pub moved: f64,
+    /// The most spin of the exact motion along the middle axis, rad/s.
+    flipping: f64,
     /// The whole angle turned, rad: the mean speed of each two rows times the time between them.
     pub turned: f64,
     /// How often the quaternion changes its sign.
@@ -79,33 +79,35 @@ fn flips_from(moments: &Vector3<f64>, first: &Row, middle: Option<usize>) -> f64
     if from.is_finite() { from } else { 0.0 }
 }
 
+/// The axis that the spin of a motion circles.
+fn circled(motion: &FreeMotion, moments: &Vector3<f64>) -> Option<usize> {
+    let [smallest, _, largest] = ordered(moments);
+    match motion.regime() {
+        Regime::Elliptic { about: axis, .. } | Regime::SymmetricTop { axis, .. } => {
+            Some(if axis == Axis::Largest { largest } else { smallest })
+        }
+        Regime::Separatrix { .. } => Some(smallest),
+        _ => None,
+    }
+}
+
 impl Laws {
-    /// From the first row; `floor` is the rounding of the numbers, relative to 1.
+    /// From the first row.
     pub(crate) fn new(
         moments: &Vector3<f64>,
         first: &Row,
         direction: Option<Vector3<f64>>,
-        floor: f64,
+        floor: Floor,
     ) -> Result<Self, tumbling::Error> {
         let exact = FreeMotion::new((*moments).try_into()?, &first.omega)?;
         let middle = matches!(exact.regime(), Regime::Elliptic { .. } | Regime::Separatrix { .. })
             .then(|| ordered(moments)[1]);
-        let circled = match exact.regime() {
-            Regime::Elliptic { about: Axis::Largest, .. }
-            | Regime::SymmetricTop { axis: Axis::Largest, .. } => Some(ordered(moments)[2]),
-            Regime::Elliptic { .. } | Regime::Separatrix { .. } | Regime::SymmetricTop { .. } => {
-                Some(ordered(moments)[0])
-            }
-            _ => None,
-        };
+        let circled = circled(&exact, moments);
         let angular = moments.component_mul(&first.omega);
         // A spin that starts in the plane of the other two axes does not flip there.
-        let flips_from = flips_from(moments, first, middle);
-        let flips = exact.flips(flips_from, 1e9).or_else(|_| exact.flips(flips_from, 1e3));
-        let exact_flips: Box<dyn Iterator<Item = f64>> = match flips {
-            Ok(flips) => Box::new(flips),
-            Err(_) => Box::new(std::iter::empty()),
-        };
+        let (from, count) = (flips_from(moments, first, middle), FlipCount::default());
+        let flips = exact.flips(from, 1e9).or_else(|_| exact.flips(from, 1e3));
+        let flips = Flips { from, exact: Box::new(flips.into_iter().flatten()), count, last: None };
         let start = Start {
             row: *first,
             energy: observe::energy(&first.omega, &angular),
@@ -116,6 +118,7 @@ impl Laws {
             last: *first,
             constant: true,
             moved: 0.0,
+            flipping: 0.0,
             turned: 0.0,
             sign_changes: 0,
             speed: first.omega.norm(),
@@ -131,7 +134,7 @@ impl Laws {
             curves: LawName::ALL.map(|name| (name, Curve::new())),
             points: Stretches::new(POINTS),
             lag: 0.0,
-            flips: Flips { from: flips_from, exact: exact_flips, count: FlipCount::default(), last: None },
+            flips,
             seen,
             floor,
         })
@@ -170,6 +173,7 @@ impl Laws {
         }
         let wanted = self.exact.omega(t)?;
         let moved = (wanted - self.start.row.omega).norm() / self.start.row.omega.norm();
+        self.seen.flipping = self.seen.flipping.max(self.middle.map_or(0.0, |middle| wanted[middle].abs()));
         self.seen.moved = if moved > self.seen.moved { moved } else { self.seen.moved };
         let mean = (state.omega.norm() + self.seen.last.omega.norm()) / 2.0;
         self.seen.turned += mean * (state.t - self.seen.last.t).max(0.0);
@@ -190,10 +194,9 @@ impl Laws {
             spin_range: [state.omega; 2],
             exact_range: [wanted; 2],
         });
-        let speed = state.omega.norm();
-        self.seen.speed = self.seen.speed.max(speed);
+        self.seen.speed = self.seen.speed.max(state.omega.norm());
         self.seen.constant &= (state.omega - self.start.row.omega).amax()
-            <= CONSTANT * self.floor * self.start.row.omega.amax();
+            <= CONSTANT * self.floor.size * self.start.row.omega.amax();
         self.flip(t, state);
         self.seen.last = *state;
         Ok(())
@@ -206,31 +209,31 @@ impl Laws {
         let change = (to - from).norm() / speed;
         let changes = if change.is_finite() { change.max(self.seen.change) } else { self.seen.change };
         if let Some(off) = pair.inconsistency() {
-            // A spin that changes in a step leaves open which of its values turned the body; a turn has its
-            // rounding.
-            let allowed = changes + TURN_ROUNDINGS * self.floor / (speed * pair.h);
+            // A spin that changes leaves open which of its values turned the body; a turn has its rounding.
+            let allowed = changes + TURN_ROUNDINGS * self.floor.size / (speed * pair.h);
             self.put(LawName::Consistency, pair.to.t - self.start.row.t, (off - allowed).max(0.0));
         }
         self.seen.change = if change.is_finite() { change } else { 0.0 };
     }
 
-    /// Where the spin is on its way round the axis, rad: the angle in the plane in which that way is a
-    /// circle.
+    /// Where the spin is on its way round the axis, rad, in the plane in which that way is a circle.
     fn phase(&self, [a, b, c]: [usize; 3], omega: &Vector3<f64>) -> f64 {
         let weight = |i: usize| (self.moments[i] * (self.moments[a] - self.moments[i]).abs()).sqrt();
         (weight(c) * omega[c]).atan2(weight(b) * omega[b])
     }
 
-    /// Which way round the spin goes: counter-clockwise about the largest moment's axis where it spins
-    /// forward.
+    /// Which way round: counter-clockwise about the largest moment's axis where the body spins forward.
     fn sense(&self, [a, b, _]: [usize; 3]) -> f64 {
         (self.moments[a] - self.moments[b]).signum() * self.start.row.omega[a].signum()
     }
 
     fn flip(&mut self, t: f64, state: &Row) {
         let Some(middle) = self.middle else { return };
+        // What is zero to its digits has no sign.
+        let zero = self.floor.size * self.start.row.omega.norm();
+        let is_over = |x: f64, first: f64| x.abs() > zero && first.abs() > zero && x * first < 0.0;
         let over =
-            self.circled.is_some_and(|[axis, ..]| state.omega[axis] * self.start.row.omega[axis] < 0.0);
+            self.circled.is_some_and(|[axis, ..]| is_over(state.omega[axis], self.start.row.omega[axis]));
         if over {
             self.flips.count.turned_over = self.flips.count.turned_over.or(Some(t));
         }
@@ -275,9 +278,8 @@ impl Laws {
         }
     }
 
-    /// Whether the body turns so far in the time of the record that the rounding of that angle alone is a
-    /// tenth of a radian, or more than any number holds: where in its motion the body should be then, an
-    /// `f64` does not determine.
+    /// Whether the body turns so far that the rounding of that angle is a tenth of a radian, or more than any
+    /// number holds: where in its motion it should be then, an `f64` does not determine.
     pub(crate) fn untraceable(&self) -> bool {
         let uncertain = f64::EPSILON * self.seen.turned;
         !uncertain.is_finite() || uncertain > UNTRACEABLE
@@ -287,7 +289,7 @@ impl Laws {
     pub(crate) fn on_axis(&self) -> bool {
         let spin = self.start.row.omega.abs();
         // The largest component, not the length: that may be more than a number holds.
-        (0..3).filter(|&i| spin[i] > ON_AXIS * self.floor * spin.amax()).count() <= 1
+        (0..3).filter(|&i| spin[i] > ON_AXIS * self.floor.size * spin.amax()).count() <= 1
     }
 
     /// Whether every axis of the body is a principal one.
@@ -308,9 +310,53 @@ impl Laws {
         self.middle.map(|_| [&self.start.row, &self.seen.last].map(|row| self.ratio(row)))
     }
 
+    /// By how much the digits of two rows alone may put a law off.
+    fn explained(&self, name: LawName) -> f64 {
+        // A spin that is off along the axis of the largest moment counts most.
+        let most = self.moments.max() * self.seen.speed / self.start.momentum;
+        LAW_DIGITS
+            * match name {
+                LawName::Energy => 2.0 * most * self.floor.size,
+                LawName::Momentum => most * self.floor.size,
+                LawName::Direction => most * self.floor.size + 2.0 * self.floor.attitude,
+                LawName::Separatrix => 4.0 * most * self.floor.size,
+                LawName::Unit => self.floor.attitude,
+                LawName::Phase | LawName::Consistency => 0.0,
+            }
+    }
+
+    /// The share of the motion's rate that the digits of the first spin leave open; all of it where they
+    /// leave open which axis the spin circles.
+    pub(crate) fn pace_left_open(&self) -> f64 {
+        let omega = self.start.row.omega;
+        let Ok(Some(period)) = self.exact.period() else { return 0.0 };
+        let off = LAW_DIGITS * self.floor.size * omega.norm();
+        let other = |off: Vector3<f64>| {
+            let motion = FreeMotion::new(self.moments.try_into().ok()?, &(omega + off)).ok()?;
+            let is_same = circled(&motion, &self.moments) == self.circled.map(|axes| axes[0]);
+            Some((motion.period().ok()?.filter(|_| is_same)? / period - 1.0).abs())
+        };
+        let each = (0..6).map(|i| other(Vector3::ith(i % 3, if i < 3 { off } else { -off })).unwrap_or(1.0));
+        each.fold(0.0, f64::max)
+    }
+
+    /// Whether digits show which axis the spin circles; and whether it flips, where that is not so near to
+    /// the end that an error of phase decides.
+    pub(crate) fn shows_flips(&self) -> [bool; 2] {
+        let shown = self.pace_left_open() < PHASE;
+        let end = self.seen.last.t - self.start.row.t;
+        let flips = self.exact.flips(self.flips.from.min(end), (1.0 + PHASE) * end).ok();
+        let first = flips.and_then(|mut flips| flips.next());
+        let is_clear = first.is_none_or(|first| first < (1.0 - PHASE) * end);
+        let zero = LAW_DIGITS * self.floor.size * self.start.row.omega.norm();
+        let is_none = |middle: usize| self.flips.from == 0.0 && self.start.row.omega[middle].abs() <= zero;
+        let is_open = self.middle.is_some_and(is_none) || self.seen.flipping <= zero;
+        [shown, shown && is_clear && !is_open]
+    }
+
     /// How each law was kept that there was something of.
     ///
-    /// What is beyond its limit in `allowed` is never kept to rounding.
+    /// What is beyond its limit in `allowed`, and beyond what its digits explain, is never kept to rounding.
     pub(crate) fn kept(&self, allowed: impl Fn(LawName) -> Option<f64>) -> Vec<Law> {
         let end = self.seen.last.t - self.start.row.t;
         let turned = 1.0 + self.seen.speed * end;
@@ -328,13 +374,12 @@ impl Laws {
                 }
             })
             .map(|(name, curve)| {
-                // Some rounding units a step, besides the rounding of the numbers themselves; of a time, of
-                // all that turns in it. Digits that a file lacks are lacking in each row alone: the engine
-                // steps on with its own, of single precision or better.
-                let own = (f64::from(f32::EPSILON) / self.floor).min(1.0);
+                // Some rounding units a step, besides that of the numbers; of a time, of all it turns.
+                // Digits that a file lacks are lacking in each row alone: the engine goes on with its own.
+                let own = (f64::from(f32::EPSILON) / self.floor.size).min(1.0);
                 let [once, each] = LAW_ROUNDINGS;
                 let units = once + each * self.seen.steps * own;
-                let rounding = self.floor
+                let rounding = self.floor.size
                     * match name {
                         LawName::Phase => units * turned,
                         LawName::Direction | LawName::Separatrix => LAW_OF_TWO * units,
@@ -344,8 +389,9 @@ impl Laws {
                 let plain = |x: f64| if of_ratio { x.exp_m1() } else { x };
                 let last = plain(curve.last());
                 let most = curve.range().map(|x| plain(x).abs()).into_iter().fold(0.0, f64::max);
-                let broken = most > allowed(*name).unwrap_or(ALLOWED);
-                let growth = curve.growth(if broken { 0.0 } else { rounding }, of_ratio);
+                let explained = self.explained(*name);
+                let broken = most > explained.max(allowed(*name).unwrap_or(ALLOWED));
+                let growth = curve.growth(if broken { 0.0 } else { rounding.max(explained) }, of_ratio);
                 Law { name: *name, growth, most, last }
             })
             .collect()

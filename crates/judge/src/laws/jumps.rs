@@ -1,10 +1,7 @@
 //! Where a motion starts anew: a step out of all proportion, or back at the start without a way there.
 
 use crate::read::{Pair, Row, angle_between};
-use crate::thresholds::{
-    BACK, BACK_IN_ERRORS, ERROR_KEPT, JUMP, JUMP_BACK, JUMP_IN_ERRORS, JUMP_IN_TURNS, NEARLY_AT_REST,
-    SHORT_TURN, STEPS_BEFORE_A_JUMP, THROWN_IN_ROUNDINGS, THROWN_IN_TURNS,
-};
+use crate::thresholds::*;
 use nalgebra::Vector3;
 use tumbling::dynamics::euler;
 
@@ -41,9 +38,6 @@ pub(crate) struct Errors {
     off: f64,
     /// How many steps there were.
     steps: u64,
-    /// The most in spin of all steps before the last, and of the last.
-    most: f64,
-    now: f64,
     /// The most in turn.
     turn: f64,
 }
@@ -52,7 +46,7 @@ impl Jumps {
     /// Whether the motion starts anew with a row, this number of steps after the last.
     pub(crate) fn reset(&mut self, pair: &Pair, times: f64) -> Option<Reset> {
         let Pair { from: last, to: state, .. } = pair;
-        let to_start = self.starts_anew(last, state) || self.comes_back(last, state, times);
+        let to_start = self.starts_anew(last, state);
         let jumps = times == 1.0 && self.jumps(pair);
         let to_rest = state.omega == Vector3::zeros();
         let line = state.ahead.map_or(state.line, |(line, _)| line);
@@ -77,45 +71,23 @@ impl Jumps {
         if !off.is_finite() {
             return false;
         }
-        self.errors.most = self.errors.most.max(self.errors.now);
-        self.errors.now = spin;
         // A slow body turns little in a step: what is no jump for a fast one is many steps for it.
         let thrown = self.errors.steps > STEPS_BEFORE_A_JUMP
             && turn > THROWN_IN_TURNS * speed * pair.h
             && turn > JUMP_IN_ERRORS * self.errors.turn
             && turn > THROWN_IN_ROUNDINGS * self.floor;
         self.errors.turn = self.errors.turn.max(turn);
-        if thrown {
-            return true;
-        }
-        let jumps = self.errors.steps > STEPS_BEFORE_A_JUMP
-            && off > JUMP
-            && off > JUMP_IN_TURNS * speed * pair.h
-            && off > JUMP_IN_ERRORS * self.errors.off;
+        let jumps = thrown
+            || self.errors.steps > STEPS_BEFORE_A_JUMP
+                && off > JUMP
+                && off > JUMP_IN_TURNS * speed * pair.h
+                && off > JUMP_IN_ERRORS * self.errors.off;
         if !jumps {
             // Forgotten slowly, so that a rule that goes astray now and then is known to.
             self.errors.off = off.max(ERROR_KEPT * self.errors.off);
             self.errors.steps += 1;
         }
         jumps
-    }
-
-    /// Back at the spin of the start, to its last digit, by a step that is farther from the law than any
-    /// before: a record without attitudes that starts anew where the spin is near its first value anyway.
-    fn comes_back(&self, last: &Row, state: &Row, times: f64) -> bool {
-        let (first, now, was) = (&self.first.omega, &state.omega, &last.omega);
-        let h = state.t - last.t;
-        if self.errors.steps < STEPS_BEFORE_A_JUMP
-            || times != 1.0
-            || state.attitude.is_some()
-            || (now - first).norm() > BACK * first.norm()
-        {
-            return false;
-        }
-        let [errors, roundings] = BACK_IN_ERRORS;
-        let rate = euler::angular_acceleration(&self.moments, &((was + now) / 2.0), &Vector3::zeros());
-        let off = (now - was - rate * h).norm() / now.norm().max(was.norm());
-        off > errors * self.errors.most.max(self.errors.now) && off > roundings * self.floor
     }
 
     /// The torque in body axes, for a mean over the step.
@@ -133,11 +105,16 @@ impl Jumps {
         let [jump, turns] = JUMP_BACK;
         let (before, now) = (last.omega.norm(), state.omega.norm());
         if before > 0.0 && now == 0.0 {
-            return before > NEARLY_AT_REST * self.first.omega.norm();
+            return before > NEARLY_AT_REST.max(ON_AXIS * self.floor) * self.first.omega.norm();
         }
         let back = (state.omega - self.first.omega).norm() <= BACK * self.first.omega.norm();
         let Some(((first, q), was)) = self.first.attitude.zip(state.attitude).zip(last.attitude) else {
-            return back && (last.omega - state.omega).norm() > jump * now;
+            let (h, [errors, roundings]) = (state.t - last.t, BACK_IN_ERRORS);
+            let mean = (last.omega + state.omega) / 2.0;
+            let rate = euler::angular_acceleration(&self.moments, &mean, &Vector3::zeros());
+            let off = (state.omega - last.omega - rate * h).norm() / before.max(now);
+            let is_far = off > errors * self.errors.off && off > roundings * self.floor;
+            return back && is_far && self.errors.steps >= STEPS_BEFORE_A_JUMP;
         };
         let turned = angle_between(&was, &q);
         back && angle_between(&first, &q) < BACK

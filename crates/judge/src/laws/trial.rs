@@ -1,10 +1,10 @@
 //! A trial: rows in, and what they do to the laws noted.
 
 use crate::error::Error;
-use crate::laws::{Errors, Jumps, Laws, Reset};
-use crate::read::{Known, Pair, Row, Sample};
+use crate::laws::{Errors, Jumps, Laws, Reset, Stretch, Stretches};
+use crate::read::{Known, Pair, Row};
 use crate::rule::Subject;
-use crate::thresholds::RESETS;
+use crate::thresholds::*;
 use nalgebra::Vector3;
 use serde::Serialize;
 
@@ -19,12 +19,21 @@ pub struct Gaps {
     pub longest: f64,
 }
 
+/// Of a stretch the first step is kept.
+impl Stretch for Pair {
+    fn join(&self, _: &Self) -> Self {
+        *self
+    }
+}
+
 /// A trial as far as it has come.
 pub(crate) struct Trial {
     pub known: Known,
     pub laws: Laws,
     pub first: Row,
-    pub sample: Sample,
+    /// Steps of a record of any length, evenly from all of it, and how many there are.
+    pub sample: Stretches<Pair>,
+    pub steps: u64,
     jumps: Jumps,
     pub resets: Vec<Reset>,
     pub gaps: Option<Gaps>,
@@ -48,9 +57,10 @@ impl Trial {
         let (has_spin, floor, errors) = (known.has_spin(), known.floor.size, Errors::default());
         let Subject { moments, torque, .. } = *subject;
         Ok(Self {
-            laws: Laws::new(&moments, &first, direction, floor)?,
+            laws: Laws::new(&moments, &first, direction, known.floor)?,
             first,
-            sample: Sample::new(),
+            sample: Stretches::new(TRIED_STEPS),
+            steps: 0,
             jumps: Jumps { first, moments, torque, has_spin, floor, errors },
             known,
             resets: Vec::new(),
@@ -85,7 +95,8 @@ impl Trial {
                     self.laws.pair(&pair);
                 }
                 if self.jumps.has_spin || state.ahead.is_some() {
-                    self.sample.push(&pair);
+                    self.sample.push(pair);
+                    self.steps += 1;
                 }
             }
         }

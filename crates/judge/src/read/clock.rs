@@ -1,7 +1,7 @@
 //! The clock of a record: how long its steps are, and where rows are missing.
 
 use crate::read::{Note, Raw, median};
-use crate::thresholds::{PROBE_PAIRS, STEP_APART, STEP_SLACK, STEPS_PER_ROW_APART, STEPS_PER_ROW_MOST};
+use crate::thresholds::*;
 
 /// How time goes from row to row.
 #[derive(Debug, Clone, Copy)]

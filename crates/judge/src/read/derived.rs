@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::read::{Clock, Pair, Row};
-use crate::thresholds::{FARTHEST_TURN, SPIN_ROUNDS, TURN_LEFT};
+use crate::thresholds::*;
 use nalgebra::Vector3;
 use tumbling::exact::FreeMotion;
 

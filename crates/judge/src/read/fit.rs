@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::read::Row;
-use crate::thresholds::{FIT_GAIN, FIT_LEFT, FIT_ROUNDS, FIT_SHARES, JOLT};
+use crate::thresholds::*;
 use nalgebra::{SMatrix, SVector, Vector3};
 use serde::Serialize;
 use tumbling::exact::FreeMotion;

@@ -1,7 +1,7 @@
 //! Times printed with few digits, put back to the steps that they are rounded from.
 
 use crate::read::{Note, Raw, Reading};
-use crate::thresholds::{EVEN_TIMES, PRINTED_HALVES};
+use crate::thresholds::*;
 use nalgebra::Vector3;
 
 /// Times that are, to their own printed digits, a whole number of equal steps from the first.

@@ -2,9 +2,10 @@
 
 use crate::error::Error;
 use crate::read::{
-    Clock, Derived, Feed, Floor, Grid, Kind, Note, Raw, Reading, Row, angle_between, median, rounding,
+    Clock, Derived, Feed, Floor, Grid, Kind, Note, Raw, Reading, Row, angle_between, median, of_attitudes,
+    rounding,
 };
-use crate::thresholds::{FEW_DIGITS, SPIN_FROM_TURN};
+use crate::thresholds::*;
 use nalgebra::Vector3;
 
 /// What a record says of itself.
@@ -53,10 +54,11 @@ impl Known {
         };
         let (clock, note) = clock.read(reading.time(), said.step);
         said.notes.extend(note);
-        let of_numbers = rounding(probe);
+        let of_numbers = rounding(probe, said.kind.in_world());
         let of_grid = grid.as_ref().map_or(0.0, |grid| grid.floor(probe, &reading, &moments));
         let floor = Floor {
             size: of_numbers.max(of_grid),
+            attitude: of_attitudes(probe),
             few: of_numbers.max(of_grid) > FEW_DIGITS * f64::from(f32::EPSILON),
             single: of_numbers == f64::from(f32::EPSILON),
         };

@@ -3,10 +3,7 @@
 
 use crate::read::reading::{Reading, alike};
 use crate::read::{Pair, Raw, median, middle_and_most};
-use crate::thresholds::{
-    FRACTION_NEAR, LAW_AGREES, PACE_APART, PACE_OF_LAW, SIDES_APART, TURN_LIMITED, WHOLE_MOST, WHOLE_NEAR,
-    WHOLE_SURE,
-};
+use crate::thresholds::*;
 use nalgebra::Vector3;
 use tumbling::attitude::{product, rotation_matrix};
 use tumbling::exact::FreeMotion;
@@ -95,7 +92,9 @@ impl Reading {
 /// How much the changes of spin are like the exact motion's, and how large in these: as the body sees them,
 /// or as the body before the step sees those in the world.
 fn by_exact_motion(pairs: impl Iterator<Item = Pair>, moments: &Vector3<f64>, in_world: bool) -> (f64, f64) {
-    alike(pairs.filter_map(|Pair { from, to, h }| {
+    // Of a spin that blows up the few last steps would be all that counts.
+    let slow = |pair: &Pair| pair.from.omega.norm() * pair.h <= LONG_TURN;
+    alike(pairs.filter(slow).filter_map(|Pair { from, to, h }| {
         let end = FreeMotion::new((*moments).try_into().ok()?, &from.omega).ok()?.at(h).ok()?;
         let [mut seen, mut own] = [to.omega, end.omega];
         if in_world {

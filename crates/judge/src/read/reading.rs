@@ -4,13 +4,10 @@
 //! numbers were read another way, the file is what is wrong.
 
 use crate::read::pace::{by_how_much, in_whole_numbers, to_four_places};
-use crate::read::{Kind, Pair, Raw, Row, median};
-use crate::thresholds::{
-    LAW_AGREES, LAW_BETTER, LAW_DECIDES, LAW_WEIGHT, NEARER_READING, PACE_APART, RARE_MISTAKE, TURNS_AGREE,
-    TURNS_EQUAL, TURNS_WEIGHT, UNIT_APART,
-};
+use crate::read::{Kind, Pair, Raw, Row, angle_between, median};
+use crate::thresholds::*;
 use nalgebra::{Quaternion, Vector3};
-use tumbling::dynamics::euler;
+use tumbling::{attitude, dynamics::euler};
 
 /// A mistake of a file: what its numbers seem to be, against what its names say.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -269,7 +266,7 @@ impl Reading {
         let off =
             |reading: &Self| median(reading.pairs(pairs, moments).filter_map(|pair| pair.inconsistency()));
         let plain = off(&self);
-        if plain.is_finite() && plain < TURNS_AGREE {
+        if plain < TURNS_AGREE || plain.is_infinite() && self.leads_to_the_ends(pairs, moments) {
             return self;
         }
         if let Some(paced) = self.paced(pairs, moments).filter(|way| free && off(way) < TURNS_AGREE) {
@@ -277,16 +274,14 @@ impl Reading {
         }
         let mut ways = Vec::new();
         for order in [Order::AsNamed, Order::Last, Order::First] {
-            for inverse in [false, true] {
-                for frame in [false, true] {
-                    for hand in [Hand::Right, Hand::Left, Hand::One(0), Hand::One(1), Hand::One(2)] {
-                        let turned = Self { order, inverse, frame, hand, ..self };
-                        let way = turned.scaled(pairs, moments);
+            for (inverse, frame) in [(false, false), (false, true), (true, false), (true, true)] {
+                for hand in [Hand::Right, Hand::Left, Hand::One(0), Hand::One(1), Hand::One(2)] {
+                    let turned = Self { order, inverse, frame, hand, ..self };
+                    let way = turned.scaled(pairs, moments);
+                    ways.push((way, off(&way)));
+                    if hand == Hand::Right && matches!(self.kind, Kind::SpinBody | Kind::SpinWorld) {
+                        let way = Self { momentum: true, ..turned };
                         ways.push((way, off(&way)));
-                        if hand == Hand::Right && matches!(self.kind, Kind::SpinBody | Kind::SpinWorld) {
-                            let way = Self { momentum: true, ..turned };
-                            ways.push((way, off(&way)));
-                        }
                     }
                 }
             }
@@ -296,33 +291,35 @@ impl Reading {
             return self;
         }
         // Some ways turn alike: the fewest mistakes, and the law, decide between them.
-        let worth = |way: &Self| {
-            let (alike, _) = law(way.pairs(pairs, moments), moments);
-            let mistakes: f64 = way
-                .mistakes()
-                .iter()
-                .map(|x| match x {
-                    FileMistake::MirroredComponent(_) => RARE_MISTAKE[1],
-                    // The rarer of two that may look alike.
-                    FileMistake::ScalarFirst | FileMistake::Momentum => RARE_MISTAKE[0],
-                    _ => 1.0,
-                })
-                .sum();
-            mistakes - LAW_WEIGHT * alike
-        };
         // How far the turns are from the spins weighs too, but less: what is left of a right reading is the
         // step's own error, and of a wrong one, of a spin about one axis, it may by chance be less.
-        let worth = |way: &(Self, f64)| {
-            worth(&way.0) + TURNS_WEIGHT * (way.1 / least.max(TURNS_EQUAL)).max(1.0).log10()
+        let worth = |(way, off): &(Self, f64)| {
+            let weight = |mistake: FileMistake| match mistake {
+                FileMistake::MirroredComponent(_) => RARE_MISTAKE[1],
+                // The rarer of two that may look alike.
+                FileMistake::ScalarFirst | FileMistake::Momentum => RARE_MISTAKE[0],
+                _ => 1.0,
+            };
+            let mistakes: f64 = way.mistakes().into_iter().map(weight).sum();
+            let (alike, _) = law(way.pairs(pairs, moments), moments);
+            mistakes - LAW_WEIGHT * alike + TURNS_WEIGHT * (off / least.max(TURNS_EQUAL)).max(1.0).log10()
         };
-        let best = ways
-            .iter()
-            .filter(|way| way.1 <= TURNS_AGREE && way.1 <= NEARER_READING * plain)
-            .min_by(|a, b| worth(a).total_cmp(&worth(b)));
-        let best = best.map_or(self, |way| way.0);
+        let near = ways.iter().filter(|way| way.1 <= TURNS_AGREE && way.1 <= NEARER_READING * plain);
+        let best = near.min_by(|a, b| worth(a).total_cmp(&worth(b))).map_or(self, |way| way.0);
         let other = Self { frame: !self.frame, ..self };
-        let on_other_side = off(&other) < TURNS_AGREE && self.goes_by_law_unlike(&best, pairs, moments);
+        let off_side = off(&other);
+        let on_other_side = off_side < TURNS_AGREE
+            && (off_side < NEARER_READING * off(&best) || self.goes_by_law_unlike(&best, pairs, moments));
         if free && on_other_side { self } else { best }
+    }
+
+    /// Whether spins lead to the attitudes, of turns that are too long to be compared with them.
+    fn leads_to_the_ends(self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> bool {
+        let off = self.pairs(pairs, moments).filter_map(|Pair { from, to, h }| {
+            let turn = attitude::turn(&((from.omega + to.omega) * (h / 2.0)));
+            Some(angle_between(&attitude::product(&from.attitude?, &turn), &to.attitude?))
+        });
+        median(off) < TURNS_AGREE
     }
 
     /// With the units that make turns and spins alike in size.

@@ -1,13 +1,11 @@
 //! How exact the numbers of a record are, and what is rounding in its steps.
 
 use crate::read::{Raw, median};
-use crate::thresholds::{
-    BELOW_SINGLE, BITS_OF_HALF, BITS_OF_SINGLE, CLOSELY, CLOSELY_SINGLE, DIGITS_OF_DOUBLE, DIGITS_OF_SINGLE,
-    FEWEST_DIGITS, FITS, FITS_FEW, FITS_FEW_FROM, FITS_SINGLE, HALF, MOST_DIGITS,
-};
+use crate::thresholds::*;
 
 /// The rounding of a record's numbers: of attitudes and of vectors each on their own, and the larger of both.
-pub(crate) fn rounding(probe: &[Raw]) -> f64 {
+/// Attitudes that turn vectors (`in_world`) to the body do so by angles, which are off by twice as much.
+pub(crate) fn rounding(probe: &[Raw], in_world: bool) -> f64 {
     let vector = median(probe.iter().map(|raw| raw.vector.norm()).filter(|size| *size > 0.0));
     let moves = [
         probe.windows(2).any(|two| two[0].attitude != two[1].attitude),
@@ -16,7 +14,16 @@ pub(crate) fn rounding(probe: &[Raw]) -> f64 {
     // Numbers that stay as they are may fit any precision.
     let all_stay = moves == [false; 2];
     let groups = [(0, 1.0), (1, vector)].into_iter().filter(|(group, _)| moves[*group] || all_stay);
-    groups.map(|(group, size)| rounding_of(probe, group, size, all_stay)).fold(f64::EPSILON, f64::max)
+    let own = |(group, size)| match rounding_of(probe, group, size, all_stay) {
+        of_digits if in_world && group == 0 && of_digits != f64::from(f32::EPSILON) => 2.0 * of_digits,
+        other => other,
+    };
+    groups.map(own).fold(f64::EPSILON, f64::max)
+}
+
+/// The rounding of the attitudes' numbers.
+pub(crate) fn of_attitudes(probe: &[Raw]) -> f64 {
+    rounding_of(probe, 0, 1.0, false).max(f64::EPSILON)
 }
 
 /// The rounding of numbers that have this number of digits, or that single precision holds.
@@ -49,8 +56,10 @@ fn rounding_of(probe: &[Raw], group: usize, size: f64, stays: bool) -> f64 {
 /// The rounding of a record's numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Floor {
-    /// Relative to 1.
+    /// Of the spins, relative to them.
     pub size: f64,
+    /// Of the attitudes, relative to 1.
+    pub attitude: f64,
     /// Whether it is of a few decimal digits, fewer than single precision has.
     pub few: bool,
     /// Whether it is that of single precision.

@@ -5,9 +5,7 @@ use crate::read::{
     Columns, Exact, Header, Printed, Raw, Separator, Source, TimeColumn, last_place, significant,
     significant_bits,
 };
-use crate::thresholds::{
-    BITS_OF_SINGLE, FIELD_SHOWN, LINE_BYTES, MOST_DIGITS_OF_SINGLE, ROWS_BEFORE_THE_END,
-};
+use crate::thresholds::*;
 use nalgebra::{Quaternion, Vector3};
 use std::io::BufRead;
 
@@ -58,11 +56,8 @@ impl<R: BufRead> Rows<R> {
             let header = (&self.header, self.rows);
             let raw = read(&self.columns, text, line, header, (&mut self.fields, &mut self.ended))?;
             if self.ended.is_some() {
-                return if self.rows >= ROWS_BEFORE_THE_END {
-                    Ok(None)
-                } else {
-                    self.ended.take().map_or(Ok(None), Err)
-                };
+                let is_early = self.rows < ROWS_BEFORE_THE_END;
+                return self.ended.take_if(|_| is_early).map_or(Ok(None), Err);
             }
             if let Some(last) = self.last.replace(raw.t)
                 && raw.t <= last

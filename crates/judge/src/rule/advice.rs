@@ -113,6 +113,7 @@ impl Advice {
         jumps: bool,
     ) -> Vec<Self> {
         let one = match confidence {
+            Confidence::NoneFits | Confidence::Altered if whole.on_wrong_side => Self::SIDE,
             Confidence::NoneFits if !floor.few => Self::COMPARE,
             Confidence::Accurate => Self::DRIFTS_ON,
             Confidence::Interpolated => Self::EACH_STEP,

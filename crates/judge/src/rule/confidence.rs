@@ -5,7 +5,7 @@ use crate::rule::diagnosis::{Jump, Ranked, jumps};
 use crate::rule::tried::explained;
 use crate::rule::unnamed::are_repeated;
 use crate::rule::{Alteration, Base, Explanation, PHYSICS_ENGINES, Rule, Subject, Turn};
-use crate::thresholds::{ERROR_ABOVE, FITS_EXACT, NEAR, NEAR_RATIO, SPIN_ABOVE, TRIED_SHARE};
+use crate::thresholds::*;
 
 /// How sure a diagnosis is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

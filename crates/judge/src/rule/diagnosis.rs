@@ -2,7 +2,7 @@
 //! row.
 
 use crate::law::LawName;
-use crate::read::{Floor, Known, Pair, Row, Sample, angle_between};
+use crate::read::{Floor, Known, Pair, Row, angle_between};
 use crate::rule::confidence::confidence_in;
 use crate::rule::fitted::some;
 use crate::rule::tried::{alike_to_best, explained, tried};
@@ -10,10 +10,7 @@ use crate::rule::unnamed::unnamed;
 use crate::rule::{
     Advice, Alteration, Base, Confidence, Rule, Subject, When, engine_names, engines, first_named, settings,
 };
-use crate::thresholds::{
-    BIASED, FASTER, FITS_EXACT, FITS_FEW_FROM, JUMP_EVERY, JUMP_IN_LIMITS, KEPT_OF_CHANGED, RESETS, SAME,
-    TRIED_TURNS,
-};
+use crate::thresholds::*;
 use nalgebra::{Vector2, Vector3};
 use serde::Serialize;
 
@@ -108,6 +105,8 @@ pub(crate) struct Whole {
     pub kept: bool,
     /// The share of the pairs of rows that are one step apart.
     pub share: f64,
+    /// Whether the attitude is turned on the wrong side.
+    pub on_wrong_side: bool,
 }
 
 impl Diagnosis {
@@ -252,7 +251,12 @@ fn is_biased(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> bo
     // own rounding may add up.
     let [allowed, kept] = match floor.is_of_writing() {
         true => [ends * (parts as f64).sqrt() + turns * turned / root, kept * root],
-        false if floor.size > FITS_FEW_FROM => [each * count, kept * root],
+        // Of a spin made from a turn the next step takes back what this one is off by.
+        false if floor.size > FITS_FEW_FROM => {
+            let is_sought = pairs.iter().any(|pair| pair.to.ahead.is_some());
+            let own = if is_sought { floor.attitude } else { floor.size };
+            [ends * floor.size + each / floor.size * own * count, kept * root]
+        }
         false => [floor.limits()[1] * count; 2],
     };
     let holds = |own: f64, seen: f64| own.abs() > kept && seen.abs() < KEPT_OF_CHANGED * own.abs();
@@ -294,14 +298,14 @@ fn drifts_from(subject: &Subject, pairs: &[Pair], best: &Explanation, whole: &Wh
 /// Tries every candidate on the sample.
 pub(crate) fn diagnose(
     subject: &Subject,
-    sample: &Sample,
+    sample: &[Pair],
     known: &Known,
     whole: &Whole,
 ) -> Option<Diagnosis> {
     let floor = known.floor;
     // Of attitudes alone each rule's spin has to be found first, step by step: fewer steps do.
-    let sought = sample.pairs().iter().any(|pair| pair.to.ahead.is_some());
-    let pairs = &*if sought { some(sample.pairs(), TRIED_TURNS) } else { sample.pairs().to_vec() };
+    let sought = sample.iter().any(|pair| pair.to.ahead.is_some());
+    let pairs = &*if sought { some(sample, TRIED_TURNS) } else { sample.to_vec() };
     let found = tried(subject, pairs, known, sought);
     let (mut ranked, mut error) = (Ranked::of(&found, floor)?, None);
     let (mut confidence, mut jumps) = confidence_in(subject, pairs, &ranked, known, whole.share);

@@ -3,10 +3,7 @@
 use crate::law::LawName;
 use crate::read::{Pair, least, median, normal, ordered, simplest, slopes, times_the_turn};
 use crate::rule::{Alteration, Base, Rule, Subject, Turn, When};
-use crate::thresholds::{
-    BEYOND, CAPPED_ROUNDINGS, CAPPED_ROWS, DAMPED, DAMPED_ROUNDINGS, FITTED_STEPS, JOLT, NEAR_A_TERM,
-    OTHER_BODY, RATE_APART, ROUND_RATE, STEPS_PER_ROW_MOST, UNKNOWN_BODY,
-};
+use crate::thresholds::*;
 use nalgebra::{Matrix3, Rotation3, SVector, UnitQuaternion, Vector3};
 use tumbling::PrincipalMoments;
 use tumbling::dynamics::euler::angular_acceleration;
@@ -39,64 +36,88 @@ fn misses(subject: &Subject, pairs: &[Pair], rule: &Rule) -> Option<Vec<Vector3<
 
 /// Rules with one number, or none: damping, another gyroscopic term, another turn, a cap.
 pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<Rule> {
-    let few = some(pairs, FITTED_STEPS);
+    let few = &*some(pairs, FITTED_STEPS);
     let with_attitude = pairs.first().is_some_and(|pair| pair.from.attitude.is_some());
     let of_spin = pairs.iter().all(|pair| pair.to.ahead.is_none());
     let (term, turned) =
-        (times_the_term(subject, &few), with_attitude.then(|| times_the_turn(few.iter().copied())));
-    let mut all = Vec::new();
+        (times_the_term(subject, few), with_attitude.then(|| times_the_turn(few.iter().copied())));
+    let (mut all, cap) = (Vec::new(), capped(pairs, rounding));
+    // Spins alone do not show whether they are damped before or after the turn, nor turns alone on which side
+    // of the row.
+    let whens: &[&[When]] = match (with_attitude, of_spin) {
+        (true, true) => &[&[When::Before], &[When::After, When::Turned]],
+        (true, false) => &[&[When::After, When::Open]],
+        (false, _) => &[&[When::Before], &[When::Open]],
+    };
     for base in Base::all() {
-        // Spins alone do not show whether they are damped before or after the turn, nor turns alone on which
-        // side of the row.
-        let whens: [&[When]; 2] = match (with_attitude, of_spin) {
-            (true, true) => [&[When::Before], &[When::After, When::Turned]],
-            (true, false) => [&[], &[When::After, When::Open]],
-            (false, _) => [&[When::Before], &[When::Open]],
-        };
-        for whens in whens.into_iter().filter(|whens| !whens.is_empty()) {
-            let fitted = damped(subject, &few, base, whens[0], rounding);
+        for whens in whens {
+            let fitted = damped(subject, few, base, whens[0], rounding);
             let rule = |(factor, rate)| {
                 whens.iter().map(move |&when| base.but(Alteration::Damped { factor, rate, when }))
             };
             all.extend(fitted.into_iter().flat_map(rule));
         }
-        // A rule that keeps the laws goes along the exact motion's curve, at any rate that a number gives; an
-        // accurate one nearly so.
-        // The mean spin turns the attitude alone.
-        let is_accurate = matches!(base, Base::Method(method, _) if method.info().order > 2
-            || !with_attitude && method == Method::MeanSpinRungeKutta4);
-        let keeps = is_accurate || Rule::plain(base).keeps(LawName::Separatrix);
-        let far = if keeps { RATE_APART } else { NEAR_A_TERM[1] };
-        if !is_still(base) && (!keeps || base == Base::Exact) && term.is_finite() {
-            let rule = |times: &SVector<f64, 1>| base.but(Alteration::TermOrTimes(times.x));
-            let fitted = least([term].into(), |times| misses(subject, &few, &rule(times)), |times| times);
-            let other = fitted.map(|times| times.x);
-            let other = other.filter(|times| (times - 1.0).abs() > far && times.abs() > NEAR_A_TERM[1]);
-            all.extend(other.into_iter().flat_map(|times| multiples(times, turned).map(|how| base.but(how))));
-        }
-        all.extend(capped(pairs, rounding).map(|most| base.but(Alteration::Capped(most))));
+        all.extend(of_term(subject, few, base, term, turned.filter(|_| of_spin)));
+        // It cuts what the base makes beyond it.
+        let cuts = |most: &f64| {
+            let beyond = most * (1.0 + BEYOND.max(CAPPED_ROUNDINGS * rounding));
+            let own = |pair: &Pair| subject.spin_after(&Rule::plain(base), pair);
+            few.iter().filter_map(own).any(|omega| omega.norm() > beyond)
+        };
+        all.extend(cap.filter(cuts).map(|most| base.but(Alteration::Capped(most))));
     }
-    if !with_attitude && term > 1.5 {
+    if term > 1.5 && turned.is_none_or(|turned| turned > 1.5) {
         // Rows that are left out, with the rest counted as if they were not.
         let rows = (term.min(STEPS_PER_ROW_MOST) - 0.5) as u32..=term.min(STEPS_PER_ROW_MOST) as u32 + 1;
-        let left_out = |rows: u32| {
-            Base::every().map(move |base| base.in_parts(rows).but(Alteration::TermOrTimes(f64::from(rows))))
-        };
-        all.extend(rows.flat_map(left_out));
+        let times = if with_attitude { Alteration::Times } else { Alteration::TermOrTimes };
+        let left_out =
+            |rows: u32| Base::every().map(move |base| base.in_parts(rows).but(times(f64::from(rows))));
+        all.extend(rows.filter(|rows| *rows > 1).flat_map(left_out));
     }
     if with_attitude && of_spin {
-        let turned = |turns: &'static [Turn]| {
-            move |base: Base| turns.iter().map(move |&turn| base.but(Alteration::Turned(turn)))
-        };
-        all.extend(Base::all().into_iter().chain(Base::every()).flat_map(turned(&[Turn::Old, Turn::Late])));
-        let others = Base::all().into_iter().chain([Base::PositionStage(1)]).flat_map(turned(&Turn::OTHERS));
-        // Of a spin that stays, a turn that is made twice may as well be one in times that are wrong.
-        let is_twice = |rule: &Rule| {
-            matches!(rule.alteration, Some(Alteration::Turned(Turn::TwiceBefore | Turn::TwiceAfter)))
-        };
-        all.extend(others.filter(|rule| !(is_still(rule.base) && is_twice(rule))));
+        all.extend(of_turns());
     }
     all
+}
+
+/// Another gyroscopic term, or other times, with which a base makes the spins.
+fn of_term(subject: &Subject, few: &[Pair], base: Base, term: f64, turned: Option<f64>) -> Vec<Rule> {
+    // A rule that keeps the laws goes along the exact motion's curve, at any rate that a number gives; an
+    // accurate one nearly so. With attitudes both would have to be off by one factor.
+    // The mean spin turns the attitude alone.
+    let with_attitude = few.first().is_some_and(|pair| pair.from.attitude.is_some());
+    let is_accurate = matches!(base, Base::Method(method, _) if method.info().order > 2
+        || !with_attitude && method == Method::MeanSpinRungeKutta4);
+    let keeps = is_accurate || Rule::plain(base).keeps(LawName::Separatrix);
+    if is_still(base) || keeps && turned.is_none() && base != Base::Exact || !term.is_finite() {
+        return Vec::new();
+    }
+    let rule = |times: &SVector<f64, 1>| base.but(Alteration::TermOrTimes(times.x));
+    let fitted = least([term].into(), |times| misses(subject, few, &rule(times)), |times| times);
+    let Some(times) = fitted.map(|times| times.x).filter(|times| times.abs() > NEAR_A_TERM[1]) else {
+        return Vec::new();
+    };
+    let far = (times - 1.0).abs();
+    let is_seen = |how: &Alteration| match how {
+        how if !keeps || matches!(how, Alteration::Times(_)) => far > NEAR_A_TERM[1],
+        _ => base == Base::Exact && far > RATE_APART,
+    };
+    let turned = turned.or(with_attitude.then_some(1.0));
+    multiples(times, turned).filter(is_seen).map(|how| base.but(how)).collect()
+}
+
+/// Turns in the wrong place or by the wrong spin.
+fn of_turns() -> impl Iterator<Item = Rule> {
+    let rows = [Turn::Old, Turn::Late, Turn::Early];
+    let rows =
+        Base::all().into_iter().chain(Base::every()).flat_map(move |base| rows.map(|turn| (base, turn)));
+    let others = Base::all().into_iter().chain([Base::PositionStage(1)]);
+    let others = others.flat_map(|base| Turn::OTHERS.map(|turn| (base, turn)));
+    // Of a spin that stays, a turn that is made twice may as well be one in times that are wrong.
+    let is_open = |(base, turn): &(Base, Turn)| {
+        !(is_still(*base) && matches!(turn, Turn::TwiceBefore | Turn::TwiceAfter))
+    };
+    rows.chain(others.filter(is_open)).map(|(base, turn)| base.but(Alteration::Turned(turn)))
 }
 
 const fn is_still(base: Base) -> bool {
@@ -131,6 +152,12 @@ fn times_the_term(subject: &Subject, pairs: &[Pair]) -> f64 {
 /// The body with which each base makes the spins of the record: a tensor of the same trace as that named.
 pub(crate) fn other_bodies(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<Rule> {
     let few = some(pairs, FITTED_STEPS);
+    // A spin that stays is right for each body that has a principal axis there.
+    let moves =
+        |pair: &Pair| (pair.to.omega - pair.from.omega).norm() > STILL * rounding * pair.from.omega.norm();
+    if !few.iter().any(moves) {
+        return Vec::new();
+    }
     let trace = subject.moments.sum();
     let named = subject.moments / trace;
     // Euler's equation, as it stands between two rows, is linear in the tensor.

@@ -2,7 +2,7 @@
 
 use crate::read::by_how_much;
 use crate::rule::{Alteration, Base, Limits, PHYSICS_ENGINES, PhysicsEngine, Rule, Turn, When};
-use crate::thresholds::{NEAR_A_TERM, RULES_NAMED};
+use crate::thresholds::*;
 use tumbling::step::Method;
 
 /// A number with five significant digits, as people write it.

@@ -3,9 +3,9 @@
 use crate::law::LawName;
 use crate::read::Pair;
 use crate::rule::{Limits, PHYSICS_ENGINES, PhysicsEngine};
-use crate::thresholds::{BEYOND, MORE_PARTS, PARTS};
+use crate::thresholds::*;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use tumbling::attitude;
+use tumbling::attitude::rotation_matrix;
 use tumbling::step::Method;
 
 /// A rule, as a diagnosis names it.
@@ -30,7 +30,7 @@ pub enum Base {
     /// A physics engine's rule, and what the engine adds to it for a fast body.
     Engine(PhysicsEngine),
     /// The spin in the world by the body's tensor as it stood at this attitude.
-    FrozenTensor(Quaternion<f64>, Steps),
+    FrozenTensor(Quaternion<f64>),
     /// The momentum, divided by this one number, turns the body.
     MomentumForSpin(f64),
     /// The spin by this method, and the attitude straight by the new one: `q + h/2 q w`, its length set to 1
@@ -91,22 +91,13 @@ pub enum Turn {
 
 impl Turn {
     /// Those of a turn in the wrong place or by the wrong spin, as they are tried.
-    pub(crate) const OTHERS: [Self; 6] =
-        [Self::Early, Self::BodyInWorld, Self::WorldInBody, Self::TwiceBefore, Self::TwiceAfter, Self::Own];
+    pub(crate) const OTHERS: [Self; 5] =
+        [Self::BodyInWorld, Self::WorldInBody, Self::TwiceBefore, Self::TwiceAfter, Self::Own];
 
     /// Whether row and row are of different instants, of a rule that may be right.
     pub(crate) const fn is_of_rows(self) -> bool {
         matches!(self, Self::Old | Self::Late | Self::Early | Self::Otherwise)
     }
-}
-
-/// Of what order the frozen tensor's spin is stepped.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Steps {
-    /// Straight ahead.
-    First,
-    /// By Runge and Kutta.
-    Fourth,
 }
 
 /// Where in a step the spin is damped.
@@ -212,6 +203,16 @@ impl Base {
         }
     }
 
+    /// The method that makes its spin, and in how many parts.
+    pub(crate) const fn spin(&self) -> Option<(Method, u32)> {
+        match *self {
+            Self::Method(Method::ExplicitEuler, parts) => Some((Method::SemiImplicitEuler, parts)),
+            Self::Method(Method::RescaledLinearAttitude, parts) => Some((Method::Rescaled, parts)),
+            Self::Method(method, parts) | Self::Straight(method, parts) => Some((method, parts)),
+            _ => None,
+        }
+    }
+
     /// This rule with this number of parts a step.
     pub(crate) const fn in_parts(self, parts: u32) -> Self {
         match self {
@@ -253,19 +254,19 @@ pub(crate) fn plain(free: bool, pairs: &[Pair]) -> Vec<Rule> {
     let possible = |base: &Base| free || matches!(base, Base::Method(..));
     let mut all: Vec<Base> = Base::all().into_iter().filter(possible).collect();
     let plain = [Limits::NONE, Limits::STRAIGHT];
-    for &engine in PHYSICS_ENGINES.iter().filter(|engine| !plain.contains(&engine.limits)) {
+    let limited = PHYSICS_ENGINES.iter().filter(|engine| !plain.contains(&engine.limits));
+    let most = greatest(pairs);
+    for &engine in limited {
         all.push(Base::Engine(engine));
         // Bullet's greatest spin is a setting, and may have been raised.
-        if let (Some(usual), Some(most)) = (engine.limits.component, greatest(pairs))
-            && most > usual * (1.0 + BEYOND)
-        {
+        if engine.limits.component.is_some_and(|usual| most > usual * (1.0 + BEYOND)) {
             let limits = Limits { component: Some(most), ..engine.limits };
             all.push(Base::Engine(PhysicsEngine { limits, record: None, ..engine }));
         }
     }
     all.extend(Method::ALL.iter().map(|&method| Base::Method(method, 1)));
     all.extend(free.then_some(Base::PositionStage(1)));
-    all.extend([Steps::First, Steps::Fourth].map(|steps| Base::FrozenTensor(Quaternion::identity(), steps)));
+    all.push(Base::FrozenTensor(Quaternion::identity()));
     distinct(all).into_iter().map(Rule::plain).collect()
 }
 
@@ -274,11 +275,8 @@ pub(crate) fn plain(free: bool, pairs: &[Pair]) -> Vec<Rule> {
 pub(crate) fn in_parts(per_row: Option<u32>, all: bool) -> Vec<Rule> {
     let mut found = Vec::new();
     if let Some(parts) = per_row.filter(|parts| *parts > 1) {
-        found.extend(
-            PHYSICS_ENGINES
-                .iter()
-                .map(|engine| Base::Method(engine.method, parts.saturating_mul(engine.parts))),
-        );
+        let of = |engine: &PhysicsEngine| Base::Method(engine.method, parts.saturating_mul(engine.parts));
+        found.extend(PHYSICS_ENGINES.iter().map(of));
         found.extend(Base::every().map(|base| base.in_parts(parts)));
     }
     for base in Base::every() {
@@ -312,14 +310,13 @@ pub(crate) fn of_parts(parts: u32) -> Vec<Rule> {
 
 /// The tensor frozen as it stood at the record's first attitude, where that is another than the identity.
 pub(crate) fn frozen_at(pairs: &[Pair]) -> Vec<Rule> {
-    let first = pairs.first().and_then(|pair| pair.from.attitude);
-    let first = first.map(|q| q / q.norm()).filter(|q| q.imag().norm() > 0.0 && q.norm().is_finite());
-    let both = |q| [Steps::First, Steps::Fourth].map(|steps| Rule::plain(Base::FrozenTensor(q, steps)));
-    first.map_or(Vec::new(), |q| both(q).to_vec())
+    let first = pairs.first().and_then(|pair| pair.from.attitude).map(|q| q / q.norm());
+    let other = first.filter(|q| q.imag().norm() > 0.0 && q.norm().is_finite());
+    other.map(|q| Rule::plain(Base::FrozenTensor(q))).into_iter().collect()
 }
 
 /// The most spin along an axis of the world after any step.
-fn greatest(pairs: &[Pair]) -> Option<f64> {
-    let along = |pair: &Pair| Some((attitude::rotation_matrix(&pair.from.attitude?) * pair.to.omega).amax());
-    pairs.iter().filter_map(along).reduce(f64::max)
+fn greatest(pairs: &[Pair]) -> f64 {
+    let along = |pair: &Pair| Some((rotation_matrix(&pair.from.attitude?) * pair.to.omega).amax());
+    pairs.iter().filter_map(along).fold(0.0, f64::max)
 }

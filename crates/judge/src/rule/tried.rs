@@ -6,9 +6,7 @@ use crate::rule::{
     Alteration, Base, Explanation, Rule, Subject, Turn, compound, frozen_at, in_parts, momentum_for_spin,
     of_parts, other_bodies, plain,
 };
-use crate::thresholds::{
-    ALIKE, ALIKE_FEW, ALIKE_ROUNDINGS, AS_EXACT, CLEAR, NEAR_RATIO, PARTS, TRIED_IN_PARTS,
-};
+use crate::thresholds::*;
 use tumbling::step::Method;
 
 /// Rules with numbers that are fitted to the pairs, of numbers with this rounding.
@@ -53,13 +51,19 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
         }
         found.extend(in_parts);
     }
+    let plain = found.len();
     found.extend(equals(&found, floor).into_iter().filter_map(explained));
     let more: [Fitted; 3] = [|_, pairs, _| frozen_at(pairs), compound, other_bodies];
     for rules in more {
         if free && !fits(&found) {
-            found.extend(rules(subject, pairs, floor.size).into_iter().filter_map(explained));
+            // Times that are nearly right are wrong where that is all there is.
+            let near = |times: f64| (times - 1.0).abs() < PACE_APART;
+            let is_small = |rule: &Rule| matches!(rule.alteration, Some(Alteration::Times(x)) if near(x));
+            let rules = rules(subject, pairs, floor.size).into_iter().filter_map(explained);
+            found.extend(rules.filter(|x| !is_small(&x.rule) || x.fits(floor)));
         }
     }
+    found.extend(equals(&found[plain..], floor).into_iter().filter_map(explained));
     let with_attitude = pairs.first().is_some_and(|pair| pair.from.attitude.is_some());
     // A turn that is nearly all of it is a better answer than none.
     let exact = found.iter().find(|x| x.rule == Rule::EXACT).map_or(0.0, |x| x.median);
@@ -77,9 +81,14 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
 
 /// Rules that make the steps of one that fits, though not by name: a straight turn by the new spin is one by
 /// the old where the spins are a row late, and the other way round, and the position stage cuts a long step
-/// by itself.
+/// by itself; of another body those that make the spin of one that fits.
 fn equals(found: &[Explanation], floor: Floor) -> Vec<Rule> {
     let equal = |x: &Explanation| match x.rule.base {
+        base if x.rule.alteration.is_some() => {
+            let others = Base::every().map(|other| other.in_parts(base.parts()));
+            let same = |other: &Base| other.spin().is_some() && other.spin() == base.spin();
+            others.filter(same).map(|base| Rule { base, ..x.rule }).collect()
+        }
         Base::Straight(Method::SemiImplicitEuler, parts) => {
             vec![Base::Method(Method::ExplicitEuler, parts).but(Alteration::Turned(Turn::Late))]
         }
@@ -89,7 +98,11 @@ fn equals(found: &[Explanation], floor: Floor) -> Vec<Rule> {
         Base::PositionStage(1) => PARTS.map(|parts| Rule::plain(Base::PositionStage(parts))).to_vec(),
         _ => Vec::new(),
     };
-    found.iter().filter(|x| x.fits(floor) && x.rule.alteration.is_none()).flat_map(equal).collect()
+    let is_open = |x: &Explanation| {
+        matches!(x.rule.alteration, None | Some(Alteration::OtherMoments(..) | Alteration::Times(_)))
+    };
+    let all = found.iter().filter(|x| x.fits(floor) && is_open(x)).flat_map(equal);
+    all.filter(|rule| found.iter().all(|x| x.rule != *rule)).collect()
 }
 
 /// In how many parts the best rule found makes its steps, if no rule in another number of parts can come as

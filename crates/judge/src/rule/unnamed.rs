@@ -4,9 +4,7 @@ use crate::read::{Floor, Pair, median};
 use crate::rule::diagnosis::Ranked;
 use crate::rule::tried::explained;
 use crate::rule::{Alteration, Base, Confidence, Explanation, Rule, Subject};
-use crate::thresholds::{
-    ABOVE_ROUNDING, ACCURATE, ALTERED, CLEAR, NEAR, OF_SCATTER, SCATTERED_ROWS, STRAIGHT, TAKEN_BACK,
-};
+use crate::thresholds::*;
 
 /// The exact motion with a number altered, if that explains nearly all of its error; an accurate rule, and
 /// the error of its steps; interpolated rows; rows that scatter, and by how much; or none.

@@ -5,9 +5,7 @@ use crate::laws::{Complaint, FlipCount, Law, Seen, Trial};
 use crate::options::Options;
 use crate::read::{Fit, Kind, Pair, median, unit};
 use crate::rule::{Advice, Subject, Whole, diagnose};
-use crate::thresholds::{
-    ENOUGH_CHANGE, ENOUGH_ROWS, LAW_ROUNDINGS, NEARER_READING, PACE_APART, STILL, TURNS_AGREE,
-};
+use crate::thresholds::*;
 use crate::verdict::{Outcome, Recording, Verdict, spin_faults, wrong_pace, wrong_rule};
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
@@ -33,8 +31,8 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, fit: Option<Fit>, options
     let floor = trial.known.floor.size;
     let end = End { trial: &trial, subject, options, laws: &laws, flips: flips.as_ref(), still };
     let mut complaints = end.complaints();
-    let mut diagnosis =
-        if still { None } else { diagnose(subject, &trial.sample, &trial.known, &end.whole(&complaints)) };
+    let (whole, steps) = (end.whole(&complaints), trial.sample.all());
+    let mut diagnosis = if still { None } else { diagnose(subject, steps, &trial.known, &whole) };
     if free && trial.rows >= ENOUGH_ROWS {
         complaints.extend(diagnosis.as_ref().and_then(wrong_rule));
     }
@@ -50,8 +48,6 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, fit: Option<Fit>, options
             law.growth = graded.iter().find(|x| x.name == law.name).map_or(law.growth, |x| x.growth);
         }
     }
-    let ends = trial.laws.separatrix().filter(|ends| free && ends.iter().all(|x| x.is_finite()));
-    let untraceable = !still && trial.laws.untraceable();
     let Trial { known, laws: followed, first, .. } = trial;
     let has_attitude = first.attitude.is_some();
     Verdict {
@@ -75,12 +71,12 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, fit: Option<Fit>, options
         resets: trial.resets,
         laws,
         flips,
-        separatrix: ends,
+        separatrix: followed.separatrix().filter(|ends| free && ends.iter().all(|x| x.is_finite())),
         diagnosis,
         complaints,
         options: *options,
         fit,
-        untraceable,
+        untraceable: !still && followed.untraceable(),
         curve: followed.points.into_all(),
     }
 }
@@ -89,7 +85,7 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, fit: Option<Fit>, options
 fn is_still(trial: &Trial, subject: &Subject) -> bool {
     let (laws, floor) = (&trial.laws, trial.known.floor.size);
     laws.seen.constant
-        && !subject.should_change(trial.sample.pairs(), floor)
+        && !subject.should_change(trial.sample.all(), floor)
         && (laws.on_axis() || !laws.untraceable() && laws.seen.moved <= STILL * floor)
 }
 
@@ -112,7 +108,7 @@ impl End<'_> {
 
     /// What the whole record shows, besides its single steps.
     fn whole(&self, complaints: &[Complaint]) -> Whole {
-        let Trial { known, laws, sample, pairs, resets, ended, .. } = self.trial;
+        let Trial { known, laws, steps, pairs, resets, ended, .. } = self.trial;
         let sound = known.reading.mistakes().is_empty() && resets.is_empty() && ended.is_none();
         let broken: Vec<LawName> = self.broken().map(|law| law.name).collect();
         let fails = !sound || !broken.is_empty() || !complaints.is_empty();
@@ -122,16 +118,20 @@ impl End<'_> {
             unkept: unkept.map(|law| law.name).collect(),
             fails,
             kept: !laws.untraceable() && self.laws.iter().all(|law| law.growth.rank() == 0),
-            share: sample.seen() as f64 / (*pairs).max(1) as f64,
+            share: *steps as f64 / (*pairs).max(1) as f64,
+            on_wrong_side: complaints.iter().any(|complaint| {
+                let seen = [Seen::BodyInWorld, Seen::WorldInBody].map(Some);
+                matches!(complaint, Complaint::Otherwise { seen: way, .. } if seen.contains(way))
+            }),
         }
     }
 
     /// What is wrong besides the laws and the rule.
     fn complaints(&self) -> Vec<Complaint> {
-        let Trial { known, laws, sample, stopped, ended, rows, .. } = self.trial;
+        let Trial { known, laws, sample, steps, stopped, ended, rows, .. } = self.trial;
         let mut all = Vec::new();
         all.extend(ended.clone().map(|at| Complaint::Ended { at }));
-        all.extend(self.flips.into_iter().flat_map(spin_faults));
+        all.extend(self.flips.into_iter().flat_map(|flips| spin_faults(flips, laws.shows_flips())));
         let moved = laws.seen.moved;
         if self.free()
             && !self.still
@@ -141,13 +141,13 @@ impl End<'_> {
             all.push(Complaint::Constant { moved });
         }
         all.extend(stopped.map(|(line, turn)| Complaint::TooFar { line, turn }));
-        if sample.seen() == 0 {
+        if *steps == 0 {
             all.push(Complaint::NoSteps);
         }
-        all.extend(self.otherwise().map(|off| Complaint::Otherwise { off, seen: turned(sample.pairs()) }));
+        all.extend(self.otherwise().map(|off| Complaint::Otherwise { off, seen: turned(sample.all()) }));
         if self.free() && *rows >= ENOUGH_ROWS {
             let first = laws.separatrix().map(|x| x[0]);
-            all.extend(wrong_pace(self.laws, first, laws.periods(), self.options));
+            all.extend(wrong_pace(self.laws, first, [laws.periods(), laws.pace_left_open()], self.options));
         }
         all
     }

@@ -8,10 +8,14 @@ use crate::rule::{Alteration, Base, Confidence, Diagnosis, Rule};
 use crate::thresholds::PHASE;
 use tumbling::step::Method;
 
-/// A spin that turns over, or flips where it never should, or never where it should.
-pub(crate) fn spin_faults(flips: &FlipCount) -> impl Iterator<Item = Complaint> + use<> {
-    let over = flips.turned_over.map(|time| Complaint::TurnedOver { time });
+/// If digits show it, a spin that turns over, or flips where it never should, or never where it should.
+pub(crate) fn spin_faults(
+    flips: &FlipCount,
+    [axis, shown]: [bool; 2],
+) -> impl Iterator<Item = Complaint> + use<> {
+    let over = flips.turned_over.filter(|_| axis).map(|time| Complaint::TurnedOver { time });
     let counted = match (flips.found, flips.exact) {
+        _ if !shown => None,
         (0, exact) if exact > 0 => Some(Complaint::NeverFlips { exact }),
         (found, 0) if found > 0 => Some(Complaint::Flips { found }),
         _ => None,
@@ -45,21 +49,22 @@ const fn is_wrong(rule: &Rule) -> bool {
     base || altered
 }
 
-/// A phase that ran away, where the caller has set no limit of its own for it. So near the separatrix that
+/// A phase that ran away, where the caller has set no limit of its own for it; of that many
+/// periods, the share of which that digits leave open is to be small. So near the separatrix that
 /// 2 E I2 / L² came farther from its first value than that is from 1, and within its limit, any period is
 /// right.
 pub(crate) fn wrong_pace(
     laws: &[Law],
     first: Option<f64>,
-    periods: f64,
+    [periods, open]: [f64; 2],
     options: &Options,
 ) -> Option<Complaint> {
     let separatrix = laws.iter().find(|law| law.name == LawName::Separatrix && options.allows(law));
-    if separatrix.zip(first).is_some_and(|(law, first)| law.most > (first - 1.0).abs()) {
+    if open > PHASE || separatrix.zip(first).is_some_and(|(law, first)| law.most > (first - 1.0).abs()) {
         return None;
     }
     let phase = laws.iter().find(|law| law.name == LawName::Phase)?;
-    let allowed = PHASE + PHASE * periods;
+    let allowed = PHASE + (PHASE + open) * periods;
     let wrong = options.allowed(LawName::Phase).is_none() && phase.most > allowed;
     wrong.then_some(Complaint::WrongPace { off: phase.most, periods, allowed })
 }

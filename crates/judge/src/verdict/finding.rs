@@ -1,7 +1,7 @@
 //! A diagnosis in words.
 
 use crate::rule::{Advice, Confidence, Diagnosis, Jump, Rule};
-use crate::thresholds::{DIGITS_OF_A_SENSOR, RULES_NAMED};
+use crate::thresholds::*;
 use crate::verdict::plain_number;
 use std::fmt;
 

@@ -2,7 +2,7 @@
 
 use crate::law::LawName;
 use crate::laws::{Growth, Law};
-use crate::thresholds::{GENTLE, STEEP};
+use crate::thresholds::*;
 
 impl Law {
     /// How it is kept, with what a second makes of it: `exponential: shrinks by a factor of 4.85 a second`.

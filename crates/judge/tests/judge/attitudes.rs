@@ -1,6 +1,6 @@
 //! Records of attitudes alone.
 
-use crate::common::{Row, SPINS, exact, judged};
+use crate::common::{Row, SPINS, exact, judged, written};
 use nalgebra::{Quaternion, Vector3};
 use tumbling_judge::{FileMistake, LawName, Options, Outcome, Rule, judge};
 
@@ -27,6 +27,23 @@ fn the_exact_motion_by_its_attitudes_alone_is_kept_to_rounding_in_every_law_that
             assert_eq!(names, &LawName::ALL[..6]);
             assert_eq!(verdict.diagnosis.unwrap().best.rule, Rule::EXACT);
             assert!((verdict.curve[0].spin - Vector3::from(spin)).norm() < 1e-9);
+        }
+    }
+}
+
+#[test]
+fn the_roundings_of_few_digits_break_no_law_and_are_not_said_to_grow() {
+    for (spin, digits) in SPINS.into_iter().flat_map(|spin| [2, 3, 4].map(|digits| (spin, digits))) {
+        for h in [0.01, 0.1] {
+            let number = |x: f64| format!("{x:.*e}", digits - 1);
+            let rows = exact(spin.into(), h, 300);
+            let text = written("# inertia: 1 2 2.5", &rows, |t| format!("{t:?}"), number);
+            let alone = text.lines().map(|line| line.split(',').take(5).collect::<Vec<_>>().join(",") + "\n");
+            for text in [text.clone(), alone.collect()] {
+                let verdict = judged(&text);
+                let grows = verdict.worst().is_some_and(|law| law.growth.rank() > 1);
+                assert!(!grows && verdict.outcome != Outcome::Failed, "{verdict}");
+            }
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Verdicts that were wrong of records that engines make: rows written at the display's rate, single
 //! precision, needles, starts on an axis.
 
-use crate::common::{MOMENTS, Row, csv, exact, judged, stepped, stepped_by, written};
+use crate::common::{MOMENTS, Row, csv, exact, exact_of, judged, stepped, stepped_by, written};
 use nalgebra::{Quaternion, Vector3};
 use std::fmt::Write as _;
 use tumbling::attitude::product;
@@ -23,17 +23,6 @@ fn printed(moments: [f64; 3], rows: &[Row], single: bool) -> String {
     let [a, b, c] = moments;
     let number = |x: f64| if single { format!("{:?}", x as f32) } else { format!("{x:?}") };
     written(&format!("# inertia: {a:e} {b:e} {c:e}"), rows, |t| format!("{t:?}"), number)
-}
-
-/// The exact motion of any moments.
-fn exact_of(moments: [f64; 3], omega: Vector3<f64>, h: f64, count: u32) -> Vec<Row> {
-    let motion = FreeMotion::new(Vector3::from(moments).try_into().unwrap(), &omega).unwrap();
-    let row = |i| {
-        let t = h * f64::from(i);
-        let now = motion.at(t).unwrap();
-        (t, now.attitude.into_inner(), now.omega)
-    };
-    (0..=count).map(row).collect()
 }
 
 #[test]

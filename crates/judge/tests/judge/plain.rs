@@ -48,14 +48,9 @@ fn the_rule_of_a_plain_engine_is_named_whichever_spin_it_turns_by() {
     assert_eq!(named(&plain(true, true, 600)).method(), Some((Method::ExplicitEuler, 1)));
 }
 
-/// As many digits after the point.
-fn fixed(x: f64, places: usize) -> String {
-    format!("{x:.places$}")
-}
-
 #[test]
 fn a_spin_without_its_gyroscopic_term_fails_however_few_its_digits() {
-    let verdict = judged(&text(&plain(false, false, 1200), |x| fixed(x, 4)));
+    let verdict = judged(&text(&plain(false, false, 1200), |x| format!("{x:.4}")));
     assert_eq!(verdict.outcome, Outcome::Failed, "{verdict}");
     let diagnosis = verdict.diagnosis.unwrap();
     let kept = |rule: &Rule| {

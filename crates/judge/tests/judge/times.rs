@@ -1,27 +1,21 @@
 //! Times that are wrong by one factor, and attitudes that turn otherwise than by their spin.
 
-use crate::common::{Row, SPINS, judged, written};
+use crate::common::{Row, SPINS, exact_of, judged, written};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::attitude::{product, rotation_matrix, turn};
-use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, PositionStage, State, System};
-use tumbling_judge::{Alteration, Base, FileMistake, Rule, Turn};
+use tumbling_judge::{Alteration, Base, FileMistake, Outcome, Rule, Turn};
 
 const BODIES: [[f64; 3]; 3] = [[1.0, 2.0, 2.5], [0.4, 1.0, 1.1], [3.0, 2.5, 1.0]];
 const H: f64 = 0.01;
 
 /// The rows of a body by a step, `None` by the exact motion.
 fn run(moments: [f64; 3], spin: Vector3<f64>, method: Option<Method>) -> Vec<Row> {
+    let Some(method) = method else { return exact_of(moments, spin, H, 599) };
     let system = System::free(Vector3::from(moments).try_into().unwrap()).unwrap();
-    let motion = FreeMotion::new(Vector3::from(moments).try_into().unwrap(), &spin).unwrap();
     let mut state = State { attitude: Quaternion::identity(), momentum: system.momentum(&spin) };
     let row = |i: u32| {
-        let t = H * f64::from(i);
-        let row = (t, state.attitude, system.omega(&state.momentum));
-        let Some(method) = method else {
-            let now = motion.at(t).unwrap();
-            return (t, now.attitude.into_inner(), now.omega);
-        };
+        let row = (H * f64::from(i), state.attitude, system.omega(&state.momentum));
         state = method.step(&system, &state, H).unwrap();
         row
     };
@@ -55,6 +49,22 @@ fn times_that_are_wrong_by_a_factor_are_said_first_and_the_rule_behind_them_is_n
                 let named: Vec<Rule> = [&[found.best.rule][..], &found.alike].concat();
                 let own = method.map_or(Base::Exact, |method| Base::Method(method, every as u32));
                 assert!(named.contains(&Rule::plain(own)), "{every} {times} {verdict}");
+            }
+        }
+    }
+}
+
+#[test]
+fn times_that_are_nearly_right_are_a_mistake_where_one_factor_is_all_that_is_wrong() {
+    for (moments, spin) in BODIES.into_iter().zip([SPINS[0], SPINS[1], SPINS[3]]) {
+        for method in [None, Some(Method::SemiImplicitEuler), Some(Method::Rescaled)] {
+            for times in [1.05, 0.98] {
+                let verdict = judged(&timed(moments, &run(moments, spin.into(), method), 1, times));
+                let rule = verdict.diagnosis.as_ref().unwrap().best.rule;
+                let Some(Alteration::Times(found)) = rule.alteration else { panic!("{verdict}") };
+                assert!((found * times - 1.0).abs() < 1e-6, "{verdict}");
+                let own = method.map_or(Base::Exact, |method| Base::Method(method, 1));
+                assert!(rule.base == own && verdict.outcome == Outcome::Failed, "{verdict}");
             }
         }
     }
@@ -184,6 +194,7 @@ fn noise_scatters_and_the_roundings_of_a_fine_run_turned_on_the_wrong_side_do_no
     );
     let said = judged(&text).to_string();
     assert!(!said.contains("scatter") && said.contains("(dq * q, not q * dq)"), "{said}");
+    assert!(said.contains("stands on the wrong side") && !said.contains("Compare the engine"), "{said}");
 }
 
 #[test]

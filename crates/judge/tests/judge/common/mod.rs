@@ -16,15 +16,20 @@ pub type Row = (f64, Quaternion<f64>, Vector3<f64>);
 
 /// The exact motion, from an attitude that is not the identity.
 pub fn exact(omega: Vector3<f64>, h: f64, count: u32) -> Vec<Row> {
-    let motion = FreeMotion::new(MOMENTS.try_into().unwrap(), &omega).unwrap();
-    let start = nalgebra::UnitQuaternion::from_euler_angles(0.4, -0.3, 1.1);
-    (0..=count)
-        .map(|i| {
-            let t = h * f64::from(i);
-            let now = motion.at(t).unwrap();
-            (t, (start * now.attitude).into_inner(), now.omega)
-        })
-        .collect()
+    let start = nalgebra::UnitQuaternion::from_euler_angles(0.4, -0.3, 1.1).into_inner();
+    let rows = exact_of(MOMENTS.into(), omega, h, count).into_iter();
+    rows.map(|(t, q, omega)| (t, start * q, omega)).collect()
+}
+
+/// The exact motion of any moments.
+pub fn exact_of(moments: [f64; 3], omega: Vector3<f64>, h: f64, count: u32) -> Vec<Row> {
+    let motion = FreeMotion::new(Vector3::from(moments).try_into().unwrap(), &omega).unwrap();
+    let row = |i| {
+        let t = h * f64::from(i);
+        let now = motion.at(t).unwrap();
+        (t, now.attitude.into_inner(), now.omega)
+    };
+    (0..=count).map(row).collect()
 }
 
 /// A run of a method.
