@@ -109,7 +109,7 @@ refusals! {
         ErrorKind::Impossible, Subject::PrincipalMoments,
         // The two smaller in either order name one rule; the larger of them first reads best.
         "no body has principal moments {0}, {1}, {2}: the triangle inequality {1} + {0} >= {2} fails by \
-         {excess}, more than rounding ({3}){4}",
+         {excess:?}, more than rounding ({3}){4}",
         moments[0], moments[1], moments[2], Margin(*tolerance), hint(*printed);
 
     /// The nearest possible tensor or moments lie farther away than the stated tolerance, both relative to

@@ -37,6 +37,6 @@ pub use options::Options;
 pub use read::{FileMistake, Fit, Kind, Note};
 pub use rule::{
     Advice, Alteration, Base, Confidence, Diagnosis, Explanation, Jump, Limits, PHYSICS_ENGINES,
-    PhysicsEngine, Rule, Turn, When,
+    PhysicsEngine, Rule, Steps, Turn, When,
 };
 pub use verdict::{Outcome, Recording, Section, Verdict};

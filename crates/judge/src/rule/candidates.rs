@@ -1,12 +1,12 @@
 //! The body of a record, and how each rule that may have made it takes a row one step further.
 
 use crate::read::{Pair, Row, angle_between, ordered, unit};
-use crate::rule::{Alteration, Base, Limits, Rule, Turn, When, parted, turned_straight};
+use crate::rule::{Alteration, Base, Limits, Rule, Steps, Turn, When, parted, turned_straight};
 use crate::thresholds::*;
 use nalgebra::{Quaternion, Vector3};
 use tumbling::exact::FreeMotion;
-use tumbling::step::{PositionStage, State, System, Torque};
-use tumbling::{Error, attitude, dynamics::euler};
+use tumbling::step::{Engine, PositionStage, State, System, Torque};
+use tumbling::{Body, Error, Inertia, attitude, dynamics::euler};
 
 /// An attitude, body to world, and a spin in body axes, rad/s.
 type End = (Quaternion<f64>, Vector3<f64>);
@@ -98,10 +98,10 @@ impl Subject {
             }
             Base::Engine(engine) => engine.step(&self.system, &self.motion(from), h).ok().map(end),
             Base::PositionStage(parts) => self.staged(parts.max(1), from, h),
-            Base::FrozenTensor(first) => {
+            Base::FrozenTensor(first, steps) => {
                 // In the axes that the body had there the tensor is frozen at the identity.
                 let from = Row { attitude: Some(attitude::product(&first.conjugate(), &start)), ..*from };
-                let (q, omega) = self.frozen(&from, h);
+                let (q, omega) = self.frozen(steps, &from, h)?;
                 Some((attitude::product(&first, &q), omega))
             }
             Base::MomentumForSpin(mass) => {
@@ -128,12 +128,20 @@ impl Subject {
     }
 
     /// The step with the tensor frozen as it stands at the identity.
-    fn frozen(&self, from: &Row, h: f64) -> End {
+    fn frozen(&self, steps: Steps, from: &Row, h: f64) -> Option<End> {
         let start = from.start();
+        if steps == Steps::Fourth {
+            let [a, b, c] = self.moments.into();
+            let body =
+                Body::spinning(Inertia::from_moments(a, b, c).ok()?, unit(&start), &from.omega).ok()?;
+            let run = Engine::Frozen.run(&body, h, 1).ok()?;
+            let end = run.last().unwrap_or(&body);
+            return Some((end.attitude().into_inner(), end.omega_body()));
+        }
         let world = attitude::rotation_matrix(&start) * from.omega;
         let world = world + euler::angular_acceleration(&self.moments, &world, &Vector3::zeros()) * h;
         let q = attitude::product(&attitude::turn(&(world * h)), &start);
-        (q, attitude::rotation_matrix(&q).tr_mul(&world))
+        Some((q, attitude::rotation_matrix(&q).tr_mul(&world)))
     }
 
     /// The attitude and spin that a rule makes of a row.

@@ -30,7 +30,7 @@ pub enum Base {
     /// A physics engine's rule, and what the engine adds to it for a fast body.
     Engine(PhysicsEngine),
     /// The spin in the world by the body's tensor as it stood at this attitude.
-    FrozenTensor(Quaternion<f64>),
+    FrozenTensor(Quaternion<f64>, Steps),
     /// The momentum, divided by this one number, turns the body.
     MomentumForSpin(f64),
     /// The spin by this method, and the attitude straight by the new one: `q + h/2 q w`, its length set to 1
@@ -97,6 +97,21 @@ impl Turn {
     /// Whether row and row are of different instants, of a rule that may be right.
     pub(crate) const fn is_of_rows(self) -> bool {
         matches!(self, Self::Old | Self::Late | Self::Early | Self::Otherwise)
+    }
+}
+
+/// Of what order the frozen tensor's spin is stepped.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Steps {
+    /// Straight ahead.
+    First,
+    /// By Runge and Kutta, as [`Engine::Frozen`](tumbling::step::Engine) is.
+    Fourth,
+}
+
+impl Steps {
+    fn frozen(first: Quaternion<f64>) -> [Base; 2] {
+        [Self::First, Self::Fourth].map(|steps| Base::FrozenTensor(first, steps))
     }
 }
 
@@ -266,7 +281,7 @@ pub(crate) fn plain(free: bool, pairs: &[Pair]) -> Vec<Rule> {
     }
     all.extend(Method::ALL.iter().map(|&method| Base::Method(method, 1)));
     all.extend(free.then_some(Base::PositionStage(1)));
-    all.push(Base::FrozenTensor(Quaternion::identity()));
+    all.extend(Steps::frozen(Quaternion::identity()));
     distinct(all).into_iter().map(Rule::plain).collect()
 }
 
@@ -312,7 +327,7 @@ pub(crate) fn of_parts(parts: u32) -> Vec<Rule> {
 pub(crate) fn frozen_at(pairs: &[Pair]) -> Vec<Rule> {
     let first = pairs.first().and_then(|pair| pair.from.attitude).map(|q| q / q.norm());
     let other = first.filter(|q| q.imag().norm() > 0.0 && q.norm().is_finite());
-    other.map(|q| Rule::plain(Base::FrozenTensor(q))).into_iter().collect()
+    other.into_iter().flat_map(Steps::frozen).map(Rule::plain).collect()
 }
 
 /// The most spin along an axis of the world after any step.
