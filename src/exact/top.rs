@@ -198,8 +198,8 @@ impl LagrangeTop {
 
     /// Spin (body axes, rad/s) and attitude (body to world) at time `t`.
     ///
-    /// In tests energy and both momenta are kept to rounding up to some 1e18 rad of turning. Later the phases
-    /// lose their last digits: at 1e30 rad the momentum about the vertical was off by up to 1e-3.
+    /// In tests the energy is kept to 1e-13 and both momenta to 1e-11 up to some 1e18 rad of turning. Later
+    /// the phases lose their last digits.
     ///
     /// # Errors
     /// A time that is not finite.

@@ -46,7 +46,7 @@ enum What {
         #[arg(value_name = "CHAPTER")]
         chapters: Vec<String>,
     },
-    /// Problems of a chapter for paper and pencil, and their answers in a file of their own: PDF, and HTML
+    /// Problems of a chapter for paper and pencil, and a second sheet with their answers: PDF, and HTML
     Problems {
         /// The chapters, by the names of their pages, such as two-arrows; every chapter if not given
         #[arg(value_name = "CHAPTER")]

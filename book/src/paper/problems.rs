@@ -1,4 +1,5 @@
-//! The problems of a chapter for paper and pencil, from its section of the page of problems; answers apart.
+//! The problems of a chapter for paper and pencil, from its section of the page of problems; a second sheet
+//! has the answers.
 
 use super::page::Page;
 use super::pages::Paper;
@@ -17,7 +18,8 @@ struct Problem {
     answer: Vec<Node>,
 }
 
-/// The problems of a chapter as HTML, or their answers, set this closely, in the language of its page.
+/// The problems of a chapter as HTML, alone or each with its answer, set this closely, in the language of
+/// its page.
 ///
 /// # Errors
 /// There is no such chapter, or an answer or a translation is missing.

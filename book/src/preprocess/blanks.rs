@@ -44,7 +44,9 @@ fn unit(word: &str) -> bool {
 
 /// The bytes of the unit behind a value that ends before this text: ` kg m²/s`.
 pub(super) fn unit_behind(text: &str) -> usize {
-    let words = text.strip_prefix(' ').unwrap_or_default().split(' ').take_while(|word| unit(word));
+    let mut ended = false;
+    let words = text.strip_prefix(' ').unwrap_or_default().split(' ');
+    let words = words.take_while(|word| !std::mem::replace(&mut ended, word.ends_with(MARKS)) && unit(word));
     let taken: usize = words.map(|word| 1 + word.len()).sum();
     text[..taken].trim_end_matches(MARKS).len()
 }

@@ -54,7 +54,8 @@ pub(super) fn lay_out(shown: &Shown, palette: &Palette, folder: &Path) -> Result
 
 /// The name of the figure that this target leads to, if it leads to one: all chapters lie in one folder.
 fn figure_name(target: &str) -> Option<String> {
-    target.strip_prefix("../../figures/")?.strip_suffix(".svg").map(str::to_owned)
+    let name = target.strip_prefix("../../figures/")?.strip_suffix(".svg")?;
+    (!name.contains('/')).then(|| name.to_owned())
 }
 
 /// A paragraph that holds a figure and nothing else, and the caption after it.

@@ -34,7 +34,7 @@ impl Drawing {
             }
         }
         if !text.contains(&format!(" aria-labelledby=\"{name}-title {name}-desc\"")) {
-            return fault("has no title and no description of its own".into());
+            return fault("is not labelled by its own title and description".into());
         }
         Ok(Self { text })
     }

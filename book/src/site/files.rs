@@ -27,7 +27,8 @@ pub(crate) fn text(file: &Path) -> Result<String, String> {
 /// That it cannot be read.
 pub(crate) fn listed(folder: &Path) -> Result<Vec<(String, String)>, String> {
     let line = |line: &str| {
-        let (title, file) = line.trim_start_matches([' ', '-']).strip_prefix('[')?.split_once("](")?;
+        let item = line.trim().trim_start_matches(|c: char| c.is_ascii_digit() || " \t-*+.".contains(c));
+        let (title, file) = item.strip_prefix('[')?.split_once("](")?;
         Some((file.strip_suffix(".md)")?.to_owned(), title.to_owned()))
     };
     Ok(text(&folder.join("SUMMARY.md"))?.lines().filter_map(line).collect())

@@ -11,8 +11,9 @@ tumblingLive.judgeVerdict = (() => {
         return element;
     }
 
-    /** A law that is broken by more than is allowed. */
-    const broken = ({ most, allowed }) => allowed !== null && !(most !== null && Math.abs(most) <= allowed);
+    /** A law that is broken by more than is allowed, and than the record's digits leave open. */
+    const broken = ({ most, allowed, grade }) =>
+        allowed !== null && grade !== "kept to rounding" && !(most !== null && Math.abs(most) <= allowed);
 
     function table(place, rows, { columns, laws }) {
         const table = put(put(place, "div", "", "table-wrapper"), "table");

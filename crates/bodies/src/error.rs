@@ -22,7 +22,10 @@ impl Error {
     #[must_use]
     pub fn new(why: impl fmt::Display) -> Self {
         // What a program calls, a file says by a field.
-        let why = why.to_string().replace("`within` takes a tolerance", "`tolerance` says by how much");
+        let why = why.to_string().replace(
+            "`within` takes a tolerance and gives the nearest possible body",
+            "`tolerance` says by how much, and the nearest possible body is taken",
+        );
         Self { file: None, line: None, field: None, why }
     }
 

@@ -11,12 +11,11 @@ pub(crate) type Triangles = (Vec<Vector3<f64>>, Vec<[usize; 3]>);
 
 /// The triangles of a file; those of an STL are welded where coordinates are equal.
 pub(crate) fn read(path: &Path, files: &Files<'_>) -> Result<Triangles, Error> {
-    let bytes = files.mesh(path)?;
-    // The mark of UTF-8 that some programs write first.
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
+    let bytes = &*files.mesh(path)?;
     let found = match path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).as_deref() {
         Some("stl") => stl(bytes),
-        Some("obj") => obj(&String::from_utf8_lossy(bytes)),
+        // Without the mark of UTF-8 that some programs write first.
+        Some("obj") => obj(&String::from_utf8_lossy(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes))),
         _ => Err(Error::new("a mesh is read from a file that ends in .stl or .obj")),
     };
     found.map_err(|error| error.in_file(path))

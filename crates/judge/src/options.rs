@@ -11,7 +11,8 @@ use nalgebra::Vector3;
 pub struct Options {
     /// Principal moments, kg m²; they take precedence over what the record says.
     pub inertia: Option<Vector3<f64>>,
-    /// The most that a law may be broken by: of energy and momentum as a share, of a direction in rad.
+    /// The most that a law may be broken by, where the digits of the record show it: of energy and momentum
+    /// as a share, of a direction in rad.
     pub threshold: f64,
     /// Limits for single laws, in place of `threshold`. A limit for phase (in periods) or for consistency
     /// makes that law count. Without one, a phase fails that is off by more than a quarter of a period and a

@@ -68,5 +68,5 @@ fn a_colour_that_is_not_in_the_palette_becomes_the_nearest() {
 fn a_picture_of_another_size_is_refused_in_a_sentence() {
     let mut film = Film::new(Palette::new(&INKS, &[], 8), [10, 7], 50).unwrap();
     let refused = film.add(&picture(0)).unwrap_err().to_string();
-    assert_eq!(refused, "a picture of [12, 7] pixels in a film of [10, 7]");
+    assert_eq!(refused, "a picture of 12 × 7 pixels in a film of 10 × 7");
 }

@@ -329,19 +329,20 @@ impl Laws {
     /// leave open which axis the spin circles.
     pub(crate) fn pace_left_open(&self) -> f64 {
         let omega = self.start.row.omega;
-        let Ok(Some(period)) = self.exact.period() else { return 0.0 };
+        let Ok(Some(period)) = self.exact.period() else {
+            return f64::from(u8::from(matches!(self.exact.regime(), Regime::Separatrix { .. })));
+        };
         let off = LAW_DIGITS * self.floor.size * omega.norm();
         let other = |off: Vector3<f64>| {
             let motion = FreeMotion::new(self.moments.try_into().ok()?, &(omega + off)).ok()?;
             let is_same = circled(&motion, &self.moments) == self.circled.map(|axes| axes[0]);
             Some((motion.period().ok()?.filter(|_| is_same)? / period - 1.0).abs())
         };
-        let each = (0..6).map(|i| other(Vector3::ith(i % 3, if i < 3 { off } else { -off })).unwrap_or(1.0));
-        each.fold(0.0, f64::max)
+        (0..6).map(|i| other(Vector3::ith(i % 3, [off, -off][i / 3])).unwrap_or(1.0)).fold(0.0, f64::max)
     }
 
-    /// Whether digits show which axis the spin circles; and whether it flips, where that is not so near to
-    /// the end that an error of phase decides.
+    /// Whether digits show which axis the spin circles; and whether it flips: not where that is so near to
+    /// the end that an error of phase decides, nor from a start without a middle component to its digits.
     pub(crate) fn shows_flips(&self) -> [bool; 2] {
         let shown = self.pace_left_open() < PHASE;
         let end = self.seen.last.t - self.start.row.t;

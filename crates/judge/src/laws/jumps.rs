@@ -113,8 +113,9 @@ impl Jumps {
             let mean = (last.omega + state.omega) / 2.0;
             let rate = euler::angular_acceleration(&self.moments, &mean, &Vector3::zeros());
             let off = (state.omega - last.omega - rate * h).norm() / before.max(now);
-            let is_far = off > errors * self.errors.off && off > roundings * self.floor;
-            return back && is_far && self.errors.steps >= STEPS_BEFORE_A_JUMP;
+            let change = (state.omega - last.omega).norm() / before.max(now);
+            let is_far = off.min(change) > roundings * self.floor && off > errors * self.errors.off;
+            return back && (change > jump || is_far && self.errors.steps >= STEPS_BEFORE_A_JUMP);
         };
         let turned = angle_between(&was, &q);
         back && angle_between(&first, &q) < BACK

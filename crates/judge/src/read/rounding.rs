@@ -14,9 +14,10 @@ pub(crate) fn rounding(probe: &[Raw], in_world: bool) -> f64 {
     // Numbers that stay as they are may fit any precision.
     let all_stay = moves == [false; 2];
     let groups = [(0, 1.0), (1, vector)].into_iter().filter(|(group, _)| moves[*group] || all_stay);
+    // Single precision is known by its size, which stays.
     let own = |(group, size)| match rounding_of(probe, group, size, all_stay) {
-        of_digits if in_world && group == 0 && of_digits != f64::from(f32::EPSILON) => 2.0 * of_digits,
-        other => other,
+        own if in_world && group == 0 && own != f64::from(f32::EPSILON) => 2.0 * own,
+        own => own,
     };
     groups.map(own).fold(f64::EPSILON, f64::max)
 }

@@ -99,7 +99,8 @@ fn of_term(subject: &Subject, few: &[Pair], base: Base, term: f64, turned: Optio
     };
     let far = (times - 1.0).abs();
     let is_seen = |how: &Alteration| match how {
-        how if !keeps || matches!(how, Alteration::Times(_)) => far > NEAR_A_TERM[1],
+        Alteration::Times(own) => (own - 1.0).abs() > NEAR_A_TERM[1],
+        _ if !keeps => far > NEAR_A_TERM[1],
         _ => base == Base::Exact && far > RATE_APART,
     };
     let turned = turned.or(with_attitude.then_some(1.0));

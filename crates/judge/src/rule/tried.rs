@@ -51,7 +51,7 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
         }
         found.extend(in_parts);
     }
-    let plain = found.len();
+    let unaltered = found.len();
     found.extend(equals(&found, floor).into_iter().filter_map(explained));
     let more: [Fitted; 3] = [|_, pairs, _| frozen_at(pairs), compound, other_bodies];
     for rules in more {
@@ -63,7 +63,7 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
             found.extend(rules.filter(|x| !is_small(&x.rule) || x.fits(floor)));
         }
     }
-    found.extend(equals(&found[plain..], floor).into_iter().filter_map(explained));
+    found.extend(equals(&found[unaltered..], floor).into_iter().filter_map(explained));
     let with_attitude = pairs.first().is_some_and(|pair| pair.from.attitude.is_some());
     // A turn that is nearly all of it is a better answer than none.
     let exact = found.iter().find(|x| x.rule == Rule::EXACT).map_or(0.0, |x| x.median);
@@ -81,7 +81,7 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
 
 /// Rules that make the steps of one that fits, though not by name: a straight turn by the new spin is one by
 /// the old where the spins are a row late, and the other way round, and the position stage cuts a long step
-/// by itself; of another body those that make the spin of one that fits.
+/// by itself; of another body, or of other times, those that make the spin of one that fits.
 fn equals(found: &[Explanation], floor: Floor) -> Vec<Rule> {
     let equal = |x: &Explanation| match x.rule.base {
         base if x.rule.alteration.is_some() => {

@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Outcome {
-    /// The file is sound, and every law is kept within the threshold.
+    /// The file is sound, and every law is kept within the threshold, or within what the digits show.
     Passed,
     /// The file is not sound, or a law is broken.
     Failed,
@@ -106,7 +106,7 @@ impl Verdict {
             .max_by(|a, b| a.growth.rank().cmp(&b.growth.rank()).then(a.most.total_cmp(&b.most)))
     }
 
-    /// The laws that are broken by more than is allowed.
+    /// The laws that are broken by more than is allowed and than the digits leave open.
     pub fn broken(&self) -> impl Iterator<Item = &Law> {
         self.laws.iter().filter(|law| !self.options.allows(law))
     }

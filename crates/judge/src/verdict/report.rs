@@ -136,10 +136,18 @@ impl Verdict {
         once.max(self.record.step.unwrap_or(0.0) * (ENOUGH_ROWS - 1) as f64)
     }
 
-    /// What every law is kept within.
+    /// What every law is kept within, and which are beyond it by what the digits leave open.
     fn within(&self) -> String {
         let own = self.options.own().map(|(law, most)| format!(", {} within {most}", law.words()));
-        format!("every law is kept within {}{}", self.options.threshold, own.collect::<String>())
+        let own: String = own.collect();
+        let beyond = |law: &&Law| self.options.allowed(law.name).is_some_and(|most| law.most.abs() > most);
+        let words = |law: &Law| format!("{} by {}", law.name.words(), plain_number(law.most));
+        let open: Vec<String> = self.laws.iter().filter(beyond).map(words).collect();
+        let open = match &open[..] {
+            [] => String::new(),
+            open => format!("; or off by no more than its digits leave open: {}", open.join(", ")),
+        };
+        format!("every law is kept within {}{own}{open}", self.options.threshold)
     }
 
     /// The laws, the separatrix and the flips.

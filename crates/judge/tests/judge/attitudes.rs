@@ -43,6 +43,9 @@ fn the_roundings_of_few_digits_break_no_law_and_are_not_said_to_grow() {
                 let verdict = judged(&text);
                 let grows = verdict.worst().is_some_and(|law| law.growth.rank() > 1);
                 assert!(!grows && verdict.outcome != Outcome::Failed, "{verdict}");
+                let off = verdict.laws.iter().any(|law| law.name.is_conserved() && law.most > 0.01);
+                let said = verdict.to_string().contains("no more than its digits leave open");
+                assert_eq!(said, off && verdict.outcome == Outcome::Passed, "{verdict}");
             }
         }
     }

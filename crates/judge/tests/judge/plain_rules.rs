@@ -117,4 +117,8 @@ fn a_slow_body_put_back_to_its_start_is_seen() {
         assert_eq!(verdict.resets[0].line, 203, "{verdict}");
         assert_eq!(verdict.outcome, Outcome::Failed);
     }
+    // A spin that stays is back at its start in each row, also where rows are missing.
+    let rows: Vec<(f64, State)> = run(without_term, start()).collect();
+    let verdict = judged(&written([&rows[..100], &rows[106..]].concat().into_iter(), false));
+    assert!(verdict.resets.is_empty(), "{verdict}");
 }

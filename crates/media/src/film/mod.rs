@@ -44,9 +44,11 @@ impl Film {
     /// # Errors
     /// A picture of another size, or what the encoder reports.
     pub fn add(&mut self, picture: &Picture) -> Result<(), Error> {
-        let found = [picture.width, picture.height];
-        if found != self.size.map(u32::from) {
-            return Err(Error(format!("a picture of {found:?} pixels in a film of {:?}", self.size)));
+        let (found, [width, height]) = ([picture.width, picture.height], self.size.map(u32::from));
+        if found != [width, height] {
+            let [own, tall] = found;
+            let words = format!("a picture of {own} × {tall} pixels in a film of {width} × {height}");
+            return Err(Error(words));
         }
         let next: Vec<u8> = picture.pixels.iter().map(|&colour| self.palette.nearest(colour)).collect();
         let before = std::mem::replace(&mut self.shown, next);
