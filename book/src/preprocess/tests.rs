@@ -189,7 +189,7 @@ fn a_drawing_that_may_not_stand_in_a_page_says_why() {
         ("<svg><script>1</script></svg>", "`<script`"),
         ("<svg><image href=\"https://example.org/x.png\"/></svg>", "`<image`"),
         ("<svg><a href=\"https://example.org\"/></svg>", "`https://`"),
-        ("<svg><path/></svg>", "no title"),
+        ("<svg><path/></svg>", "not labelled by its own title"),
     ] {
         let faults = shown_with(svg, text).unwrap_err();
         assert!(faults.contains(why), "{svg}: {faults}");
