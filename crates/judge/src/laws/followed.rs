@@ -375,7 +375,7 @@ impl Laws {
                 }
             })
             .map(|(name, curve)| {
-                // Some rounding units a step, besides that of the numbers; of a time, of all it turns.
+                // Some roundings a step, besides those of the numbers; in a phase one for each radian too.
                 // Digits that a file lacks are lacking in each row alone: the engine goes on with its own.
                 let own = (f64::from(f32::EPSILON) / self.floor.size).min(1.0);
                 let [once, each] = LAW_ROUNDINGS;
