@@ -1,4 +1,4 @@
-//! Notes which compiler builds this, for the head of the record.
+//! Notes which compiler builds this, and whether for release, for the head of the record.
 
 use std::process::Command;
 
@@ -8,4 +8,5 @@ fn main() {
     let said = Command::new(compiler).arg("--version").output();
     let version = said.ok().and_then(|out| String::from_utf8(out.stdout).ok()).unwrap_or_default();
     println!("cargo::rustc-env=MEASURED_WITH={}", version.trim());
+    println!("cargo::rustc-env=BUILT_FOR={}", std::env::var("PROFILE").unwrap_or_default());
 }

@@ -42,32 +42,34 @@ pub(super) fn check(
         return Ok(());
     }
     let bounds: Vec<_> = shells.iter().map(Shell::bounds).collect();
-    let mut views = 0;
+    // Counted before the first is taken, so that too many are refused at once.
+    let (mut views, mut looks) = (0, Vec::new());
     for own in &shells {
-        for side in [-BESIDE, BESIDE] {
-            let point = own.next_to(vertices, side);
-            let (mut winding, mut doubt) = (0.0, 0.0);
+        for point in [-BESIDE, BESIDE].map(|side| own.next_to(vertices, side)) {
             let near = point.nearest();
             let around = shells.iter().zip(&bounds).filter(|(_, bounds)| !outside(&near, bounds));
-            for (other, _) in around.filter(|(other, _)| other.may_enclose(&point)) {
-                views += other.faces.len();
-                Refusal::TooManyShells { shells: shells.len(), most: MOST_VIEWS }.when(views > MOST_VIEWS)?;
-                for face in &other.faces {
-                    match solid_angle(face.map(|v| point.sight(&vertices[v]))) {
-                        Some(angle) => winding += angle / (2.0 * TAU),
-                        None => doubt += 0.5,
-                    }
-                }
+            let around: Vec<_> = around.map(|x| x.0).filter(|other| other.may_enclose(&point)).collect();
+            views += around.iter().map(|other| other.faces.len()).sum::<usize>();
+            Refusal::TooManyShells { shells: shells.len(), most: MOST_VIEWS }.when(views > MOST_VIEWS)?;
+            looks.push((own, point, around));
+        }
+    }
+    for (own, point, around) in looks {
+        let (mut winding, mut doubt) = (0.0, 0.0);
+        for face in around.iter().flat_map(|other| &other.faces) {
+            match solid_angle(face.map(|v| point.sight(&vertices[v]))) {
+                Some(angle) => winding += angle / (2.0 * TAU),
+                None => doubt += 0.5,
             }
-            // Refused only if neither 0 nor 1 whichever side rounding put the point on.
-            if winding + doubt < -0.5 || winding - doubt > 1.5 {
-                return Err(Refusal::MisplacedShell {
-                    face: own.first,
-                    volume: own.volume(vertices).nearest(),
-                    winding: winding.round(),
-                }
-                .into());
+        }
+        // Refused only if neither 0 nor 1 whichever side rounding put the point on.
+        if winding + doubt < -0.5 || winding - doubt > 1.5 {
+            return Err(Refusal::MisplacedShell {
+                face: own.first,
+                volume: own.volume(vertices).nearest(),
+                winding: winding.round(),
             }
+            .into());
         }
     }
     Ok(())

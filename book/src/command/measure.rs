@@ -54,7 +54,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 
 /// Measures the library's methods, or has the peers' own program measure them with the peers.
 fn measure(quick: bool, peers: bool) -> Result<(), Box<dyn Error>> {
-    if cfg!(debug_assertions) {
+    if !tumbling_measure::IS_RELEASE {
         return Err("times of a build for tests say nothing: `cargo run --release -- measure`".into());
     }
     let folder = paths::repository().join("crates/measure").join(if quick { "quick" } else { "record" });

@@ -25,5 +25,7 @@ mod setup;
 pub mod story;
 pub mod verdict;
 
+pub use setup::IS_RELEASE;
+
 /// What went wrong, in words.
 pub type AnyError = Box<dyn std::error::Error>;

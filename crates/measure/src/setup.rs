@@ -3,12 +3,14 @@
 use std::process::Command;
 use std::thread::available_parallelism;
 
+/// Whether this is built to be measured: what is built for tests is optimised less.
+pub const IS_RELEASE: bool = matches!(env!("BUILT_FOR").as_bytes(), b"release");
+
 /// The head of a record: what its columns are, then when it was measured, on which machine, built by what.
 #[must_use]
 pub fn head(what: &[(&str, &str)]) -> Vec<(String, String)> {
     let cores = available_parallelism().map_or(0, usize::from);
-    let profile =
-        if cfg!(debug_assertions) { "with debug assertions: not for the record" } else { "release" };
+    let profile = if IS_RELEASE { "release" } else { "built for tests: not for the record" };
     let circumstances = [
         ("when", today().unwrap_or_else(|| "unknown".to_owned())),
         ("machine", format!("{}, {cores} cores, {}", processor(), std::env::consts::OS)),
