@@ -7,6 +7,6 @@ fn main() {
     let compiler = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let said = Command::new(compiler).arg("--version").output();
     let version = said.ok().and_then(|out| String::from_utf8(out.stdout).ok()).unwrap_or_default();
-    println!("cargo::rustc-env=MEASURED_WITH={}", version.trim());
-    println!("cargo::rustc-env=BUILT_FOR={}", std::env::var("PROFILE").unwrap_or_default());
+    let profile = std::env::var("PROFILE").unwrap_or_default();
+    println!("cargo::rustc-env=MEASURED_WITH={}\ncargo::rustc-env=BUILT_FOR={profile}", version.trim());
 }

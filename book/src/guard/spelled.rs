@@ -2,7 +2,9 @@
 //!
 //! Each stands in a phrase of the section's code, as numbers do, or in `words.toml` with the word behind it.
 
+use std::collections::HashMap;
 use std::ops::Range;
+use std::sync::LazyLock;
 
 /// A number word.
 #[derive(Debug, Clone)]
@@ -31,16 +33,27 @@ const POWERS: [&str; 4] = ["hundred", "thousand", "million", "billion"];
 const ORDER: &str = "first second third thirds fourth sixth seventh eighth ninth sixteenth half halves quarter quarters \
     once ones double doubled triple dozen";
 
-fn value(word: &str) -> Option<f64> {
-    let place = |list: &str, word: &str| list.split(' ').position(|known| known == word).map(|n| n as f64);
-    let tens = |word: &str| place(TENS, word).map(|n| 10.0 * (n + 2.0));
-    let both = || word.split_once('-').and_then(|(ten, one)| Some(tens(ten)? + place(CARDINALS, one)?));
-    place(CARDINALS, word).or_else(|| tens(word)).or_else(both).or_else(|| parts(word))
-}
+/// The value of each word of these lists, if it has one, and whether its plural counts too. All words of the
+/// book are looked up in it.
+static KNOWN: LazyLock<HashMap<&str, (Option<f64>, bool)>> = LazyLock::new(|| {
+    let order = ORDER.split_whitespace().map(|word| (word, (None, false)));
+    let tens = TENS.split(' ').zip((20..).step_by(10));
+    let plain = CARDINALS.split_whitespace().zip(0..).chain(tens);
+    let others: Vec<_> = OTHERS.split_whitespace().collect();
+    let parts = others.as_chunks().0.iter().map(|[word, number]| (*word, (number.parse().ok(), true)));
+    order.chain(plain.map(|(word, n)| (word, (Some(f64::from(n)), false)))).chain(parts).collect()
+});
 
-/// Of a power of ten, a multiple or a fraction.
-fn parts(word: &str) -> Option<f64> {
-    OTHERS.split_whitespace().skip_while(|known| *known != word).nth(1)?.parse().ok()
+/// What a number word is worth, if it is of one number.
+fn value(word: &str) -> Option<Option<f64>> {
+    let known = |word: &str| KNOWN.get(word).map(|known| known.0);
+    let plural = || word.strip_suffix('s').and_then(|one| KNOWN.get(one)).filter(|known| known.1);
+    let joined = || {
+        let sum = word.split_once('-').and_then(|(ten, one)| Some((known(ten)??, known(one)??)));
+        let sum = sum.filter(|(ten, _)| *ten >= 20.0).map(|(ten, one)| ten + one);
+        word.split('-').any(|part| KNOWN.contains_key(part)).then_some(sum)
+    };
+    known(word).or_else(|| plural().map(|known| known.0)).or_else(joined)
 }
 
 /// The number words of this text.
@@ -53,12 +66,9 @@ pub(crate) fn words(text: &str) -> Vec<Word> {
         end = text[start..].find(apart).map_or(text.len(), |length| start + length);
         let word = text[start..end].to_lowercase();
         let word = word.as_str();
-        let single = word.strip_suffix('s').unwrap_or(word);
-        let known = |word: &str| value(word).is_some() || ORDER.split_whitespace().any(|known| known == word);
         // `a second` and `per second` are a unit.
         let unit = word == "second" && ["a", "each", "every", "per"].contains(&before.as_str());
-        if !unit && (known(word) || parts(single).is_some() || word.split('-').any(known)) {
-            let own = value(word).or_else(|| parts(single));
+        if let (false, Some(own)) = (unit, value(word)) {
             match found.last_mut() {
                 // `ten thousand`
                 Some(Word { at, value }) if POWERS.contains(&word) && at.end + 1 == start => {
