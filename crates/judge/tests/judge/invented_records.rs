@@ -12,7 +12,8 @@ fn invented_records_are_named_by_their_rule_or_among_its_equals_and_those_of_unk
     for (firsts, each, is_known) in [([0, 60_570], 80, true), ([0, 80_800], 50, false)] {
         let mut list = Vec::new();
         let [a, b] = firsts.map(|first| counted(first, each, is_known, &mut list).unwrap());
-        let [rightly, among, not, wrongly, praised, .., misplaced] = std::array::from_fn(|i| a[i] + b[i]);
+        let [rightly, among, not, wrongly, praised, .., misplaced]: [_; 9] =
+            std::array::from_fn(|i| a[i] + b[i]);
         assert_eq!([wrongly, praised, misplaced], [0; 3], "{}", String::from_utf8_lossy(&list));
         let [rightly, all, not] = [rightly, rightly + among, not].map(|x| 100 * x / (2 * each));
         assert!(if is_known { rightly >= 35 && all >= 80 } else { not >= 93 }, "{a:?} {b:?}");
