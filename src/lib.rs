@@ -76,7 +76,7 @@
 //! # Errors
 //!
 //! Constructors check and return an [`Error`] that names the value, the rule and the margin, and has a
-//! [kind](ErrorKind) for programs. No public function panics on any `f64` or any count: what memory cannot
+//! [kind](ErrorKind) for programs. No public function is to panic on any `f64` or count: what memory cannot
 //! hold is refused. The generic laws do what their
 //! numbers do: integers, say, overflow and divide by zero in their own way.
 //!
