@@ -1,4 +1,4 @@
-//! Rotation of rigid bodies: why a tossed book flips, with every claim checked.
+//! Rotation of rigid bodies: why a tossed book flips, and code for it.
 //!
 //! For turning, mass is a matrix. A body's [`Inertia`] takes its spin to its angular momentum, and the two
 //! arrows point the same way only along the [principal axes](PrincipalAxes). A free body keeps its momentum;
@@ -76,7 +76,7 @@
 //! # Errors
 //!
 //! Constructors check and return an [`Error`] that names the value, the rule and the margin, and has a
-//! [kind](ErrorKind) for programs. No public function panics on any `f64` or any count: what memory cannot
+//! [kind](ErrorKind) for programs. No public function is to panic on any `f64` or count: what memory cannot
 //! hold is refused. The generic laws do what their
 //! numbers do: integers, say, overflow and divide by zero in their own way.
 //!
@@ -84,7 +84,7 @@
 //!
 //! - `std`, on by default: without it the library needs only `core` and `alloc`.
 //!
-//! The library computes the same bits on every machine: its elementary functions are its own.
+//! The same bits wherever `f64` follows IEEE 754: the elementary functions are the library's own.
 //!
 //! Sources are given by keys, which stand in [`references`].
 #![cfg_attr(not(feature = "std"), no_std)]

@@ -62,8 +62,8 @@ pub trait Field: Ring + ClosedDivAssign {}
 impl<T: Ring + ClosedDivAssign> Field for T {}
 
 /// A field with the functions that steppers need besides arithmetic. Implemented for `f64` and `f32`, with
-/// the same bits on every machine; other crates may implement it for theirs, as power series do, which so
-/// prove a method's order.
+/// the same bits where these follow IEEE 754; other crates may implement it for theirs, as power series do,
+/// which so prove a method's order.
 pub trait Analytic: Field {
     /// The square root; whatever the type has for "undefined" where there is none.
     fn sqrt(&self) -> Self;

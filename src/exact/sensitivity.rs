@@ -70,7 +70,7 @@ impl FreeMotion {
     /// from `t` to the start, the lower left zero, the lower right the derivative of the spin by that at the
     /// start.
     ///
-    /// The derivatives are those of the closed form, in every regime. Each of the blocks is right to 8
+    /// The derivatives are those of the closed form, in every regime. In tests each block is right to 8
     /// roundings of its own norm, times the angle in radians that the body has spun through where that is
     /// above 1.
     ///

@@ -32,9 +32,9 @@ use nutation::{Form, Nutation};
 ///
 /// A body with two equal moments is held at a point of its axis of symmetry, and its weight pulls along the
 /// world's -z: the case of [`Torque::gravity`](crate::step::Torque::gravity) that has a closed form, by
-/// Lagrange. Attitude and spin are quotients of theta functions ([KS97](crate::references)). Every start has
-/// its answer: a top that nutates, loops or rests in cusps, one asleep or falling from where it slept, a
-/// pendulum, and with no weight or no arm the free motion of the coin.
+/// Lagrange. Attitude and spin are quotients of theta functions ([KS97](crate::references)). It may be a
+/// top that nutates, loops or rests in cusps, one asleep or falling from where it slept, a pendulum, and with
+/// no weight or no arm the free motion of the coin.
 ///
 /// Times are in seconds from the start and may be negative. At time 0 the start itself comes back, to the
 /// bit.

@@ -1,4 +1,4 @@
-//! Elementary functions that give the same bits on every machine.
+//! Elementary functions that give the same bits wherever `f64` follows IEEE 754.
 //!
 //! The sine, exponential and arctangent of `f64` are the platform's: they differ in last bits from one C
 //! library to the next, and between processors within one. What prepares, moves or reads off a body uses

@@ -25,7 +25,7 @@ const MOST_PARTS: f64 = 1000.0;
 /// steady spin has 30 rad/s before a second part is needed.
 ///
 /// Free motion keeps energy, momentum in the world and the attitude's length to rounding, so that a stable
-/// spin stays stable for ever; the attitude comes back with length 1.
+/// spin stays stable; the attitude comes back with length 1.
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};

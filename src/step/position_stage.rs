@@ -23,10 +23,10 @@ const MOST_PARTS: f32 = 4096.0;
 ///
 /// It replaces both the update of the attitude and the gyroscopic term. For `f32` and `f64`; it allocates
 /// nothing, never panics, and uses no function but `+ - * /` and the square root, so that it has the same
-/// bits on every machine, and in C (`examples/engines/c/position_stage.h`).
+/// bits where floats follow IEEE 754, and in C compiled as `examples/engines/c/position_stage.h` says.
 ///
-/// - The step changes neither energy nor momentum, but for rounding, whatever the body, the spin and `h`. So
-///   the energy that a body gains is the work that the engine's velocity stages do, and nothing else.
+/// - But for rounding, the step changes neither energy nor momentum, whatever the spin and `h`, if no axis is
+///   locked. So the energy that a body gains is the work that the engine's velocity stages do.
 /// - A step by `-h` leads back.
 /// - The rate of the turn is right to the sixth power of the turn in a step, that of the flips to the
 ///   eighth. A turn of more than half a radian is taken in parts.

@@ -88,7 +88,7 @@ fn the_energy_of_a_body_whose_products_leave_the_range_is_infinite_or_right_but_
 
 proptest! {
     #[test]
-    fn no_public_function_panics_on_anything(
+    fn no_numbers_make_a_body_or_its_tensor_panic(
         m in any_vector(), p in any_vector(), v in any_vector(), mass in anything(),
         q in (anything(), anything(), anything(), anything()), e in anything(),
     ) {

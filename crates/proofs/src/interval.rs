@@ -6,8 +6,8 @@
 //! are enclosed by series with a bound of their rest.
 //!
 //! A float does not become an interval: a number enters as a literal ([`given!`](crate::given)) or as an
-//! exact fraction, so that no rounded result can pass for a real number. Printed to some digits, an interval
-//! gives the digits of the number if they are certain, and otherwise its two ends.
+//! exact fraction, which a float becomes only where `of_f64` is called by name. Printed to some digits, an
+//! interval gives the digits of the number if they are certain, and otherwise its two ends.
 //!
 //! ```
 //! use tumbling_proofs::{Interval, given};

@@ -6,7 +6,7 @@ use crate::tex::{Node, Scope, parse};
 use nalgebra::SMatrix;
 use num_traits::Zero;
 
-/// A claim about the library's laws, proven by running them on symbols.
+/// A claim about laws or formulas, proven by running them on symbols.
 #[derive(Debug, Clone, Copy)]
 pub struct Proof {
     /// Short name, with dashes.

@@ -14,7 +14,7 @@ use tumbling::Body;
 use tumbling_scenes::{Error, InitialState, Outputs, Scene, Times, batch};
 
 /// Many bodies at once, on all cores: free ones in closed form, those under torques each by an adaptive run
-/// that is refined until its states are right to `accuracy` (rad; of the spin a share).
+/// that is refined until two runs agree to `accuracy` (rad; of the spin a share).
 ///
 /// `inertia` is of one body for all (an `Inertia`, or three moments) or of each: moments (n, 3) or tensors
 /// (n, 3, 3), kg m²; `spin` (3,) or (n, 3) in body axes, rad/s; `attitude` None, (4,), (n, 4) or SciPy's

@@ -19,7 +19,7 @@ pub fn initial(tensor: &tumbling::Inertia, spin: [f64; 3], attitude: UnitQuatern
     }
 }
 
-/// The motion of a body that nothing touches, in closed form: at any time, to rounding, however late.
+/// The motion of a body that nothing touches, in closed form: at any time, without steps.
 ///
 /// `inertia` is an `Inertia`, three moments or a 3 x 3 tensor (kg m²); `spin` the angular velocity at time 0
 /// in body axes (rad/s); `attitude` takes body to world at time 0: a quaternion x, y, z, w as SciPy's

@@ -23,7 +23,7 @@
 //!
 //! # Accuracy
 //!
-//! One number bounds the error of every state: the angle of the attitude (rad), the spin relative to the
+//! One number is the error allowed in every state: the angle of the attitude (rad), the spin relative to the
 //! largest spin that the motion has had, and the energy relative to the largest that it has had; of a flip
 //! under a torque, how far the body turns while it is late (rad). A free body is answered in closed form, as
 //! accurately as its conditioning permits; a finer accuracy is refused, with the finest that can be had.

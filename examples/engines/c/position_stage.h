@@ -1,5 +1,5 @@
 /* The position stage of a physics engine: attitude and spin over a time step, with nothing else acting. It keeps energy
-   and momentum to rounding, whatever the body, the spin and the step. In the engine's loop, after forces, damping,
+   and momentum to rounding, whatever spin and step, if no axis is locked. In the engine's loop, after forces, damping,
    contacts and joints have changed the spin, it replaces the gyroscopic term and the update of the attitude.
 
    Version: 0.1.0

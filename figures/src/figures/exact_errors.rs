@@ -1,4 +1,4 @@
-//! Errors of the exact motion over all bodies, against a table of more digits than an `f64` has.
+//! Errors of the exact motion over many bodies, against a table of more digits than an `f64` has.
 
 use super::Drawing;
 use crate::draw::{Canvas, Fill, Ink, Label, Pen};

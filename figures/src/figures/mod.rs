@@ -99,7 +99,7 @@ pub(crate) static ALL: &[Figure] = figures! {
         => spins::jacobi, "Its spin in Jacobi’s elliptic functions";
     flip_time_deep::draw, "flip-time-deep", "exact-motion", "Time between flips down to the smallest slip that a computer knows";
     series_terms::draw, "series-terms", "closed-form", "Number of terms that the two series of the closed form need";
-    exact_errors::draw, "exact-errors", "exact-motion", "Errors of the exact motion over all bodies, relative to what a rounded input does";
+    exact_errors::draw, "exact-errors", "exact-motion", "Errors of the exact motion over many bodies, relative to what a rounded input does";
     a_top::draw, "a-top", "a-top", "The axis of a top that was let go: it nods and goes round";
     four_steps::draw, "four-steps", "stepping-through-time", "What four methods make of the energy of a tumbling box";
     work::draw_box, "work-box", "error-against-run-time", "Error of the box's attitude against run time, for every method";

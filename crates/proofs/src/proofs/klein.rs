@@ -36,9 +36,9 @@ proofs! {
         "limit-separatrix": separatrix(1),
             r"With modulus one the last two functions change at one rate, the momentum is $L^2 = 2 E I_2$, and at the saddle the turn about it has the rate $\psi' = \sigma L/I_2$.";
             but "the last two functions opposite": separatrix(-1),
-        "limit-steady": steady(Change::None),
+        "limit-steady": both(|order| steady(order, Change::None)),
             "With no wobble the second number is zero, and the turn about the momentum has the rate of the spin about the circled axis.";
-            but "the spin the other way": steady(Change::Spin),
+            but "the spin the other way": both(|order| steady(order, Change::Spin)),
     }
 }
 
@@ -231,8 +231,8 @@ fn separatrix(sign: i64) -> Result<Scope, Residue> {
     Ok(scope.under(motion.relations))
 }
 
-fn steady(change: Change) -> Outcome {
-    let motion = motion(1, change)?;
+fn steady(order: i64, change: Change) -> Outcome {
+    let motion = motion(order, change)?;
     let sense = if change == Change::None { 1 } else { -1 };
     let values = [("h", Fraction::zero()), ("dn", Fraction::one()), ("e", Fraction::variable("x3"))];
     let limit = |x: &Fraction| put(x, &values);

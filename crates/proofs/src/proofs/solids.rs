@@ -1,4 +1,4 @@
-//! The inertia of every solid, from its definition as an integral over the body.
+//! The inertia of the solids, from its definition as an integral over the body.
 
 mod integrals;
 

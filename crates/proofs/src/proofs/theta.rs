@@ -23,7 +23,7 @@ proofs! {
             r"For every nome and any two arguments $P_{22} = S_{23} + S_{32}$, $P_{11} = S_{32} - S_{23}$ and $P_{21} = S_{14} - S_{41}$: products of the theta functions of these numbers, on the left of the sum and of the difference of the arguments, on the right of twice each argument in the square of the nome.";
             but "the theta of the direct series": products([THETA_1, THETA_4, THETA_3, THETA_4]),
         "half-periods": half_periods([THETA_4, THETA_1], [THETA_2, THETA_1]),
-            "By the signs of the terms: where the argument moves by half a turn, the fourth theta function stays and the first changes its sign; where it moves by a quasi-period, the second stays and the first \
+            "By the terms of the sums: where the argument moves by half a turn, the fourth theta function stays and the first changes its sign; where it moves by a quasi-period, the second stays and the first \
             changes its sign, but for one factor of both; by half of that, the first becomes the fourth and the second the third, but for such a factor.";
             but "the second without alternating signs": half_periods([THETA_4, THETA_2], [THETA_2, THETA_2]),
     }
