@@ -68,7 +68,7 @@ pub(super) fn draw() -> Drawing {
         plot.curve(points?, if ball { Pen::new(Ink::Text, 3.4) } else { Pen::new(Ink::Text, 2.2) })?;
         if ball {
             let p = plot.at(45.0, 0.0);
-            canvas.label((p.0, p.1 - 9.0), &Label::new(format!("{}: none", curve.name)).middle());
+            canvas.label((p.0, p.1 - 9.0), &Label::new("ball: 0°").middle());
             said.push(format!("{}: none in any direction", curve.name));
             continue;
         }
