@@ -57,10 +57,9 @@ pub(super) fn check(
     for (own, point, around) in looks {
         let (mut winding, mut doubt) = (0.0, 0.0);
         for face in around.iter().flat_map(|other| &other.faces) {
-            match solid_angle(face.map(|v| point.sight(&vertices[v]))) {
-                Some(angle) => winding += angle / (2.0 * TAU),
-                None => doubt += 0.5,
-            }
+            let angle = solid_angle(face.map(|v| point.sight(&vertices[v])));
+            winding += angle.map_or(0.0, |angle| angle / (2.0 * TAU));
+            doubt += if angle.is_none() { 0.5 } else { 0.0 };
         }
         // Refused only if neither 0 nor 1 whichever side rounding put the point on.
         if winding + doubt < -0.5 || winding - doubt > 1.5 {

@@ -9,7 +9,7 @@ use std::io::{IsTerminal as _, Write as _};
 use std::process::Command;
 use std::time::Instant;
 use tumbling_measure::measure::Effort;
-use tumbling_measure::{atlas as hard, campaign, contestant};
+use tumbling_measure::{atlas as hard, campaign, contestant, setup};
 
 /// What to measure.
 #[derive(Debug, Args)]
@@ -54,7 +54,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
 
 /// Measures the library's methods, or has the peers' own program measure them with the peers.
 fn measure(quick: bool, peers: bool) -> Result<(), Box<dyn Error>> {
-    if !tumbling_measure::IS_RELEASE {
+    if !setup::IS_RELEASE {
         return Err("times of a build for tests say nothing: `cargo run --release -- measure`".into());
     }
     let folder = paths::repository().join("crates/measure").join(if quick { "quick" } else { "record" });

@@ -49,8 +49,8 @@ fn value(word: &str) -> Option<Option<f64>> {
     let known = |word: &str| KNOWN.get(word).map(|known| known.0);
     let plural = || word.strip_suffix('s').and_then(|one| KNOWN.get(one)).filter(|known| known.1);
     let joined = || {
-        let sum = word.split_once('-').and_then(|(ten, one)| Some((known(ten)??, known(one)??)));
-        let sum = sum.filter(|(ten, _)| *ten >= 20.0).map(|(ten, one)| ten + one);
+        let tens = |word: &str| known(word)?.filter(|ten| *ten >= 20.0);
+        let sum = word.split_once('-').and_then(|(ten, one)| Some(tens(ten)? + known(one)??));
         word.split('-').any(|part| KNOWN.contains_key(part)).then_some(sum)
     };
     known(word).or_else(|| plural().map(|known| known.0)).or_else(joined)

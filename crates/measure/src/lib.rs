@@ -21,11 +21,9 @@ pub mod errors;
 pub mod long;
 pub mod measure;
 pub mod record;
-mod setup;
+pub mod setup;
 pub mod story;
 pub mod verdict;
-
-pub use setup::IS_RELEASE;
 
 /// What went wrong, in words.
 pub type AnyError = Box<dyn std::error::Error>;

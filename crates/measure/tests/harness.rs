@@ -166,7 +166,7 @@ fn the_exact_motion_is_asked_once_and_comes_within_rounding() {
     assert!(row.attitude.unwrap() < 1e-11, "{row:?}");
 }
 
-/// The committed record can be read, is whole, and came of a full run without debug assertions.
+/// The committed record can be read, is whole, and came of a full run of a build for release.
 #[test]
 fn the_committed_record_is_one_for_the_record() {
     let (work, long) = (record::work().unwrap(), record::long().unwrap());

@@ -4,7 +4,7 @@ use crate::law::LawName;
 use crate::laws::{Complaint, Gaps, Law, Reset};
 use crate::read::FileMistake;
 use crate::rule::{Confidence, Diagnosis, readable};
-use crate::thresholds::ENOUGH_ROWS;
+use crate::thresholds::{ENOUGH_CHANGE, ENOUGH_ROWS, STILL};
 use crate::verdict::{Outcome, Verdict, capital, plain_number, sentence};
 use serde::Serialize;
 use std::f64::consts::TAU;
@@ -107,17 +107,7 @@ impl Verdict {
                 }));
             }
             Outcome::Passed => reasons.push(self.within()),
-            Outcome::NothingToJudge if self.torque.is_some() => {
-                reasons.push("a torque acts, and the laws judged here are those of a free body".into());
-            }
-            Outcome::NothingToJudge if self.untraceable => reasons.push(
-                "the body turns so far from row to row that no number of double precision says where it should be. Record \
-                 it with shorter steps, and look at the units"
-                    .into(),
-            ),
-            Outcome::NothingToJudge => reasons.push(
-                "the spin is constant, as it is right for this start. Push the body off its principal axis".into(),
-            ),
+            Outcome::NothingToJudge => reasons.push(self.why_not().into()),
             Outcome::TooShort => reasons.push(
                 format!(
                     "no law is broken, and too little is seen to say more: it takes {ENOUGH_ROWS} rows or more, in which \
@@ -134,6 +124,20 @@ impl Verdict {
     fn enough(&self) -> f64 {
         let once = self.curve.first().map_or(0.0, |first| TAU / first.spin.norm());
         once.max(self.record.step.unwrap_or(0.0) * (ENOUGH_ROWS - 1) as f64)
+    }
+
+    /// Why nothing is to be judged.
+    fn why_not(&self) -> &'static str {
+        if self.torque.is_some() {
+            "a torque acts, and the laws judged here are those of a free body"
+        } else if self.untraceable {
+            "the body turns so far from row to row that no number of double precision says where it should be. \
+             Record it with shorter steps, and look at the units"
+        } else if STILL * self.record.rounding > ENOUGH_CHANGE {
+            "the numbers have too few digits to say whether the spin changes. Record more digits"
+        } else {
+            "the spin is constant, as it is right for this start. Push the body off its principal axis"
+        }
     }
 
     /// What every law is kept within, and which are beyond it by what the digits leave open.
