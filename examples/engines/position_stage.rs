@@ -1,7 +1,7 @@
 //! The position stage of a physics engine: attitude and spin over a time step, with nothing else acting. It
-//! keeps energy and momentum to rounding, whatever the body, the spin and the step. In the engine's loop,
-//! after forces, damping, contacts and joints have changed the spin, it replaces the gyroscopic term and the
-//! update of the attitude.
+//! keeps energy and momentum to rounding, whatever the spin and the step, if no axis is locked. In the
+//! engine's loop, after forces, damping, contacts and joints have changed the spin, it replaces the
+//! gyroscopic term and the update of the attitude.
 //!
 //! One file without dependencies; `Real` is what the module around it calls so, `f32` or `f64`. It gives the
 //! same bits as the library it is taken from, `tumbling::step::PositionStage`.

@@ -49,8 +49,9 @@ fn value(word: &str) -> Option<Option<f64>> {
     let known = |word: &str| KNOWN.get(word).map(|known| known.0);
     let plural = || word.strip_suffix('s').and_then(|one| KNOWN.get(one)).filter(|known| known.1);
     let joined = || {
-        let tens = |word: &str| known(word)?.filter(|ten| *ten >= 20.0);
-        let sum = word.split_once('-').and_then(|(ten, one)| Some(tens(ten)? + known(one)??));
+        let tens = |ten: &str| known(ten)?.filter(|_| TENS.split(' ').any(|x| x == ten));
+        let both = |(a, b)| Some(tens(a)? + known(b)?.filter(|n| *n < 10.0)?);
+        let sum = word.split_once('-').and_then(both);
         word.split('-').any(|part| KNOWN.contains_key(part)).then_some(sum)
     };
     known(word).or_else(|| plural().map(|known| known.0)).or_else(joined)

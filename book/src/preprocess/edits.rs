@@ -18,7 +18,7 @@ impl Edits {
         let mut out = String::with_capacity(text.len());
         let mut at = 0;
         for (range, new) in self.0 {
-            debug_assert!(range.start >= at, "replacements overlap at byte {}", range.start);
+            assert!(range.start >= at, "replacements overlap at byte {}", range.start);
             out.push_str(&text[at..range.start]);
             out.push_str(&new);
             at = range.end;
