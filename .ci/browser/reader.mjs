@@ -162,7 +162,7 @@ export async function questions(open, base, pages, fault) {
       await box.scrollIntoViewIfNeeded(); // so that what stands below it is awake
       const below = await box.evaluate((box) => [...document.querySelectorAll("main :is(h2, p, li, dd, pre, figcaption, svg text)")].filter((e) => {
         const down = e.getBoundingClientRect().top - box.getBoundingClientRect().bottom;
-        return !e.closest(".question") && e.checkVisibility() && down >= 0 && down < 720; // a screen
+        return down >= 0 && down < 720 && !e.closest(".question") && e.checkVisibility(); // within a screen
       }).map((e) => e.innerText).join(" "));
       wants(`within a screen below it stands its answer, "${right}"`, !below.toLowerCase().includes(right.toLowerCase()));
       const address = page.url();

@@ -172,8 +172,8 @@ export async function tumble(page, wants) {
     const [from, to] = [Number(scrub.min), Number(scrub.max)];
     const { width, height } = canvas.getBoundingClientRect();
     const wrong = [];
-    for (let i = 0; i <= 120; i += 1) {
-      scrub.value = from + (to - from) * i / 120;
+    for (let i = 0; i <= 60; i += 1) {
+      scrub.value = from + (to - from) * i / 60;
       scrub.dispatchEvent(new Event("input"));
       const { labels, body: { xs, ys, cx, cy } } = canvas.shows;
       const says = (what) => wrong.push(`${what} at ${scrub.value}`);
