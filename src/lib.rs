@@ -1,4 +1,4 @@
-//! Rotation of rigid bodies: why a tossed book flips, and code for it.
+//! Rotation of rigid bodies: why a tossed book flips, and a library to compute it.
 //!
 //! For turning, mass is a matrix. A body's [`Inertia`] takes its spin to its angular momentum, and the two
 //! arrows point the same way only along the [principal axes](PrincipalAxes). A free body keeps its momentum;
@@ -76,15 +76,16 @@
 //! # Errors
 //!
 //! Constructors check and return an [`Error`] that names the value, the rule and the margin, and has a
-//! [kind](ErrorKind) for programs. No public function is to panic on any `f64` or count: what memory cannot
-//! hold is refused. The generic laws do what their
-//! numbers do: integers, say, overflow and divide by zero in their own way.
+//! [kind](ErrorKind) for programs. No public function may panic on any `f64` or count: what memory cannot
+//! hold is refused. The generic laws do what their numbers do: integers, say, overflow and divide by zero in
+//! their own way.
 //!
 //! # Features
 //!
 //! - `std`, on by default: without it the library needs only `core` and `alloc`.
 //!
-//! The same bits wherever `f64` follows IEEE 754: the elementary functions are the library's own.
+//! Results have the same bits wherever `f64` follows IEEE 754, since the elementary functions are the
+//! library's own.
 //!
 //! Sources are given by keys, which stand in [`references`].
 #![cfg_attr(not(feature = "std"), no_std)]

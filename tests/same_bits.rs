@@ -1,5 +1,5 @@
-//! Regression test: a hash of many answers is the one that is committed, so that every machine has the same
-//! bits. That the answers are right is for the tests in the rooms' folders.
+//! Regression test: a hash of many answers is the one that is committed, for every machine whose
+//! `f64` follows IEEE 754. That the answers are right is for the tests in the rooms' folders.
 
 #[path = "common/same_bits.rs"]
 mod same_bits;

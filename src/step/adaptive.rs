@@ -230,7 +230,7 @@ fn signed<T: Analytic + Copy>(x: T) -> f64 {
 }
 
 /// The natural logarithm of a number not below zero, to 1e-5; of zero minus infinity. For choosing steps: by
-/// rounded operations alone, so that every machine takes the same.
+/// rounded operations alone, so that it is the same wherever `f64` follows IEEE 754.
 fn logarithm(x: f64) -> f64 {
     if x == 0.0 || !x.is_finite() {
         return if x == 0.0 { f64::NEG_INFINITY } else { x };

@@ -1,5 +1,5 @@
-//! One hash of very many answers, which must be the same on every machine: what the tests compute, and
-//! `.ci/same-bits` elsewhere.
+//! One hash of very many answers, which must be the same wherever `f64` follows IEEE 754: the tests compute
+//! it, and `.ci/same-bits` elsewhere.
 
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 use tumbling::exact::{Batch, FreeMotion};

@@ -1,5 +1,5 @@
-//! One hash of the answers of many scenes, which must be the same on every machine: what the tests compute,
-//! and `.ci/same-bits` elsewhere.
+//! One hash of the answers of many scenes, which must be the same wherever `f64` follows IEEE 754: the tests
+//! compute it, and `.ci/same-bits` elsewhere.
 
 use super::library::{Hash, Random};
 use nalgebra::{UnitQuaternion, Vector3};
