@@ -87,19 +87,23 @@ tumblingLive.meeting = (canvas, colours, half, names, { get, moved, ended }) => 
         surfaces(Math.hypot(...at), eye, Math.round(side * Math.min(devicePixelRatio || 1, 2)));
         pen.drawImage(sheet, (width - side) / 2, (height - side) / 2, side, side);
         pen.lineWidth = 2.6;
+        const loops = [1, -1].map((sign) => curve.map((p) => {
+            const place = p.map((x) => sign * x);
+            return { to: on(place), front: faces(place) };
+        }));
+        pen.strokeStyle = colours.omega;
         for (const front of [false, true]) {
-            pen.strokeStyle = colours.omega;
             pen.globalAlpha = front ? 1 : 0.22;
-            for (const sign of [1, -1]) {
-                pen.beginPath();
-                curve.forEach((p, i) => {
-                    const [one, other] = [curve.at(i - 1), p].map((q) => q.map((x) => sign * x));
-                    if (faces(other) !== front) return;
-                    pen.moveTo(...on(one));
-                    pen.lineTo(...on(other));
+            pen.beginPath();
+            for (const loop of loops) {
+                loop.forEach((place, i) => {
+                    if (place.front !== front) return;
+                    const before = loop.at(i - 1);
+                    if (i === 0 || before.front !== front) pen.moveTo(...before.to);
+                    pen.lineTo(...place.to);
                 });
-                pen.stroke();
             }
+            pen.stroke();
         }
         names.forEach(([name, colour], k) => {
             for (const sign of [1, -1]) {
