@@ -1,4 +1,4 @@
-// Masses that are dragged: their tensor, worked out here, and how they resist a twist.
+// Masses that are dragged: their tensor, worked out here, and how they resist a torque.
 import { read } from "../drawn.flat.mjs";
 import { set, shown } from "./controls.mjs";
 import { finger } from "./hands.mjs";
@@ -46,14 +46,14 @@ export async function masses(page, wants) {
     await set(page, "#masses-out", out);
     await holds(`by sliders ${along}, ${out}`);
   }
-  // Twisted for a second: half the angular acceleration, and as fast as it.
-  const { xx } = await holds("before the twist");
+  // Driven for a second: half the angular acceleration, and as fast as it.
+  const { xx } = await holds("before the torque acts");
   for (let i = 0; i < 2; i += 1) await page.click("#masses-play");
-  wants("twisted for a second, it has turned as far", near((await shows(page, "masses")).far, 0.5 / xx, 1e-9));
+  wants("driven for a second, it has turned as far", near((await shows(page, "masses")).far, 0.5 / xx, 1e-9));
   wants("and turns as fast", near(read(await shown(page, "masses", "now")), 1 / xx, 0.051));
   for (const pair of [0, 1]) {
     await set(page, "#masses-pair", pair);
     await set(page, "#masses-out", 0);
   }
-  wants("all on the axle, nothing resists, and nothing can be twisted", (await shown(page, "masses", "about")) === "none" && await page.locator("#masses-play").isDisabled());
+  wants("all on the axle, nothing resists, and no torque can act", (await shown(page, "masses", "about")) === "none" && await page.locator("#masses-play").isDisabled());
 }

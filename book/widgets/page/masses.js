@@ -1,5 +1,5 @@
-// Two pairs of masses on an axle: the reader moves them, their tensor answers, and a twist shows how they resist. The tensor, the momentum
-// and how fast the twist takes hold are the module's of the two arrows.
+// Two pairs of masses on an axle: the reader moves them, their tensor answers, and a torque shows how they resist. The tensor, the momentum
+// and how fast the torque takes hold are the module's of the two arrows.
 "use strict";
 
 tumblingLive.widget("masses", async (stage, from) => {
@@ -10,18 +10,18 @@ tumblingLive.widget("masses", async (stage, from) => {
     const [play, back, pair, along, out] = ["play", "back", "pair", "along", "out"].map((id) => stage.querySelector(`#masses-${id}`));
     const shown = (what) => stage.querySelector(`[data-shows=${what}]`);
     const say = sayer(stage);
-    const [TWIST, LASTS] = [1, 3]; // N m; s
+    const [TORQUE, LASTS] = [1, 3]; // N m; s
     const FACING = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]; // the axle, x, to the right
     const state = { pairs: [[0.75, 0.45], [-0.25, 0.6]], t: 0, turn: 16, tilt: 14, found: null, held: 0 };
     const colours = palette(stage, () => picture.draw());
 
     /** The four masses: where each is in the body, m, and whose. All weigh 1 kg. */
     const masses = () => state.pairs.flatMap(([x, y], k) => [[x, y, 0], [-x, -y, 0]].map((at) => ({ at, k })));
-    /** Twisted from rest, and then let go on: how far, rad, and how fast, rad/s. */
+    /** Driven by the torque from rest, and then let go on: how far, rad, and how fast, rad/s. */
     function turned() {
         const faster = state.found?.faster ?? 0;
-        const twisted = Math.min(state.t, LASTS);
-        return { far: faster * twisted * (state.t - twisted / 2), fast: faster * twisted };
+        const driven = Math.min(state.t, LASTS);
+        return { far: faster * driven * (state.t - driven / 2), fast: faster * driven };
     }
     const about = (angle, [x, y, z]) => [x, Math.cos(angle) * y - Math.sin(angle) * z, Math.sin(angle) * y + Math.cos(angle) * z];
     const sight = (width, height) => {
@@ -75,7 +75,7 @@ tumblingLive.widget("masses", async (stage, from) => {
     /** Asks for the tensor of the masses where they are now, at rest; returns it in words. */
     function begin() {
         const told = masses().flatMap(({ at }) => [1, ...at]);
-        const found = tensor.answer(1, TWIST, 1, 0, 0, 4, ...told);
+        const found = tensor.answer(1, TORQUE, 1, 0, 0, 4, ...told);
         state.found = found && { entries: found.slice(0, 6), momentum: Array.from(found.slice(6, 9)), faster: found[10] };
         [along.value, out.value] = state.pairs[pair.value];
         const says = found ? { about: fixed(found[9], 2), faster: fixed(found[10], 2), gap: `${fixed(Math.atan2(Math.hypot(found[7], found[8]), found[6]) * 180 / Math.PI, 1)}°` }
@@ -89,9 +89,9 @@ tumblingLive.widget("masses", async (stage, from) => {
         }
         for (const slider of [along, out]) slider.setAttribute("aria-valuetext", `${fixed(Number(slider.value), 2)} m: resistance ${says.about}, gap ${says.gap}`);
         play.disabled = !found;
-        return `Resistance about the axle ${says.about}; the twist makes it faster by ${says.faster} rad/s each second; gap ${says.gap}. ${go(0)}`;
+        return `Resistance about the axle ${says.about}; the torque makes it faster by ${says.faster} rad/s each second; gap ${says.gap}. ${go(0)}`;
     }
-    const { pause } = clock(stage, play, { step: 0.5, start: "Twist", go: (seconds) => Boolean(go(state.t + seconds)), pressed: () => say(go(state.t)) });
+    const { pause } = clock(stage, play, { step: 0.5, start: "Apply the torque", go: (seconds) => Boolean(go(state.t + seconds)), pressed: () => say(go(state.t)) });
     function move(k, [x, y]) {
         pause();
         state.pairs[k] = [x, y].map((part) => Math.max(-1, Math.min(1, Math.round(part * 20) / 20)));
