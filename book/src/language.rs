@@ -117,6 +117,13 @@ impl Language {
             let original = lines.collect::<Vec<_>>().join(" ");
             match known.get(&original) {
                 Some(said) => {
+                    let right = |text: &str| Some(text.strip_prefix('*')?.split_once('*')?.0.to_owned());
+                    let option = right(&original).and_then(|right| known.get(&right));
+                    if option.is_some_and(|option| right(said).as_ref() != Some(option)) {
+                        wrong.push(
+                            self.fault(&original, "another answer where the original has the right one"),
+                        );
+                    }
                     out.push_str(&text[end..item.start]);
                     out.push_str(said);
                     end = item.end;

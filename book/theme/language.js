@@ -24,7 +24,9 @@
             changed.filter((node) => target !== document.body || node.nodeName === "DIALOG").forEach(tell);
         }
     });
-    for (const part of [page, document.getElementById("mdbook-searchresults-header")]) {
+    const [titles, found] = ["mdbook-sidebar", "mdbook-searchresults-header"].map((id) => document.getElementById(id));
+    if (titles) tell(titles);
+    for (const part of [page, titles, found]) {
         if (part) seen.observe(part, { subtree: true, childList: true, characterData: true, attributeFilter: LABELS });
     }
     seen.observe(document.body, { childList: true });

@@ -67,8 +67,8 @@ fn a_picture_has_the_width_that_was_requested_and_ink_of_every_colour() {
     for Exported { figure, plain, drawing, .. } in ALL.iter() {
         let [w, h] = drawing.size();
         let picture = drawing.picture(600).unwrap();
-        assert_eq!(picture.width, 600, "{}", figure.name);
-        assert_eq!(picture.height, (h * 600.0 / w).round() as u32, "{}", figure.name);
+        let size = (600, (h * 600.0 / w).round() as u32);
+        assert_eq!((picture.width, picture.height), size, "{}", figure.name);
         for ink in opaque(plain) {
             let near = |pixel: &[u8; 3]| pixel.iter().zip(ink).all(|(a, b)| a.abs_diff(b) <= 2);
             assert!(picture.pixels.iter().any(near), "{}: no {ink:?}", figure.name);

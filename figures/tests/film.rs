@@ -240,22 +240,13 @@ fn a_turn_takes_a_second_of_the_film_at_any_spin() {
 
 #[test]
 fn what_cannot_be_filmed_is_refused_in_a_sentence() {
-    let model = hammer();
-    let refused = |request: Request| Film::new(&model, &request).unwrap_err().to_string();
-    assert_eq!(refused(Request { spin: 0.0, ..Request::default() }), "a spin of 0 rad/s: nothing would move");
-    let seconds = Some(-1.0);
-    assert_eq!(
-        refused(Request { seconds, ..Request::default() }),
-        "-1 seconds: a film takes from 0.1 to 600"
-    );
-    let spin = 1e300;
-    assert_eq!(
-        refused(Request { spin, ..Request::default() }),
-        "a spin of 1e300 rad/s: films go from 1e-12 to 1e12"
-    );
-    let push = Some(f64::NAN);
-    assert_eq!(
-        refused(Request { push, ..Request::default() }),
-        "a push of NaN: a share of the spin, from -100 to 100"
-    );
+    let usual = Request::default();
+    for (request, words) in [
+        (Request { spin: 0.0, ..usual }, "a spin of 0 rad/s: nothing would move"),
+        (Request { seconds: Some(-1.0), ..usual }, "-1 seconds: a film takes from 0.1 to 600"),
+        (Request { spin: 1e300, ..usual }, "a spin of 1e300 rad/s: films go from 1e-12 to 1e12"),
+        (Request { push: Some(f64::NAN), ..usual }, "a push of NaN: a share of the spin, from -100 to 100"),
+    ] {
+        assert_eq!(Film::new(&hammer(), &request).unwrap_err().to_string(), words);
+    }
 }

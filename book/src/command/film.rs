@@ -158,15 +158,6 @@ fn picture(film: &Film, share: f64, arguments: &Arguments) -> Result<Picture, St
 
 type Shown<'a> = &'a (dyn Fn(u32) -> Result<Picture, String> + Sync);
 
-/// Draws the pictures on every core and takes them in order.
-fn each(
-    count: u32,
-    shown: Shown<'_>,
-    mut take: impl FnMut(usize, &Picture) -> Result<(), Box<dyn Error>>,
-) -> Result<(), Box<dyn Error>> {
-    each_made(count as usize, |i| shown(i as u32), |i, picture, _| take(i, &picture?))
-}
-
 /// A GIF; returns what was written.
 fn whole(arguments: &Arguments, film: &Film, count: u32, shown: Shown<'_>) -> Result<String, Box<dyn Error>> {
     let samples: Vec<Picture> = (0..5).map(|i| shown(i * count / 5)).collect::<Result<_, _>>()?;
@@ -174,7 +165,8 @@ fn whole(arguments: &Arguments, film: &Film, count: u32, shown: Shown<'_>) -> Re
     let palette = Palette::new(&arguments.theme.inks(), &samples, COLOURS);
     let milliseconds = (1000.0 * film.seconds() / f64::from(count)).round() as u16;
     let mut writer = Writer::new(palette, size, milliseconds)?;
-    each(count, shown, |_, picture| Ok(writer.add(picture)?))?;
+    let add = |_, picture: Result<Picture, String>, _| Ok::<_, Box<dyn Error>>(writer.add(&picture?)?);
+    each_made(count as usize, |i| shown(i as u32), add)?;
     let bytes = writer.finish()?;
     let file = arguments.file().with_extension("gif");
     write_changed(&file, &bytes)?;
@@ -205,10 +197,12 @@ fn video(file: &Path, count: u32, shown: Shown<'_>) -> Result<String, Box<dyn Er
 
 /// A folder of pictures; returns what was written.
 fn frames(folder: &Path, count: u32, shown: Shown<'_>) -> Result<String, Box<dyn Error>> {
-    each(count, shown, |i, picture| {
-        write_changed(&folder.join(format!("{:04}.png", i + 1)), &picture.png(&[])?)?;
-        Ok(())
-    })?;
+    let put = |i, picture: Result<Picture, String>, _| {
+        let file = folder.join(format!("{:04}.png", i + 1));
+        write_changed(&file, &picture?.png(&[])?)?;
+        Ok::<_, Box<dyn Error>>(())
+    };
+    each_made(count as usize, |i| shown(i as u32), put)?;
     Ok(format!("  {}  {count} pictures, {RATE} a second", folder.display()))
 }
 
@@ -218,6 +212,7 @@ mod tests {
     use crate::cli::Cli;
     use clap::Parser as _;
     use std::fs;
+    use tumbling::body::named::NamedBody;
 
     /// A film of the given words, into this folder.
     fn filmed(words: &[&str], folder: &Path) -> Result<(), String> {
@@ -267,6 +262,19 @@ mod tests {
             let stays = file.windows(6).filter(|bytes| bytes[..3] == [0x21, 0xf9, 4] && bytes[4..] == [5, 0]);
             assert_eq!(stays.count() as u32, pictures, "{name}");
             assert!(fs::exists(paths::chapters().join(format!("films/{name}-still.png"))).unwrap());
+        }
+    }
+
+    #[test]
+    fn each_word_of_a_film_of_a_named_body_has_its_german() {
+        let german = Language::read("de").unwrap();
+        let cameras = [Camera::Room, Camera::Body, Camera::Momentum];
+        for (at, body) in NamedBody::ALL.into_iter().enumerate() {
+            let (axis, camera) = (Axis::ALL[at % 3], Some(cameras[at / 3]));
+            let film =
+                Film::new(&BodyModel::named(body).unwrap(), &Request { axis, camera, ..Request::default() });
+            let frame = film.unwrap().frame(0.0).unwrap();
+            assert_eq!(german.markup(frame.split("</desc>").nth(1).unwrap()).1, [""; 0]);
         }
     }
 

@@ -78,10 +78,8 @@ mod tests {
     #[test]
     fn a_number_that_only_a_wrong_answer_has_is_held_by_nothing() {
         let all = offences(&WHOLE.replace("A mass of 2 kg", "A mass of 4 kg"));
-        assert!(
-            all.len() == 1 && all[0].starts_with("whole/t_1.md:3: found `4 kg`"),
-            "with the line of the file itself: {all:?}"
-        );
+        // With the line of the file itself.
+        assert!(all.len() == 1 && all[0].starts_with("whole/t_1.md:3: found `4 kg`"), "{all:?}");
         let all = offences(&WHOLE.replace("Think of 2 kg", "Think of 5 kg"));
         assert!(all.len() == 1 && all[0].starts_with("whole/t_1.md:14: found `5 kg`"), "{all:?}");
     }

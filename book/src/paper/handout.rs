@@ -19,24 +19,16 @@ pub(super) fn sheet(paper: &Paper, name: &str, size: Size, fit: usize) -> Result
     let number = page.number.as_deref().unwrap_or_default();
     let goals: String =
         goals::of(original)?.iter().map(|goal| format!("<li>{}</li>", escaped(&say(&goal.goal)))).collect();
-    let story = story(&page.body);
-    let sources = sources(paper, &page.body);
-    let sources = if sources.is_empty() {
-        String::new()
-    } else {
-        format!(
-            "<h2>{}</h2>\n<ul class=\"sources\">{}</ul>",
-            say("References"),
-            xml(&sheet::within(&sources, name))
-        )
-    };
+    let story = whole(&xml(&sheet::within(&story(&page.body), name)));
+    let sources = xml(&sheet::within(&sources(paper, &page.body), name));
+    let list = format!("<h2>{}</h2>\n<ul class=\"sources\">{sources}</ul>", say("References"));
+    let sources = if sources.is_empty() { sources } else { list };
     let body = format!(
-        "<header><p>{}</p>\n{}\n</header>\n<div class=\"goals\"><p>{}</p><ul>{goals}</ul></div>\n<div class=\"columns\">\n{}\n\
+        "<header><p>{}</p>\n{}\n</header>\n<div class=\"goals\"><p>{}</p><ul>{goals}</ul></div>\n<div class=\"columns\">\n{story}\n\
          {sources}\n</div>\n<footer><p>{} {}: {}, CC BY 4.0{}.</p></footer>",
         escaped(&say(&format!("{}, chapter {number}", paper.about.title))),
         heading(&page.body),
         say("After this chapter you can"),
-        xml(&sheet::within(&story, name)),
         say("The book has the programs that check these numbers, the exercises and the answers."),
         say("Text and figures"),
         escaped(&say(&paper.about.authors.join(", "))),
@@ -46,6 +38,15 @@ pub(super) fn sheet(paper: &Paper, name: &str, size: Size, fit: usize) -> Result
     let class = format!("handout fit-{fit}");
     let code = language.map_or(paper.about.language.clone(), |own| own.code);
     sheet::document(paper, [&code, &title], &class, size, "@page { margin: 11mm 12mm 13mm; }", &body)
+}
+
+/// Where something was left out.
+const CUT: &str = "\u{1}";
+
+/// The story without the marks of what was left out; a sentence that led to it ends there.
+fn whole(story: &str) -> String {
+    let end = |part: &str| part.trim_end().strip_suffix(":</p>").map(|said| format!("{said}.</p>\n"));
+    story.split(CUT).map(|part| end(part).unwrap_or_else(|| part.to_owned())).collect()
 }
 
 fn heading(body: &[Node]) -> String {
@@ -88,7 +89,7 @@ fn on_sheet(element: Element) -> Vec<Node> {
         ["program", "to-end", "still", "question", "aside"].iter().any(|class| element.has_class(class));
     match element.name.as_str() {
         "h1" => Vec::new(),
-        _ if dropped => Vec::new(),
+        _ if dropped => vec![Node::Text(CUT.into())],
         "a" if cited(&element).is_some() => {
             [vec![Node::Text("[".into())], element.children, vec![Node::Text("]".into())]].concat()
         }

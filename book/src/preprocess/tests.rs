@@ -49,10 +49,7 @@ fn shown(text: &str) -> std::result::Result<String, String> {
 fn inline_and_display_maths_become_mathml() {
     let out = shown("Let $I$ be.\n\n$$\n\\mathbf{L} = I\\,\\boldsymbol{\\omega}\n$$\n").unwrap();
     assert!(out.starts_with("Let <math><mi>I</mi></math> be."), "{out}");
-    assert!(
-        out.contains("<span class=\"math-display\"><span class=\"math-part\"><math display=\"block\">"),
-        "{out}"
-    );
+    assert!(out.contains("<span class=\"math-display\"><span class=\"math-part\"><math display=\"block\">"));
     assert!(!out.contains('$'), "{out}");
 }
 
@@ -327,10 +324,8 @@ fn drawings_that_are_shown_are_laid_beside_the_chapters_and_no_others() {
     let book = book_of(&[("x.md", "![A](../../figures/arrows.svg)\n")]);
     Preprocess::Pages.run(&context(&root), book).unwrap();
     let copy = fs::read_to_string(copies.join("arrows.svg")).unwrap();
-    assert!(
-        copy.starts_with("<svg width=\"100%\" height=\"100%\" "),
-        "opened large it fills the window: {copy}"
-    );
+    // Opened large it fills the window.
+    assert!(copy.starts_with("<svg width=\"100%\" height=\"100%\" "), "{copy}");
     let [rest, whole] = [&copy, ARROWS].map(|text| text.split_once('>').unwrap().1);
     let (drawn, themes) = rest.split_once("<style>").unwrap();
     assert_eq!(format!("{drawn}</svg>"), whole.trim_end());

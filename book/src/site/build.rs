@@ -145,10 +145,8 @@ mod tests {
         for words in ["With JavaScript", "assert_eq", "use nalgebra", "Checked by", "R I R^T, R I RT"] {
             assert!(!index.contains(words), "{words}");
         }
-        assert!(
-            !index.contains("Each grey curve is a method at ever finer steps. A bold"),
-            "a drawing's description"
-        );
+        // A drawing's description.
+        assert!(!index.contains("Each grey curve is a method at ever finer steps. A bold"));
         let map = fs::read_to_string(folder.path().join("sitemap.xml")).unwrap();
         assert_eq!(map.matches("<loc>").count(), chapters);
         assert!(map.contains("<loc>https://example.org/book/two-arrows.html</loc>"), "{map}");

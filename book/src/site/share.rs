@@ -139,10 +139,7 @@ mod tests {
     fn a_page_tells_its_own_sentence() {
         let page = with_head(PAGE, "Three \"quiet\" axes.", Some("axes.html"), None).unwrap();
         assert!(page.contains("name=\"description\" content=\"Three &quot;quiet&quot; axes.\">"), "{page}");
-        assert!(
-            page.contains("og:title\" content=\"Axes - Tumbling\">") && !page.contains("The book."),
-            "{page}"
-        );
+        assert!(page.contains("og:title\" content=\"Axes - Tumbling\">") && !page.contains("The book."));
         assert!(
             page.contains("og:image\" content=\"preview.png\">") && !page.contains("canonical"),
             "{page}"

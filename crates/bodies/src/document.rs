@@ -41,18 +41,16 @@ pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
 pub(crate) fn decimal_comma(text: &str, at: usize) -> String {
     let start = text.get(..at).and_then(|before| before.rfind('\n')).map_or(0, |end| end + 1);
     let line = text.get(start..).unwrap_or_default().lines().next().unwrap_or_default();
-    let is_comma = |b: &[u8]| b[1] == b',' && b[0].is_ascii_digit() && b[2].is_ascii_digit();
-    let comma = line.as_bytes().windows(3).position(is_comma);
-    let digits = |c: char| !c.is_ascii_digit() && c != ',';
-    comma.map_or_else(String::new, |at| {
-        let from = line[..at].rfind(digits).map_or(0, |before| before + 1);
-        // Within quotes its unit goes along.
-        let quote = line[..from].chars().next_back().filter(|c| ['"', '\''].contains(c));
-        let number =
-            line[from..].split(|c| quote.map_or(digits(c), |quote| c == quote)).next().unwrap_or_default();
-        let quote = quote.map(String::from).unwrap_or_default();
-        format!("; write {quote}{}{quote}", number.trim_end_matches(',').replacen(',', ".", 1))
-    })
+    let numeric = |c: char| c.is_ascii_digit() || ",.".contains(c);
+    // Within quotes its unit goes along.
+    let quoted = line.split(['"', '\'']).skip(1).step_by(2).map(|words| format!("'{words}'"));
+    let bare = line.split(|c: char| !numeric(c)).map(|word| word.trim_end_matches(',').to_owned());
+    let found = quoted.chain(bare).find(|words| {
+        let number = words.trim_start_matches('\'').split(|c: char| !numeric(c)).next().unwrap_or_default();
+        let read = number.replacen(',', ".", 1).parse::<f64>();
+        read.is_ok() && number.find(',').is_some_and(|at| at > 0)
+    });
+    found.map_or_else(String::new, |words| format!("; write {}", words.replacen(',', ".", 1)))
 }
 
 /// A number that is none to compute with: its field, its place and why.
@@ -105,10 +103,9 @@ fn reworded(message: &str) -> (Option<String>, String) {
         && let Some(name) = words.next()
     {
         let hint = nearest(name, &words.collect::<Vec<_>>());
-        return match message.starts_with("unknown field") {
-            true => (Some(name.to_owned()), format!("no such field.{hint}")),
-            false => (None, format!("`{name}` is not known here.{hint}")),
-        };
+        let field = message.starts_with("unknown field").then(|| name.to_owned());
+        let none = format!("`{name}` is not known here.{hint}");
+        return if field.is_some() { (field, format!("no such field.{hint}")) } else { (None, none) };
     }
     if let Some(name) = message.strip_prefix("missing field ") {
         return (None, format!("{name} is missing; it stands above the first `[[...]]`"));
@@ -116,12 +113,8 @@ fn reworded(message: &str) -> (Option<String>, String) {
     let Some((found, expected)) = message.split_once(", expected ") else {
         return (None, message.to_owned());
     };
-    let expected = match expected {
-        "f64" => "a number".to_owned(),
-        "a sequence" => "a list".to_owned(),
-        "struct Table" => "a table".to_owned(),
-        other => other.to_owned(),
-    };
+    let known = [("f64", "a number"), ("a sequence", "a list"), ("struct Table", "a table")];
+    let expected = known.iter().find(|(own, _)| *own == expected).map_or(expected, |(_, words)| words);
     let found = found.trim_start_matches("invalid type: ").trim_start_matches("invalid ");
     (None, format!("{expected} is expected here, not {found}"))
 }
@@ -150,8 +143,7 @@ fn nearest(name: &str, known: &[&str]) -> String {
         ELSEWHERE.iter().find(|(meant, words)| words.contains(&lower.as_str()) && known.contains(meant));
     let alike = |known: &&str| strsim::normalized_damerau_levenshtein(name, known);
     let best = known.iter().copied().max_by(|a, b| alike(a).total_cmp(&alike(b)));
-    match meant.map(|(meant, _)| *meant).or(best.filter(|best| alike(best) >= 0.6)) {
-        Some(name) => format!(" Did you mean `{name}`?"),
-        None => format!(" There are `{}`.", known.join("`, `")),
-    }
+    let meant = meant.map(|(meant, _)| *meant).or(best.filter(|best| alike(best) >= 0.6));
+    let all = || format!(" There are `{}`.", known.join("`, `"));
+    meant.map_or_else(all, |name| format!(" Did you mean `{name}`?"))
 }

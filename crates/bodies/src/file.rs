@@ -12,7 +12,7 @@ use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use std::fmt::Display;
 use std::ops::Range;
 use toml::Spanned;
-use tumbling::solid::{Compound, Cuboid, Mesh};
+use tumbling::solid::{Compound, Cuboid, Mesh, Solid as _};
 use tumbling::{ErrorKind, Inertia, MassProperties};
 
 /// How many parts a body may have, and how many solids with those of the files that its parts name.
@@ -27,39 +27,16 @@ pub(crate) fn read(text: &str, files: &Files<'_>) -> Result<BodyModel, Error> {
             return Err(Error::at(text, &span, why).of_field(field));
         }
     }
-    model(text, &table, &(0..0), files)?.ready().map_err(|error| {
-        let present = table.present();
-        let by = GIVEN_BY.iter().find_map(|(by, _)| present.iter().find(|(field, _)| field == by));
-        by.map_or(error.clone(), |(field, span)| Error::at(text, span, error.why).of_field(field))
-    })
-}
-
-/// The body of a table of a text; the table begins at a place in it.
-pub(crate) fn model(
-    text: &str,
-    table: &Table,
-    span: &Range<usize>,
-    files: &Files<'_>,
-) -> Result<BodyModel, Error> {
-    let (count, depth) = table.parts();
-    let first = table.part.as_ref().map_or(0..0, Spanned::span);
-    for (found, of, most) in
-        [(count, "parts", MOST_PARTS), (depth, "bodies, one the part of the other", DEEPEST)]
-    {
-        if found > most {
-            let why = format!("{found} {of}: at most {most} are read");
-            return Err(Error::at(text, &first, why).of_field("part"));
-        }
-    }
-    Reader::new(text, table, span, files)?.body()
+    let reader = Reader::new(text, &table, 0..0, files)?;
+    reader.body()?.ready().map_err(|error| reader.wrong(reader.by, error.why))
 }
 
 /// What a table says, and where.
-struct Reader<'a> {
+pub(crate) struct Reader<'a> {
     text: &'a str,
     files: &'a Files<'a>,
     table: &'a Table,
-    span: &'a Range<usize>,
+    span: Range<usize>,
     present: Vec<(&'static str, Range<usize>)>,
     /// The one field that says what the body is.
     by: &'static str,
@@ -70,18 +47,29 @@ pub(crate) fn number(field: &Option<Spanned<f64>>) -> f64 {
 }
 
 impl<'a> Reader<'a> {
-    fn new(
+    /// Of a table of a text, which begins at a place in it.
+    pub(crate) fn new(
         text: &'a str,
         table: &'a Table,
-        span: &'a Range<usize>,
+        span: Range<usize>,
         files: &'a Files<'a>,
     ) -> Result<Self, Error> {
+        let (count, depth) = table.parts();
+        let first = table.part.as_ref().map_or(0..0, Spanned::span);
+        for (found, of, most) in
+            [(count, "parts", MOST_PARTS), (depth, "bodies, one the part of the other", DEEPEST)]
+        {
+            if found > most {
+                let why = format!("{found} {of}: at most {most} are read");
+                return Err(Error::at(text, &first, why).of_field("part"));
+            }
+        }
         let present = table.present();
         let has = |name: &str| present.iter().any(|(field, _)| *field == name);
         let Some((by, with)) = GIVEN_BY.into_iter().find(|(name, _)| has(name)) else {
             let all = GIVEN_BY.map(|(name, _)| format!("`{name}`")).join(", ");
             let why = format!("what the body is is missing: one of {all}");
-            return Err(Error::at(text, span, why));
+            return Err(Error::at(text, &span, why));
         };
         let reader = Self { text, files, table, span, present, by };
         let sizes = match &table.shape {
@@ -103,7 +91,7 @@ impl<'a> Reader<'a> {
 
     /// An error at a field, or at the table's head where it has none of this name.
     fn wrong(&self, field: &str, why: impl Display) -> Error {
-        let span = self.present.iter().find(|(name, _)| *name == field).map_or(self.span, |(_, span)| span);
+        let span = self.present.iter().find(|(name, _)| *name == field).map_or(&self.span, |(_, span)| span);
         Error::at(self.text, span, why).of_field(field)
     }
 
@@ -136,7 +124,7 @@ impl<'a> Reader<'a> {
     }
 
     /// The body, placed and turned.
-    fn body(&self) -> Result<BodyModel, Error> {
+    pub(crate) fn body(&self) -> Result<BodyModel, Error> {
         let mut found = match self.by {
             "points" => self.points(),
             "mesh" => self.mesh(),
@@ -159,17 +147,14 @@ impl<'a> Reader<'a> {
         self.placed(found)
     }
 
-    /// Of the fields that make a body large or small, that whose number is the farthest from 1.
+    /// The field whose number is the farthest from 1.
     fn extreme(&self) -> &'static str {
-        let sizes = ["unit", "sides", "semiaxes", "vertices", "radius", "height", "length", "moments"];
-        let counts = |field: &str| sizes.contains(&field) || (field == "mass" && self.by == "moments");
         let off = |(_, span): &&(&str, Range<usize>)| {
             let words = self.text[span.clone()].split(|c: char| !c.is_alphanumeric() && !"+-.".contains(c));
             let numbers = words.map(|word| word.trim_end_matches(char::is_alphabetic).parse().unwrap_or(0.0));
             numbers.filter(|x| *x != 0.0).map(|x: f64| x.abs().log10().abs()).fold(0.0, f64::max)
         };
-        let fields = self.present.iter().filter(|(field, _)| counts(field));
-        fields.max_by(|a, b| off(a).total_cmp(&off(b))).map_or(self.by, |(field, _)| *field)
+        self.present.iter().max_by(|a, b| off(a).total_cmp(&off(b))).map_or(self.by, |(field, _)| *field)
     }
 
     fn weight(&self) -> Result<Weight, Error> {
@@ -231,10 +216,12 @@ impl<'a> Reader<'a> {
         self.unless(finite, self.by, "a number of a vertex is not finite")?;
         vertices.iter_mut().for_each(|vertex| *vertex *= unit);
         let weight = self.weight()?;
-        let properties = Mesh::new(&vertices, &faces).and_then(|mesh| weight.of(&mesh));
+        let mesh = Mesh::new(&vertices, &faces).map_err(|error| self.refused(&error))?;
+        let properties = weight.of(&mesh).map_err(|error| self.refused(&error))?;
+        let question = question::filled(properties.mass(), mesh.measure().unwrap_or_default());
         let faces = faces.into_iter().map(|face| face.to_vec()).collect();
         let surface = Surface { vertices, faces, convex: false };
-        Ok(BodyModel::of(properties.map_err(|error| self.refused(&error))?, vec![surface]))
+        Ok(BodyModel { question, ..BodyModel::of(properties, vec![surface]) })
     }
 
     fn parts(&self) -> Result<BodyModel, Error> {
@@ -242,7 +229,7 @@ impl<'a> Reader<'a> {
             (Compound::new(), Vec::new(), None, Vec::new());
         for part in self.table.part.iter().flat_map(Spanned::get_ref) {
             let span = part.span();
-            let reader = Reader::new(self.text, part.get_ref(), &span, self.files)?;
+            let reader = Reader::new(self.text, part.get_ref(), span.clone(), self.files)?;
             let found = reader.body()?;
             let of_whole = ["spin", "momentum", "attitude"];
             if let Some((field, _)) = reader.present.iter().find(|(field, _)| of_whole.contains(field)) {
@@ -289,7 +276,8 @@ impl<'a> Reader<'a> {
             Cuboid::new(a, b, c).map_err(|error| self.wrong("sides", error))?;
         }
         let surfaces = sides.iter().map(|sides| Surface::cuboid(&(*sides).into())).collect();
-        Ok(BodyModel { mass, moved, sides, ..BodyModel::of(properties, surfaces) })
+        let model = BodyModel { mass, moved, sides, ..BodyModel::of(properties, surfaces) };
+        Ok(BodyModel { question: question::spread(&model), ..model })
     }
 
     fn urdf(&self) -> Result<BodyModel, Error> {
@@ -330,9 +318,7 @@ impl<'a> Reader<'a> {
             let attitude = UnitQuaternion::from_axis_angle(&axis, degrees.to_radians());
             found.inertia = found.inertia.turned(attitude).map_err(|error| self.wrong("turn", error))?;
             found.centre = attitude * found.centre;
-            for surface in &mut found.surfaces {
-                *surface = surface.mapped(|p| attitude * p);
-            }
+            found.surfaces.iter_mut().for_each(|surface| *surface = surface.mapped(|p| attitude * p));
             found.sides = None;
         }
         if let Some(at) = &self.table.at {
@@ -342,9 +328,7 @@ impl<'a> Reader<'a> {
             let reach = found.surfaces.iter().flat_map(|s| &s.vertices).map(|p| p.amax()).fold(0.0, f64::max);
             let near = found.surfaces.is_empty() || place.amax() <= FARTHEST * reach;
             self.unless(near, "at", "so far away that rounding would change its shape")?;
-            for surface in &mut found.surfaces {
-                *surface = surface.mapped(|p| p + place);
-            }
+            found.surfaces.iter_mut().for_each(|surface| *surface = surface.mapped(|p| p + place));
         }
         Ok(found)
     }

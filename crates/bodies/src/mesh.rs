@@ -70,7 +70,7 @@ fn stl(bytes: &[u8]) -> Result<Triangles, Error> {
 fn vertex(words: &str, line: usize) -> Result<Vector3<f64>, Error> {
     let numbers: Option<Vec<f64>> = words.split_whitespace().take(3).map(|word| word.parse().ok()).collect();
     let place: Option<[f64; 3]> = numbers.and_then(|three| three.try_into().ok());
-    let why = || Error { line: Some(line + 1), ..Error::new("three numbers are expected for a vertex") };
+    let why = || Error { line: Some(line + 1), ..Error::new("3 numbers like 0.5 are expected for a vertex") };
     place.map(Vector3::from).ok_or_else(why)
 }
 
@@ -82,10 +82,8 @@ fn obj(text: &str) -> Result<Triangles, Error> {
         if word == "v" {
             vertices.push(vertex(rest, number)?);
         } else if word == "f" {
-            let wrong = || Error {
-                line: Some(number + 1),
-                ..Error::new("a face names three or more vertices from 1")
-            };
+            let why = "a face names three or more vertices from 1";
+            let wrong = || Error { line: Some(number + 1), ..Error::new(why) };
             let index = |word: &str| -> Option<usize> {
                 let index: isize = word.split('/').next()?.parse().ok()?;
                 // A number below zero counts back from the last vertex.

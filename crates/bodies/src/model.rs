@@ -72,9 +72,12 @@ impl BodyModel {
     /// ```
     #[must_use]
     pub fn equivalent_box(&self) -> Option<Vector3<f64>> {
-        let (mass, moments) = (self.mass?, self.principal().moments());
-        let sum = 0.5 * moments.sum();
-        Some(moments.map(|moment| (12.0 * (sum - moment).max(0.0) / mass).sqrt()))
+        self.mass.map(|mass| self.even_box(mass))
+    }
+
+    fn even_box(&self, mass: f64) -> Vector3<f64> {
+        let moments = self.principal().moments();
+        moments.map(|moment| (12.0 * (0.5 * moments.sum() - moment).max(0.0) / mass).sqrt())
     }
 
     /// What is drawn, from the centre of mass: its own surfaces; else the [box](Self::equivalent_box) of the
@@ -84,11 +87,8 @@ impl BodyModel {
         if !self.surfaces.is_empty() {
             return self.surfaces.iter().map(|surface| surface.mapped(|p| p - self.centre)).collect();
         }
-        let of_mass_one = Self { mass: Some(1.0), ..self.clone() };
-        let Some(edges) = self.equivalent_box().or_else(|| of_mass_one.equivalent_box()) else {
-            return Vec::new();
-        };
-        let edges = if self.mass.is_some() { edges } else { edges / edges.max() };
+        let of_mass_one = || self.even_box(1.0) / self.even_box(1.0).max();
+        let edges = self.equivalent_box().unwrap_or_else(of_mass_one);
         let frame: Matrix3<f64> = self.principal().frame();
         vec![Surface::cuboid(&edges).mapped(|p| frame * p)]
     }

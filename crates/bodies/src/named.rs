@@ -1,6 +1,7 @@
 //! A body by its name or by its file.
 
 use crate::error::Error;
+use crate::file::Reader;
 use crate::files::{Files, Left};
 use crate::model::{BodyModel, word};
 use crate::surface::Surface;
@@ -35,10 +36,7 @@ impl BodyModel {
         if let Some(body) = NamedBody::ALL.into_iter().find(|&body| word(body) == argument) {
             return Self::named(body);
         }
-        let (path, link) = match argument.split_once('#') {
-            Some((path, link)) => (path, Some(link)),
-            None => (argument, None),
-        };
+        let (path, link) = argument.split_once('#').map_or((argument, None), |(a, b)| (a, Some(b)));
         let path = files.folder.join(path);
         let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
 
@@ -146,7 +144,8 @@ impl<'a> SceneBodies<'a> {
             return Ok(tensor);
         }
         let files = Files::new(self.folder, &self.left);
-        let matrix = file::model(self.text, table.get_ref(), &table.span(), &files)?.inertia.matrix();
+        let reader = Reader::new(self.text, table.get_ref(), table.span(), &files)?;
+        let matrix = reader.body()?.inertia.matrix();
         let products = [(0, 1), (0, 2), (1, 2)].map(|place| matrix[place]);
         Ok((matrix.diagonal().into(), products))
     }

@@ -2,6 +2,7 @@
 
 use crate::document::from_toml;
 use crate::file::number;
+use crate::model::BodyModel;
 use crate::shape::{Weight, shaped};
 use crate::table::Table;
 use std::ops::Range;
@@ -32,7 +33,8 @@ pub(crate) fn of(
     name: &str,
     needed: &[&str],
 ) -> Option<String> {
-    let thin = ["plate", "disk", "rod"].contains(&name);
+    // What is thin has no density; vertices have no units.
+    let thin = ["plate", "disk", "rod", "tetrahedron"].contains(&name);
     if let Some((_, span)) = present.iter().find(|(field, _)| *field == "density") {
         return dense(&text[span.clone()]).filter(|_| !thin);
     }
@@ -58,12 +60,9 @@ pub(crate) fn of(
     }
     let pairs = [("m", "g"), ("cm", "kg"), ("cm", "g"), ("mm", "kg"), ("mm", "g")];
     let asked = pairs.into_iter().filter(|(m, kg)| (in_m || *m == "m") && (in_kg || *kg == "kg"));
-    let words = |m: &str, kg: &str| match (in_m, in_kg) {
-        (true, true) => format!("{m} and {kg}"),
-        (true, false) => m.into(),
-        _ => kg.into(),
-    };
-    let mut likely: Vec<_> = asked.filter_map(|(m, kg)| Some((far(m, kg)?, words(m, kg)))).collect();
+    let words = |m, kg| [in_m.then_some(m), in_kg.then_some(kg)].into_iter().flatten().collect::<Vec<_>>();
+    let mut likely: Vec<_> =
+        asked.filter_map(|(m, kg)| Some((far(m, kg)?, words(m, kg).join(" and ")))).collect();
     likely.sort_by(|a, b| a.0.total_cmp(&b.0));
     let words = likely.into_iter().map(|pair| pair.1).collect::<Vec<_>>().join(", or in ");
     let shown = |all: &str, unit: &str| match all.split(',').all(bare) {
@@ -73,20 +72,40 @@ pub(crate) fn of(
     let plain = |all: &str, unit: &str| shown(all, unit).replace(['[', ']', '"', '\''], "");
     let plain =
         format!("{} in {}", plain(mass, "kg"), plain(&sizes, "m").replace(", ", ",").replace(',', " × "));
-    match words.is_empty() {
-        false => Some(format!("{plain}: is this in {words}?")),
-        true => (in_m == in_kg && far("m", "kg").is_none()).then(|| format!("{plain}: {NONE_IS}")),
-    }
+    let none = (in_m == in_kg && far("m", "kg").is_none()).then(|| format!("{plain}: {NONE_IS}"));
+    if words.is_empty() { none } else { Some(format!("{plain}: is this in {words}?")) }
+}
+
+/// What is said of an unlikely density that so many times as large may be of another unit.
+fn unlikely(density: f64, times: f64, meant: &'static str) -> Option<&'static str> {
+    let said = if SOLIDS.contains(&(times * density)) { meant } else { NONE_IS };
+    (!SOLIDS.contains(&density)).then_some(said)
 }
 
 /// As [`of`], of a density as written.
 fn dense(written: &str) -> Option<String> {
     let table: Table = from_toml(&format!("density = {written}")).ok()?;
-    let density = number(&table.density);
-    let unit = if bare(written) { " kg/m³" } else { "" };
-    let meant =
-        if bare(written) && SOLIDS.contains(&(1e3 * density)) { "is this in g/cm3?" } else { NONE_IS };
-    (!SOLIDS.contains(&density)).then(|| format!("{}{unit}: {meant}", written.replace(['"', '\''], "")))
+    let (unit, times) = if bare(written) { (" kg/m³", 1e3) } else { ("", 1.0) };
+    let said = unlikely(number(&table.density), times, "is this in g/cm3?")?;
+    Some(format!("{}{unit}: {said}", written.replace(['"', '\''], "")))
+}
+
+/// Of what a mesh encloses: whether its numbers were meant in mm.
+pub(crate) fn filled(mass: f64, volume: f64) -> Option<String> {
+    let said = unlikely(mass / volume, 1e9, "is the mesh in mm, `unit = 0.001`?");
+    said.map(|said| format!("{mass} kg in {volume:.1e} m³: {said}"))
+}
+
+/// Of a mass and a tensor: whether a body can have both. Of all bodies as dense, a ball has the least trace.
+pub(crate) fn spread(body: &BodyModel) -> Option<String> {
+    let (mass, moments) = (body.mass?, body.principal().moments());
+    let density = mass / (4.19 * (5.0 / 6.0 * moments.sum() / mass).powf(1.5));
+    let (gyration, reach) = ((moments.max() / mass).sqrt(), body.reach());
+    let large = format!("that is a ring of {gyration:.1e} m, and what is drawn reaches {reach:.1e} m");
+    let large = (!(0.1..100.0).contains(&(reach / gyration))).then_some(large);
+    let dense = format!("a ball with these has {density:.1e} kg/m³");
+    let why = (!(1e-6..SOLIDS.end).contains(&density)).then_some(dense).or(large)?;
+    Some(format!("{mass} kg and moments up to {} kg m²: {why}. Are the units right?", moments.max()))
 }
 
 /// Of parts, each with its reach, m: whether one that equals another in its place was meant to be written

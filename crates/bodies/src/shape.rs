@@ -51,15 +51,9 @@ pub(crate) fn shaped(
     let [radius, inner, height, length] = [&table.radius, &table.inner, &table.height, &table.length]
         .map(|size| size.as_ref().map_or(0.0, |x| *x.get_ref()));
     Ok(match name {
-        "ball" if inner == 0.0 => {
-            (weight.of(&Ball::new(radius)?)?, Surface::ellipsoid(&Vector3::repeat(radius)))
-        }
         "ball" => (weight.of(&Ball::hollow(inner, radius)?)?, Surface::ellipsoid(&Vector3::repeat(radius))),
         "capsule" => (weight.of(&Capsule::new(radius, length)?)?, Surface::capsule(radius, length)),
         "cone" => (weight.of(&Cone::new(radius, height)?)?, Surface::cone(radius, height)),
-        "cylinder" if inner == 0.0 => {
-            (weight.of(&Cylinder::new(radius, height)?)?, Surface::cylinder(0.0, radius, height))
-        }
         "cylinder" => {
             (weight.of(&Cylinder::hollow(inner, radius, height)?)?, Surface::cylinder(inner, radius, height))
         }

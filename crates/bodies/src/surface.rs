@@ -55,12 +55,8 @@ impl Surface {
     pub fn tetrahedron(vertices: [Vector3<f64>; 4]) -> Self {
         let [a, b, c, d] = vertices;
         let flipped = (b - a).cross(&(c - a)).dot(&(d - a)) < 0.0;
-        let faces = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]].map(|mut face| {
-            if flipped {
-                face.swap(1, 2);
-            }
-            face.to_vec()
-        });
+        let outwards = |[a, b, c]: [usize; 3]| if flipped { vec![a, c, b] } else { vec![a, b, c] };
+        let faces = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]].map(outwards);
         Self { vertices: vertices.into(), faces: faces.into(), convex: true }
     }
 

@@ -3,9 +3,11 @@
 //! The origin of `<inertial>` is the centre of mass, and its `rpy` turns the axes of the six numbers:
 //! <https://wiki.ros.org/urdf/XML/link>.
 
+use crate::document::decimal_comma;
 use crate::error::Error;
 use crate::file::within;
 use crate::model::{BodyModel, nameable};
+use crate::question;
 use crate::surface::{FARTHEST, Surface, drawable};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use roxmltree::{Document, Node};
@@ -27,7 +29,11 @@ fn numbers<const N: usize>(node: Node<'_, '_>, name: &str) -> Result<Option<[f64
     let found: Option<Vec<f64>> = text.split_whitespace().map(|word| word.parse().ok()).collect();
     let found = found.and_then(|found| <[f64; N]>::try_from(found).ok());
     let plural = if N == 1 { "" } else { "s" };
-    found.map(Some).ok_or_else(|| wrong(node, format!("{name}=\"{text}\": {N} number{plural} expected")))
+    found.map(Some).ok_or_else(|| {
+        let hint = decimal_comma(node.document().input_text(), node.range().start);
+        let rule = "expected, in m, kg and rad, without a unit, without the ${} of xacro";
+        wrong(node, format!("{name}=\"{text}\": {N} number{plural} {rule}{hint}"))
+    })
 }
 
 fn number(node: Node<'_, '_>, name: &str) -> Result<f64, Error> {
@@ -98,6 +104,14 @@ fn origin(node: Node<'_, '_>) -> Result<(Vector3<f64>, UnitQuaternion<f64>), Err
     Ok((place.into(), UnitQuaternion::from_euler_angles(roll, pitch, yaw)))
 }
 
+/// Whether the angles of a link are meant in degrees: one is more than a turn.
+fn degrees(link: Node<'_, '_>) -> Option<String> {
+    let more = |word: &str| word.parse().is_ok_and(|angle: f64| angle.abs() > 6.3);
+    let mut rpy = link.descendants().filter_map(|node| node.attribute("rpy"));
+    let rpy = rpy.find(|rpy| rpy.split_whitespace().any(more))?;
+    Some(format!("rpy=\"{rpy}\" rad is more than a turn: is this in degrees?"))
+}
+
 /// What of the link is a box, a cylinder or a sphere.
 fn surfaces(
     link: Node<'_, '_>,
@@ -140,6 +154,11 @@ pub(crate) fn read(text: &str, name: Option<&str>, tolerance: f64) -> Result<Bod
     bounded(text)?;
     let document = Document::parse(text)
         .map_err(|error| Error { line: usize::try_from(error.pos().row).ok(), ..Error::new(error) })?;
+    let root = document.root_element();
+    if !["robot", "link"].contains(&root.tag_name().name()) {
+        let why = "URDF begins with `<robot>`; give others in TOML, by `mass`, `moments` and `products`";
+        return Err(wrong(root, why));
+    }
     let links: Vec<_> = document
         .descendants()
         .filter(|node| node.has_tag_name("link") && node.has_attribute("name"))
@@ -185,6 +204,7 @@ pub(crate) fn read(text: &str, name: Option<&str>, tolerance: f64) -> Result<Bod
     let surfaces = surfaces(link, inertial, &centre)?;
     let name = nameable(&called(&link)).map_err(|why| wrong(link, why))?.to_owned();
     let model = BodyModel { name, moved, ..BodyModel::of(properties, surfaces) };
+    let model = BodyModel { question: degrees(link).or_else(|| question::spread(&model)), ..model };
     model.drawable().map_err(|why| wrong(tensor, why))?;
     Ok(model)
 }
@@ -226,6 +246,9 @@ mod tests {
         for (from, to, line, words) in [
             ("'0.04'", "'0.06'", 7, "the triangle inequality"),
             ("value='2'", "value='-2'", 6, "the mass is -2.0"),
+            ("value='2'", "value='2,5'", 6, "expected, in m, kg and rad, without a unit, without the ${}"),
+            ("robot", "sdf", 1, "line 1, `sdf`: URDF begins with `<robot>`; give others in TOML"),
+            ("xyz='0.1 0.2 0.3'", "xyz='0,1 0 0'", 5, "of xacro; write '0.1 0 0'"),
             ("iyz='0'", "", 7, "`iyz` is missing"),
             ("xyz='0.1 0.2 0.3'", "xyz='0.1 0.2'", 5, "3 numbers expected"),
             ("xyz='0.1 0.2 0.3'", "xyz='0.1 inf 0.3'", 5, "`origin`: a number of `xyz` is inf"),
@@ -246,6 +269,25 @@ mod tests {
         assert!(read(&ARM.replace("<mass", "<maß"), None, 0.0).is_err());
     }
 
+    /// A ball with the trace 6/5 m R² of 0.09 kg m² and 1000 kg has a radius of 8.66 mm: 3.7e8 kg/m³.
+    #[test]
+    fn degrees_and_a_mass_moments_or_sizes_that_go_with_no_other_are_questioned() {
+        let question = |from, to| read(&ARM.replace(from, to), None, 0.0).unwrap().question;
+        assert_eq!(question("0 0 1.5707963267948966", "0 0 -6.283185307179586"), None);
+        for (from, to, words) in [
+            ("1.5707963267948966", "90", "rpy=\"0 0 90\" rad is more than a turn: is this in degrees?"),
+            (
+                "value='2'",
+                "value='1000'",
+                "1000 kg and moments up to 0.04 kg m²: a ball with these has 3.7e8",
+            ),
+            ("value='2'", "value='1e-6'", "0.000001 kg and moments up to 0.04 kg m²: a ball with"),
+            ("0.2 0.3 0.4", "200 300 400", "a ring of 1.4e-1 m, and what is drawn reaches 2.7e2 m. Are the"),
+        ] {
+            assert!(question(from, to).unwrap().contains(words), "{:?}", question(from, to));
+        }
+    }
+
     #[test]
     fn what_the_parser_cannot_hold_is_refused_with_its_count() {
         let refused = |text: &str| read(text, None, 0.0).unwrap_err().to_string();
@@ -264,7 +306,7 @@ mod tests {
         assert!(refused(&format!("<robot>{links}</robot>")).ends_with("`l19` and 99980 more"));
         // As deep and as wide as is read.
         let most = |inner: &str| format!("{}{inner}{}", "<a>".repeat(199), "</a>".repeat(199));
-        assert!(refused(&most(&format!("<b{}/>", many(200)))).contains("no link has"));
+        assert!(refused(&most(&format!("<b{}/>", many(200)))).contains("URDF begins with"));
     }
 
     #[test]

@@ -70,15 +70,16 @@ fn what_is_wrong_is_named_with_its_line_and_its_field() {
         let error = body(text).unwrap_err().to_string();
         assert!(error.contains(words), "{text}\n{error}");
     }
+    // The commas between the numbers of a list are none.
+    assert!(body("moments = [[1,0,0],[0,2,0],[0,0,3]]").unwrap_err().why.ends_with("not sequence"));
 }
 
 #[test]
 fn a_size_or_a_mass_may_have_its_unit_and_a_number_that_lacks_it_is_questioned() {
     let metres = body("sides = [0.077, 0.0078, 0.16]\nmass = 0.2").unwrap();
     let mixed = body("sides = ['77 mm', '7.8mm', '16 cm']\nmass = '200 g'").unwrap();
-    assert!(
-        (mixed.inertia.matrix() - metres.inertia.matrix()).amax() < 1e-15 * metres.inertia.matrix().amax()
-    );
+    let [mixed_tensor, tensor] = [&mixed, &metres].map(|body| body.inertia.matrix());
+    assert!((mixed_tensor - tensor).amax() < 1e-15 * tensor.amax());
     assert_eq!((mixed.mass, mixed.question, metres.question), (Some(0.2), None, None));
     let both = "cm and kg, or in mm and g";
     for (sides, mass, units) in [
@@ -95,32 +96,21 @@ fn a_size_or_a_mass_may_have_its_unit_and_a_number_that_lacks_it_is_questioned()
         ("radius = 33\nmass = 0.058", "0.058 kg in 33 m: is this in mm and kg?"),
         ("radius = '33 mm'\nmass = 58", "58 kg in 33 mm: is this in g?"),
         ("radius = 33\nmass = '58 g'", "58 g in 33 m: is this in mm?"),
-        (
-            "radius = '3 cm'\nmass = '300 kg'",
-            "300 kg in 3 cm: no solid is so light or so heavy. Are the numbers right?",
-        ),
-        (
-            "radius = 1\ndensity = 90000",
-            "90000 kg/m³: no solid is so light or so heavy. Are the numbers right?",
-        ),
+        ("radius = '3 cm'\nmass = '300 kg'", "300 kg in 3 cm: NONE"),
+        ("radius = 1\ndensity = 90000", "90000 kg/m³: NONE"),
         ("radius = 1\ndensity = 0.7", "0.7 kg/m³: is this in g/cm3?"),
-        (
-            "radius = 1\nmass = 1e30",
-            "1e30 kg in 1 m: no solid is so light or so heavy. Are the numbers right?",
-        ),
+        ("radius = 1\nmass = 1e30", "1e30 kg in 1 m: NONE"),
     ] {
+        let asked = asked.replace("NONE", "no solid is so light or so heavy. Are the numbers right?");
         assert_eq!(body(&format!("shape = 'ball'\n{text}")).unwrap().question.unwrap(), asked);
     }
     let one = body("sides = ['77 mm', 7.8, '160 mm']\nmass = '200 g'").unwrap().question.unwrap();
     assert_eq!(one, "200 g in 77 mm × 7.8 m × 160 mm: is this in mm, or in cm?");
     // A head of 3 cm on a handle of 34 cm, its place without a unit.
-    let racket = |at| {
-        body(&format!(
-            "[[part]]\nshape = 'ball'\nradius = '3 cm'\nmass = '0.1 kg'\nat = [0, 0, {at}]\n[[part]]\nsides = ['3 cm', '3 cm', '34 cm']\nmass = '0.1 kg'"
-        ))
-    };
-    assert_eq!(racket("0.2").unwrap().question, None);
-    let far = racket("-1.2").unwrap().question.unwrap();
+    let text = "[[part]]\nshape = 'ball'\nradius = '3 cm'\nmass = '0.1 kg'\nat = [0, 0, AT]\n[[part]]\nsides = ['3 cm', '3 cm', '34 cm']\nmass = '0.1 kg'";
+    let racket = |at| body(&text.replace("AT", at)).unwrap().question;
+    assert_eq!(racket("0.2"), None);
+    let far = racket("-1.2").unwrap();
     assert_eq!(far, "a part 0.06 m large lies 1 m from the others: is its place in cm, or in mm?");
     let part = "[[part]]\nsides = [1, 2, 3]\nmass = 6000\n";
     let twice = body(&part.repeat(2)).unwrap().question.unwrap();
@@ -129,8 +119,21 @@ fn a_size_or_a_mass_may_have_its_unit_and_a_number_that_lacks_it_is_questioned()
     let wood = body("sides = [1, 2, 3]\ndensity = '0.7 g/cm3'").unwrap();
     assert!((wood.mass.unwrap() - 4200.0).abs() < 1e-9 && wood.question.is_none());
     // A satellite is light, and of a thin plate nothing is known.
-    for text in ["sides = [2, 2, 4]\nmass = 160", "shape = 'plate'\nsides = [2, 1]\nmass = 0.001"] {
+    for text in [
+        "sides = [2, 2, 4]\nmass = 160",
+        "shape = 'plate'\nsides = [2, 1]\nmass = 0.001",
+        "shape = 'tetrahedron'\nvertices = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 6]]\nmass = 20000",
+    ] {
         assert_eq!(body(text).unwrap().question, None, "{text}");
+    }
+    for (text, words) in [
+        ("moments = [1e-6, 1e-6, 1e-6]\nmass = 1000", "a ball with these has 1.9e15 kg/m³. Are the units"),
+        (
+            "moments = [9, 9, 9]\nmass = 1\nsides = [0.2, 0.2, 0.1]",
+            "of 3.0e0 m, and what is drawn reaches 1.5e-1",
+        ),
+    ] {
+        assert!(body(text).unwrap().question.unwrap().contains(words), "{text}");
     }
 }
 
@@ -196,11 +199,8 @@ fn the_field_that_is_made_bad_is_the_field_that_is_named() {
                 lines.find(|(_, given)| given.split_once(" = ").unwrap().0 == *field).unwrap();
             let text = good.replacen(given, &format!("{field} = {value}"), 1);
             let error = body(&text).unwrap_err();
-            assert_eq!(
-                (error.line, error.field.as_deref()),
-                (Some(line + 1), Some(*field)),
-                "{text}: {error}"
-            );
+            let place = (error.line, error.field.as_deref());
+            assert_eq!(place, (Some(line + 1), Some(*field)), "{text}: {error}");
         }
     }
 }
@@ -208,8 +208,11 @@ fn the_field_that_is_made_bad_is_the_field_that_is_named() {
 /// A mark of UTF-8 before the first vertex does not hide it.
 #[test]
 fn a_marked_mesh_has_all_its_vertices() {
-    let mesh = |name| BodyModel::from_toml(&format!("mesh = '{name}'\nmass = 1"), Path::new("tests/files"));
+    let body_in = |text: &str| BodyModel::from_toml(text, Path::new("tests/files"));
+    let mesh = |name| body_in(&format!("mesh = '{name}'\nmass = 1"));
     assert_eq!(mesh("marked.obj").unwrap(), mesh("corner.obj").unwrap());
+    let asked = body_in("mesh = 'corner.obj'\nmass = 1.6e-5").unwrap().question.unwrap();
+    assert_eq!(asked, "0.000016 kg in 1.6e1 m³: is the mesh in mm, `unit = 0.001`?");
     assert_eq!(mesh("endless.obj").unwrap_err().why, "a number of a vertex is not finite");
 }
 

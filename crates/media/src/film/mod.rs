@@ -44,11 +44,10 @@ impl Film {
     /// # Errors
     /// A picture of another size, or what the encoder reports.
     pub fn add(&mut self, picture: &Picture) -> Result<(), Error> {
-        let (found, [width, height]) = ([picture.width, picture.height], self.size.map(u32::from));
-        if found != [width, height] {
-            let [own, tall] = found;
-            let words = format!("a picture of {own} × {tall} pixels in a film of {width} × {height}");
-            return Err(Error(words));
+        let [own, tall, width, height] =
+            [picture.width, picture.height, self.size[0].into(), self.size[1].into()];
+        if [own, tall] != [width, height] {
+            return Err(Error(format!("a picture of {own} × {tall} pixels in a film of {width} × {height}")));
         }
         let next: Vec<u8> = picture.pixels.iter().map(|&colour| self.palette.nearest(colour)).collect();
         let before = std::mem::replace(&mut self.shown, next);
