@@ -1,14 +1,13 @@
 //! Steps by Taylor series, as long as their last terms allow.
 
 use super::law::{Law, Rates};
-use super::series::{LENGTH, MOST, Series};
-use super::{Derivatives, Run, TRIES, largest, logarithm, ratio, smallest};
+use super::series::{LENGTH, MOST, Series, Variation, in_units};
+use super::{Run, TRIES, largest, logarithm, ratio, smallest};
 use crate::body::State;
 use crate::error::Error;
 use crate::number::Analytic;
 use crate::number::functions::exp;
 use crate::number::power_of_two::{exponent, times_power_of_two};
-use crate::step::system::System;
 use alloc::boxed::Box;
 use nalgebra::{Quaternion, Vector3};
 use num_traits::FromPrimitive;
@@ -31,18 +30,22 @@ pub(super) struct Taylor<T: nalgebra::Scalar> {
 
 impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     /// None where the law is no polynomial.
-    pub(super) fn new(system: &System<T>, tolerance: f64) -> Option<Self> {
-        let law = Law::of(system, T::one())?;
-        let (series, next) = (Box::new(Series::new(&law)), Series::new(&law));
-        let rates = Rates::of(system, &law);
-        Some(Self { law, unit: 1.0, rates, series, next, ready: false, most: order(tolerance) })
+    pub(super) fn new(run: &Run<T>) -> Option<Self> {
+        let law = Law::of(&run.system, T::one())?;
+        let start = run.variation.as_deref();
+        let (series, next) = (Box::new(Series::new(&law, start)), Series::new(&law, start));
+        let rates = Rates::of(&run.system, &law);
+        Some(Self { law, unit: 1.0, rates, series, next, ready: false, most: order(run.tolerance) })
     }
 
-    /// Begins the next series at a state and a time, s after the start of the run.
-    fn begin(&mut self, run: &Run<T>, state: &State<T>, time: f64) {
+    /// Begins the next series at a state, its variation and a time, s after the start of the run.
+    fn begin(&mut self, run: &Run<T>, state: &State<T>, variation: Option<&Variation<T>>, time: f64) {
         let unit = Run::number(self.unit);
         let spin = run.system.omega(&state.momentum).map(|x| x * unit).into();
         self.next.begin(&self.law, &state.attitude, spin, run.system.time + Run::number(time));
+        if let (Some(variations), Some(variation)) = (&mut self.next.variations, variation) {
+            variations.begin(&in_units(variation, unit));
+        }
         self.next.extend_to(1, &self.law);
     }
 
@@ -54,13 +57,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
 
     /// The coefficients about the state now; the longest step that keeps the last of them below the
     /// tolerance, in units.
-    fn fill(
-        &mut self,
-        weights: &[f64; 3],
-        derivatives: Option<&Derivatives<T>>,
-        left: f64,
-        tolerance: f64,
-    ) -> f64 {
+    fn fill(&mut self, weights: &[f64; 3], left: f64, tolerance: f64) -> f64 {
         self.series.begin_as(&self.next);
         let (mut power, mut below) = (left, false);
         if left > 1.0 {
@@ -72,7 +69,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
                     self.series.extend_to((order + 2).min(self.most), &self.law);
                 }
                 power *= left;
-                let small = self.series.size(order, weights, derivatives) * power <= 0.1 * tolerance;
+                let small = self.series.size(order, weights) * power <= 0.1 * tolerance;
                 if small && below {
                     return left;
                 }
@@ -80,7 +77,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
             }
         }
         let goal = logarithm(tolerance);
-        let size = |order: usize| self.series.size(order, weights, derivatives);
+        let size = |order: usize| self.series.size(order, weights);
         let longest = |order: usize| (goal - logarithm(size(order))) / order as f64;
         let [last, before] = [self.most, self.most - 1].map(longest);
         let longest = exp(if last < before { last } else { before });
@@ -89,34 +86,37 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     }
 
     /// The end of a step of `x` units at a time (s after the start of the run), and its error: how left the
-    /// series is from the law there.
+    /// series is from the law there; and its variation.
     fn end(
         &mut self,
         run: &Run<T>,
-        derivatives: Option<&Derivatives<T>>,
         x: T,
         time: f64,
         scale: f64,
-    ) -> (State<T>, f64) {
+    ) -> (State<T>, f64, Option<Box<Variation<T>>>) {
         let [q, w, dq, dw] = self.series.at(x);
         let mut end = self.moved(run, &run.state, &q, &w);
         end.momentum.apply(|x| {
-            if derivatives.is_none() && x.size() > 0.0 && x.size() < smallest::<T>() {
+            if run.variation.is_none() && x.size() > 0.0 && x.size() < smallest::<T>() {
                 *x = T::zero();
             }
         });
         let stretched = run.project(&mut end);
-        self.begin(run, &end, time);
         let per = Run::number(1.0 / self.unit);
+        let varied = self.series.variations.as_ref().map(|variations| variations.at(x));
+        let variation = varied.map(|[value, _]| Box::new(in_units(&value, per)));
+        self.begin(run, &end, variation.as_deref(), time);
         let [turned, spun] = self.next.rate();
         let turned: [T; 4] = core::array::from_fn(|i| turned[i] - dq[i]);
         let spun: [T; 3] = core::array::from_fn(|i| spun[i] - dw[i]);
         let pushed: [T; 3] = core::array::from_fn(|i| spun[i] * run.system.moments()[i] * per);
         let share = x.size() / (self.series.order as f64 + 1.0);
         let error = share * largest(&[largest(&turned), ratio(largest(&pushed), scale)]);
-        let derivatives =
-            derivatives.map_or(0.0, |derivatives| share * derivatives.share(turned.iter().chain(&spun)));
-        (end, largest(&[error, stretched, derivatives]))
+        let off = match (varied, &self.series.variations, &self.next.variations) {
+            (Some([_, rate]), Some(own), Some(next)) => share * own.off(&next.rate(), &rate),
+            _ => 0.0,
+        };
+        (end, largest(&[error, stretched, off]), variation)
     }
 
     /// A state after these changes of attitude and spin in units.
@@ -180,17 +180,12 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
             (self.unit, self.ready) = (unit, false);
         }
         if !core::mem::take(&mut self.ready) {
-            self.begin(run, &run.state, run.time);
+            self.begin(run, &run.state, run.variation.as_deref(), run.time);
         }
         let (moves, scale) = self.scale(run, unit);
         let weights = [0, 1, 2].map(|i| ratio(run.system.moments()[i].size() / unit, scale).min(f64::MAX));
         let left = remaining.abs() / unit;
-        let attitude = run.state.attitude.coords.as_slice();
-        let spin = omega.map(|x| x * Run::number(unit));
-        let derivatives =
-            run.derivatives.map(|derivatives| Derivatives::of(derivatives, attitude, spin.as_slice()));
-        let derivatives = derivatives.as_ref();
-        let mut x = self.fill(&weights, derivatives, left, run.tolerance);
+        let mut x = self.fill(&weights, left, run.tolerance);
         if !(x * unit).is_finite() {
             x = run.ahead().abs() / unit;
         }
@@ -198,7 +193,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
             let (h, last) = run.fitted((x * unit).copysign(remaining))?;
             let signed = if last { left } else { x }.copysign(remaining);
             let until = if last { run.duration } else { run.time + h };
-            let (end, error) = self.end(run, derivatives, Run::number(signed), until, scale);
+            let (end, error, variation) = self.end(run, Run::number(signed), until, scale);
             if error <= run.tolerance.max(32.0 * T::rounding()) {
                 run.count_stiffness(if moves { decay * h.abs() } else { 0.0 });
                 if let Some(flips) = &mut run.flips {
@@ -206,6 +201,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
                     flips.find(&spin[..=self.series.order], signed, run.time, unit);
                 }
                 run.take(end, h, last);
+                run.variation = variation;
                 self.ready = true;
                 return Ok(());
             }
