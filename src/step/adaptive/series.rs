@@ -5,9 +5,10 @@
 
 mod variation;
 
-use super::law::{DissipationLaw, Law, WorldLaw};
+use super::law::{DissipationLaw, GradientLaw, Law, WorldLaw};
 use super::sums::{
-    Coefficients, Lanes, across, across_sums, add_scaled, lanes, own_sums, pairs, scaled, sums, turn,
+    AcrossSums, Coefficients, Lanes, across, across_sums, add_scaled, lanes, own_sums, pairs, scaled, sums,
+    turn,
 };
 use crate::attitude::rotate_inverse;
 use crate::number::Analytic;
@@ -72,10 +73,11 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
             dissipation: law
                 .dissipation
                 .map(|_| Box::new(DissipationSeries { momentum: rows, coupling: none() })),
-            gradients: vec![
-                GradientSeries { direction: none(), orbit: rows, turning: none() };
-                law.gradients.len()
-            ],
+            gradients: law
+                .gradients
+                .iter()
+                .map(|_| GradientSeries { direction: none(), orbit: rows, turning: none() })
+                .collect(),
             variations: start.map(|start| Box::new(Variations::new(start))),
         }
     }
@@ -101,9 +103,12 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     }
 
     /// Begins as another series does.
+    #[inline(always)]
     pub(super) fn begin_as<const M: usize>(&mut self, other: &Series<T, M>) {
         self.order = other.order;
-        self.periodic.clone_from(&other.periodic);
+        for (own, other) in self.periodic.iter_mut().zip(&other.periodic) {
+            *own = *other;
+        }
         if let (Some(own), Some(other)) = (&mut self.variations, &other.variations) {
             own.begin(&other.start());
         }
@@ -168,8 +173,8 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
             (*cosine, *sine) = (-(*sine * turn), *cosine * turn);
         }
         let vector = match (&*self.world, &*self.gradients) {
-            ([first, ..], _) => first,
-            (_, [own, ..]) => &own.orbit,
+            ([first, ..], _) if ACROSS => first,
+            (_, [own, ..]) if ACROSS => &own.orbit,
             _ => attitude,
         };
         let sums = sums::<T, N, ACROSS>(n + 1, attitude, vector, spin);
@@ -190,12 +195,14 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
         if let (Some(own), Some(dissipation)) = (&mut self.dissipation, &law.dissipation) {
             own.add(dissipation, &spin.up[n], &free, n, &mut rate);
         }
-        if ACROSS {
-            for (i, (own, gradient)) in self.gradients.iter_mut().zip(&law.gradients).enumerate() {
-                let known = alone && i == 0;
-                let turned = if known { sums.across } else { across_sums(n + 1, &own.orbit, spin) };
-                own.orbit[n + 1] = scaled(&across(&turned), inverse);
-                own.add(&gradient.acceleration, &spin.up[n], n, inverse, &mut rate);
+        if ACROSS && let ([own, more @ ..], [first, others @ ..]) = (&mut *self.gradients, &*law.gradients) {
+            let turned = if alone { sums.across } else { across_sums(n + 1, &own.orbit, spin) };
+            own.add(first, &turned, &spin.up[n], n, inverse, &mut rate);
+            if !more.is_empty() {
+                for (own, one) in more.iter_mut().zip(others) {
+                    let turned = across_sums(n + 1, &own.orbit, spin);
+                    own.add(one, &turned, &spin.up[n], n, inverse, &mut rate);
+                }
             }
         }
         for i in 0..4 {
@@ -298,13 +305,24 @@ impl<T: Analytic + Copy, const N: usize> DissipationSeries<T, N> {
 }
 
 impl<T: Analytic + Copy, const N: usize> GradientSeries<T, N> {
-    /// Adds the angular acceleration by the gravity gradient, and makes the direction's next coefficient.
-    fn add(&mut self, acceleration: &Lanes<T>, spin: &Lanes<T>, n: usize, inverse: T, rate: &mut Lanes<T>) {
+    /// Adds the angular acceleration by the gravity gradient, and makes the next coefficients of orbit, given
+    /// its products with the spin, and direction.
+    #[inline(always)]
+    fn add(
+        &mut self,
+        law: &GradientLaw<T>,
+        turned: &AcrossSums<T>,
+        spin: &Lanes<T>,
+        n: usize,
+        inverse: T,
+        rate: &mut Lanes<T>,
+    ) {
         self.turning.set(n, core::array::from_fn(|i| spin[i] - self.orbit[n][i]));
+        self.orbit[n + 1] = scaled(&across(turned), inverse);
         let (turned, own) = own_sums(n + 1, &self.direction, &self.turning);
         let pairs = pairs(&own);
         for i in 0..4 {
-            rate[i] -= acceleration[i] * pairs[i];
+            rate[i] -= law.acceleration[i] * pairs[i];
         }
         self.direction.set(n + 1, scaled(&across(&turned), inverse));
     }
