@@ -15,8 +15,8 @@ impl Stepper<f64> {
     /// convention of [`FreeMotion::state_transition`](crate::exact::FreeMotion::state_transition). The
     /// matrix of several steps is the product, the last on the left.
     ///
-    /// A matrix costs some seven runs: its own steps keep the error of each column below the tolerance,
-    /// relative to the column's size.
+    /// It costs some seven steps, nine under dissipation: its own steps keep the error of each column below the
+    /// tolerance, relative to the column's size.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3, Vector6};
@@ -47,8 +47,9 @@ impl Stepper<f64> {
     /// body then stays where it was.
     pub fn step_with_transition(&mut self, h: f64) -> Result<Matrix6<f64>, Error> {
         let (tolerance, mut budget) = self.tolerance(Subject::StepTransition)?;
-        let transition =
-            self.turned(&self.transition(&self.state, [self.time, h], tolerance, &mut budget)?);
+        let mut run = self.varied(h, tolerance)?;
+        run.at(h, &mut budget)?;
+        let transition = self.turned(&run.take_variation());
         representable(Subject::Transition, transition.as_slice())?;
         self.step(h).map(|_| transition)
     }
@@ -58,7 +59,7 @@ impl Stepper<f64> {
     ///
     /// The start is taken to be right to rounding, each of the run's own steps to the tolerance, and what
     /// they are off by is carried on to the end by the motion's state transition, as independent errors. It
-    /// costs a run with derivatives, some ten times that of the step. A motion near an unstable equilibrium
+    /// costs some six to eight times the step. A motion near an unstable equilibrium
     /// or a separatrix multiplies errors by more than any tolerance makes up for: this says so.
     ///
     /// ```
@@ -82,13 +83,7 @@ impl Stepper<f64> {
     /// As [`step_with_transition`](Self::step_with_transition).
     pub fn expected_error(&self, h: f64) -> Result<f64, Error> {
         let (tolerance, mut budget) = self.tolerance(Subject::StepError)?;
-        let mut run = AdaptiveRun::new(
-            self.system.clone(),
-            &self.state,
-            finite(Subject::Step, h)?,
-            tolerance,
-            Tracked::Nothing,
-        )?;
+        let mut run = self.varied(h, tolerance)?;
         let inverse = self.system.inverse;
         // The variances of an error of the attitude's quaternion and of the momentum, relative to their size.
         let made = |state: &State<f64>, error: f64| {
@@ -99,12 +94,9 @@ impl Stepper<f64> {
         let mut variance = made(&self.state, f64::EPSILON);
         let error = tolerance.max(32.0 * f64::EPSILON);
         let mut off = 0.0;
-        let mut start = *run.state();
-        while let Some([began, ended]) = run.next_step(&mut budget)? {
-            let times = [self.time + began, ended - began];
-            let on = self.transition(&start, times, tolerance, &mut budget)?;
-            start = *run.state();
-            variance = on * variance * on.transpose() + made(&start, error);
+        while run.next_step(&mut budget)? {
+            let on = run.take_variation();
+            variance = on * variance * on.transpose() + made(run.state(), error);
             off = variance.fixed_view::<3, 3>(0, 0).trace().sqrt();
             if off.is_nan() || off >= PI {
                 return Ok(PI);
@@ -113,19 +105,10 @@ impl Stepper<f64> {
         Ok(off)
     }
 
-    /// The state transition, along the principal axes, from a state at a time to the one a duration later.
-    fn transition(
-        &self,
-        start: &State<f64>,
-        [time, duration]: [f64; 2],
-        tolerance: f64,
-        budget: &mut usize,
-    ) -> Result<Matrix6<f64>, Error> {
-        let mut system = self.system.clone();
-        system.set_time(time);
-        let mut run = AdaptiveRun::new(system, start, duration, tolerance, Tracked::Variation)?;
-        run.at(duration, budget)?;
-        Ok(run.variation().unwrap_or_else(Matrix6::identity))
+    /// A run from now on with the motion's variations.
+    fn varied(&self, h: f64, tolerance: f64) -> Result<AdaptiveRun<f64>, Error> {
+        let h = finite(Subject::Step, h)?;
+        AdaptiveRun::new(self.system.clone(), &self.state, h, tolerance, Tracked::Variation)
     }
 
     /// A matrix along the body's axes, from one along the principal axes.

@@ -136,18 +136,13 @@ impl<T: Analytic + Copy + FromPrimitive> AdaptiveRun<T> {
         Ok(())
     }
 
-    /// Takes the next step: where it began and ended, s after the start of the run. None at the end.
-    pub(in crate::step) fn next_step(&mut self, budget: &mut usize) -> Result<Option<[f64; 2]>, Error> {
-        while self.run.time != self.run.duration || self.until != self.end {
-            let began = self.run.from + self.run.time;
+    /// Takes the next step, unless it is at the end.
+    pub(in crate::step) fn next_step(&mut self, budget: &mut usize) -> Result<bool, Error> {
+        let taken = self.run.steps;
+        while self.run.steps == taken && (self.run.time != self.run.duration || self.until != self.end) {
             self.advance(self.end, budget)?;
-            let whole = self.run.time == self.run.duration;
-            let ended = if whole { self.until } else { self.run.from + self.run.time };
-            if ended != began {
-                return Ok(Some([began, ended]));
-            }
         }
-        Ok(None)
+        Ok(self.run.steps != taken)
     }
 
     /// The state that the steps have led to.
@@ -155,10 +150,17 @@ impl<T: Analytic + Copy + FromPrimitive> AdaptiveRun<T> {
         &self.run.state
     }
 
-    /// The derivatives of attitude and spin (rad/s) where the steps have led to, by those at the start; none
-    /// of a run that does not track them.
-    pub(in crate::step) fn variation(&self) -> Option<Matrix6<T>> {
-        self.run.variation.as_ref().map(|v| Matrix6::from_fn(|i, j| v[i / 3][i % 3][j]))
+    /// The derivatives of attitude and spin (rad/s) where the steps have led to, by those where they were
+    /// last taken, or at the start; the identity of a run that does not track them.
+    pub(in crate::step) fn take_variation(&mut self) -> Matrix6<T> {
+        let mut taken = identity();
+        if let Some(variation) = &mut self.run.variation {
+            core::mem::swap(&mut taken, variation);
+            if let Steps::Series(series) = &mut self.steps {
+                series.ready = false;
+            }
+        }
+        Matrix6::from_fn(|i, j| taken[i / 3][i % 3][j])
     }
 
     /// The flips before the time `end` that were not taken yet, s after the start, and the sign of the spin

@@ -23,7 +23,7 @@ pub(super) struct Taylor<T: nalgebra::Scalar> {
     /// That of the first order about the end of a step: it tells the step's error, and begins the next.
     next: Series<T, 2>,
     /// Whether it is about the run's state.
-    ready: bool,
+    pub(super) ready: bool,
     /// The highest power that a step takes.
     most: usize,
 }
