@@ -15,8 +15,8 @@ impl Stepper<f64> {
     /// convention of [`FreeMotion::state_transition`](crate::exact::FreeMotion::state_transition). The
     /// matrix of several steps is the product, the last on the left.
     ///
-    /// It costs some seven steps, nine under dissipation: its own steps keep the error of each column below the
-    /// tolerance, relative to the column's size.
+    /// It costs some seven times the step, nine under dissipation: its own steps keep the error of each
+    /// column below the tolerance, relative to the column's size.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3, Vector6};
@@ -59,8 +59,8 @@ impl Stepper<f64> {
     ///
     /// The start is taken to be right to rounding, each of the run's own steps to the tolerance, and what
     /// they are off by is carried on to the end by the motion's state transition, as independent errors. It
-    /// costs some six to eight times the step. A motion near an unstable equilibrium
-    /// or a separatrix multiplies errors by more than any tolerance makes up for: this says so.
+    /// costs some six to eight times the step. A motion near an unstable equilibrium or a separatrix
+    /// multiplies errors by more than any tolerance makes up for: this says so.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
