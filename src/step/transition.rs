@@ -5,7 +5,7 @@ use super::stepper::Stepper;
 use crate::body::State;
 use crate::error::{Error, Subject, finite, representable};
 use core::f64::consts::PI;
-use nalgebra::{Matrix6, Vector6};
+use nalgebra::{Matrix6, Vector3, Vector6};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
@@ -15,7 +15,7 @@ impl Stepper<f64> {
     /// convention of [`FreeMotion::state_transition`](crate::exact::FreeMotion::state_transition). The
     /// matrix of several steps is the product, the last on the left.
     ///
-    /// It costs some seven times the step, nine under dissipation: its own steps keep the error of each
+    /// It costs some seven times the step: its own steps keep the error of each
     /// column below the tolerance, relative to the column's size.
     ///
     /// ```
@@ -49,7 +49,7 @@ impl Stepper<f64> {
         let (tolerance, mut budget) = self.tolerance(Subject::StepTransition)?;
         let mut run = self.varied(h, tolerance)?;
         run.at(h, &mut budget)?;
-        let transition = self.turned(&run.take_variation());
+        let transition = self.turned(&run.variation());
         representable(Subject::Transition, transition.as_slice())?;
         self.step(h).map(|_| transition)
     }
@@ -59,7 +59,7 @@ impl Stepper<f64> {
     ///
     /// The start is taken to be right to rounding, each of the run's own steps to the tolerance, and what
     /// they are off by is carried on to the end by the motion's state transition, as independent errors. It
-    /// costs some six to eight times the step. A motion near an unstable equilibrium or a separatrix
+    /// costs some six times the step. A motion near an unstable equilibrium or a separatrix
     /// multiplies errors by more than any tolerance makes up for: this says so.
     ///
     /// ```
@@ -95,11 +95,16 @@ impl Stepper<f64> {
         let error = tolerance.max(32.0 * f64::EPSILON);
         let mut off = 0.0;
         while run.next_step(&mut budget)? {
-            let on = run.take_variation();
-            variance = on * variance * on.transpose() + made(run.state(), error);
-            off = variance.fixed_view::<3, 3>(0, 0).trace().sqrt();
+            let on = run.variation();
+            let now = on * variance * on.transpose() + made(run.state(), error);
+            off = now.fixed_view::<3, 3>(0, 0).trace().sqrt();
             if off.is_nan() || off >= PI {
                 return Ok(PI);
+            }
+            // At rest no step errs; and what the spin was off by before decays, so that steps grow long.
+            if run.state().momentum != Vector3::zeros() {
+                variance = now;
+                run.vary_anew();
             }
         }
         Ok(off)

@@ -144,11 +144,6 @@ fn a_periodic_torque_moves_a_body_as_the_function_that_says_the_same() {
     for (k, flip) in flips.iter().enumerate() {
         assert!((flip - (k as f64 + 1.0) * std::f64::consts::FRAC_PI_2).abs() < 1e-10, "{flip}");
     }
-    for (rate, phase) in [(f64::NAN, 0.0), (1.0, f64::INFINITY)] {
-        let bad = Torque::Periodic { amplitude: Vector3::y(), rate, phase };
-        let refused = System::with(moments, vec![bad]).unwrap_err().to_string();
-        assert!(refused.contains("of a periodic torque"), "{refused}");
-    }
 }
 
 #[test]
@@ -206,11 +201,9 @@ fn a_thruster_acts_for_the_whole_of_its_time_and_no_longer() {
         let gained = world(&there) - start.momentum;
         assert!((gained - Vector3::new(0.0, 0.0, 2.0 * time)).norm() < 1e-11, "{end}: {gained}");
     }
-    let refused = System::with(
-        PrincipalMoments::new(1.0, 1.7, 2.4).unwrap(),
-        vec![Torque::during(2.0, 1.0, Torque::InBody(Vector3::x()))],
-    );
-    assert_eq!(refused.unwrap_err().kind(), ErrorKind::OutOfBounds);
+    let back = Torque::during(2.0, 1.0, Torque::InBody(Vector3::x()));
+    let never = System::with(PrincipalMoments::new(1.0, 1.7, 2.4).unwrap(), vec![back]);
+    refused(never, ErrorKind::OutOfBounds, "its end");
 }
 
 #[test]
@@ -255,28 +248,21 @@ fn a_spin_that_is_zero_where_two_steps_meet_flips_where_it_leaves_zero() {
 #[test]
 fn a_refused_adaptive_run_says_what_is_in_the_way() {
     let moments = PrincipalMoments::new(1.0, 2.0, 2.5).unwrap();
-    let body = tilted();
-    let drag = Stepper::<f64>::adaptive(&body, 1e-9, 1000).unwrap();
+    let drag = Stepper::<f64>::adaptive(&tilted(), 1e-9, 1000).unwrap();
     let mut drag = drag.with_torques([Torque::function(|_, _, omega| -omega)]).unwrap();
-    let refused = [drag.flips(1.0).unwrap_err(), drag.step_with_transition(1.0).unwrap_err()];
-    for (refused, what) in refused.iter().zip(["no series", "no derivatives"]) {
-        assert!(refused.kind() == ErrorKind::Undefined && refused.to_string().contains(what), "{refused}");
-    }
+    refused(drag.flips(1.0), ErrorKind::Undefined, "no series");
+    refused(drag.step_with_transition(1.0), ErrorKind::Undefined, "no derivatives");
+    refused(drag.expected_error(1.0), ErrorKind::Undefined, "no derivatives");
     // A direction of another length is another strength.
     let long = Torque::gravity_gradient(&Vector3::new(0.6, 0.8, 0.1), &Vector3::new(0.0, 0.0, 0.3));
-    let long = System::with(moments, vec![long]).unwrap_err();
-    assert_eq!(long.kind(), ErrorKind::OutOfBounds);
-    assert!(
-        long.to_string().contains("direction") && long.to_string().contains("off 1 by 0.00499"),
-        "{long}"
-    );
+    let long = refused(System::with(moments, vec![long]), ErrorKind::OutOfBounds, "off 1 by 0.00499");
+    assert!(long.to_string().contains("direction"), "{long}");
     // Rates beyond the numbers leave no step.
     let lossy = under(moments, vec![Torque::Dissipation(1e300)]);
     let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(1.0, 2.0, 3.0) };
-    let refused = adaptive(&lossy, &start, 1.0, 1e-9, &mut 1000).unwrap_err();
-    assert_eq!(refused.kind(), ErrorKind::NotConverged);
-    assert!(refused.to_string().contains("no step at 0e0 s meets the tolerance"), "{refused}");
-    assert!(!refused.to_string().contains("NaN") && !refused.to_string().contains("moved"), "{refused}");
+    let lost = adaptive(&lossy, &start, 1.0, 1e-9, &mut 1000);
+    let lost = refused(lost, ErrorKind::NotConverged, "no step at 0e0 s meets the tolerance").to_string();
+    assert!(!lost.contains("NaN") && !lost.contains("moved"), "{lost}");
 }
 
 #[test]

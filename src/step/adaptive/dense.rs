@@ -150,17 +150,19 @@ impl<T: Analytic + Copy + FromPrimitive> AdaptiveRun<T> {
         &self.run.state
     }
 
-    /// The derivatives of attitude and spin (rad/s) where the steps have led to, by those where they were
-    /// last taken, or at the start; the identity of a run that does not track them.
-    pub(in crate::step) fn take_variation(&mut self) -> Matrix6<T> {
-        let mut taken = identity();
-        if let Some(variation) = &mut self.run.variation {
-            core::mem::swap(&mut taken, variation);
-            if let Steps::Series(series) = &mut self.steps {
-                series.ready = false;
-            }
+    /// The derivatives of attitude and spin (rad/s) where the steps have led to, by those at the start or
+    /// where they [began anew](Self::vary_anew); the identity of a run that does not track them.
+    pub(in crate::step) fn variation(&self) -> Matrix6<T> {
+        let variation = self.run.variation.as_deref().copied().unwrap_or_else(identity);
+        Matrix6::from_fn(|i, j| variation[i / 3][i % 3][j])
+    }
+
+    /// From now on the derivatives are those by the state here.
+    pub(in crate::step) fn vary_anew(&mut self) {
+        self.run.variation = Some(Box::new(identity()));
+        if let Steps::Series(series) = &mut self.steps {
+            series.ready = false;
         }
-        Matrix6::from_fn(|i, j| taken[i / 3][i % 3][j])
     }
 
     /// The flips before the time `end` that were not taken yet, s after the start, and the sign of the spin
@@ -257,10 +259,7 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
         let (what, why) = if run.variation.is_some() {
             (Subject::Transition, "a function gives no derivatives: give the torque by its name")
         } else if run.flips.is_some() {
-            (
-                Subject::FlipTimes,
-                "steps under a torque that is a function have no series: give the torque by its name, or look for changes of sign",
-            )
+            (Subject::FlipTimes, "a function has no series: name the torque, or look for changes of sign")
         } else {
             return Pair::new(run).map(Self::Pair);
         };

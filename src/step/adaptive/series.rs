@@ -7,8 +7,7 @@ mod variation;
 
 use super::law::{DissipationLaw, GradientLaw, Law, WorldLaw};
 use super::sums::{
-    AcrossSums, Coefficients, Lanes, across, across_sums, add_scaled, lanes, own_sums, pairs, scaled, sums,
-    turn,
+    Coefficients, Lanes, across, across_sums, add_scaled, lanes, own_sums, pairs, scaled, sums, turn,
 };
 use crate::attitude::rotate_inverse;
 use crate::number::Analytic;
@@ -60,8 +59,8 @@ pub(super) struct Series<T: nalgebra::Scalar, const N: usize> {
 }
 
 impl<T: Analytic + Copy, const N: usize> Series<T, N> {
-    /// What a law of these torques needs, and the variations from these at the start.
-    pub(super) fn new(law: &Law<T>, start: Option<&Variation<T>>) -> Self {
+    /// What a law of these torques needs, with variations or without.
+    pub(super) fn new(law: &Law<T>, varied: bool) -> Self {
         let rows = [[T::zero(); 4]; N];
         let none = || Coefficients { up: rows, down: [[[T::zero(); 2]; 3]; N] };
         Self {
@@ -78,7 +77,7 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
                 .iter()
                 .map(|_| GradientSeries { direction: none(), orbit: rows, turning: none() })
                 .collect(),
-            variations: start.map(|start| Box::new(Variations::new(start))),
+            variations: varied.then(|| Box::new(Variations::new())),
         }
     }
 
@@ -110,7 +109,7 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
             *own = *other;
         }
         if let (Some(own), Some(other)) = (&mut self.variations, &other.variations) {
-            own.begin(&other.start());
+            own.begin(&other.coefficient(0));
         }
         for power in 0..=other.order {
             self.attitude[power] = other.attitude[power];
@@ -137,8 +136,17 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
         } else {
             self.extend_with::<true>(order, law);
         }
+        if self.variations.is_some() {
+            self.extend_variations(law);
+        }
+    }
+
+    #[inline(never)]
+    fn extend_variations(&mut self, law: &Law<T>) {
         if let Some(mut variations) = self.variations.take() {
-            variations.extend(self, law);
+            while variations.order < self.order.min(N - 1) {
+                variations.extend(self, law);
+            }
             self.variations = Some(variations);
         }
     }
@@ -148,29 +156,32 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     // Not inlined: alone it has the registers to itself.
     #[inline(never)]
     fn extend_with<const ACROSS: bool>(&mut self, order: usize, law: &Law<T>) {
+        // What is constant is in the first rate alone.
+        let mut rate = if self.order == 0 { law.constant } else { [T::zero(); 4] };
         while self.order < order.min(N - 1) {
-            self.extend::<ACROSS>(law);
+            self.extend::<ACROSS>(law, core::mem::replace(&mut rate, [T::zero(); 4]));
         }
     }
 
-    /// The next coefficient of everything.
+    /// The next coefficient of everything, given the part of the spin's rate that is constant.
     #[inline(always)]
-    fn extend<const ACROSS: bool>(&mut self, law: &Law<T>) {
+    fn extend<const ACROSS: bool>(&mut self, law: &Law<T>, mut rate: Lanes<T>) {
         let n = self.order.min(N - 2);
         let inverse = T::one() / T::integer(n as u32 + 1);
         let (attitude, spin, alone) = (&self.attitude, &self.spin, law.world.is_empty());
         // The sums last: all else is at hand before they are.
-        let mut rate = if n == 0 { law.constant } else { [T::zero(); 4] };
         if let Some(decay) = &law.decay {
             for ((rate, decay), spin) in rate.iter_mut().zip(decay).zip(&spin.up[n]) {
                 *rate -= *decay * *spin;
             }
         }
-        for ([cosine, sine], one) in self.periodic.iter_mut().zip(&law.periodic) {
-            add_scaled(&mut rate, &one.cosine, *cosine);
-            add_scaled(&mut rate, &one.sine, *sine);
-            let turn = one.rate_in_units * inverse;
-            (*cosine, *sine) = (-(*sine * turn), *cosine * turn);
+        if !self.periodic.is_empty() {
+            for ([cosine, sine], one) in self.periodic.iter_mut().zip(&law.periodic) {
+                add_scaled(&mut rate, &one.cosine, *cosine);
+                add_scaled(&mut rate, &one.sine, *sine);
+                let turn = one.rate_in_units * inverse;
+                (*cosine, *sine) = (-(*sine * turn), *cosine * turn);
+            }
         }
         let vector = match (&*self.world, &*self.gradients) {
             ([first, ..], _) if ACROSS => first,
@@ -196,13 +207,11 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
             own.add(dissipation, &spin.up[n], &free, n, &mut rate);
         }
         if ACROSS && let ([own, more @ ..], [first, others @ ..]) = (&mut *self.gradients, &*law.gradients) {
-            let turned = if alone { sums.across } else { across_sums(n + 1, &own.orbit, spin) };
-            own.add(first, &turned, &spin.up[n], n, inverse, &mut rate);
+            let turned =
+                if alone { across(&sums.across) } else { across(&across_sums(n + 1, &own.orbit, spin)) };
+            own.add(first, turned, &spin.up[n], n, inverse, &mut rate);
             if !more.is_empty() {
-                for (own, one) in more.iter_mut().zip(others) {
-                    let turned = across_sums(n + 1, &own.orbit, spin);
-                    own.add(one, &turned, &spin.up[n], n, inverse, &mut rate);
-                }
+                rate = GradientSeries::add_all(more, others, spin, n, inverse, rate);
             }
         }
         for i in 0..4 {
@@ -311,20 +320,37 @@ impl<T: Analytic + Copy, const N: usize> GradientSeries<T, N> {
     fn add(
         &mut self,
         law: &GradientLaw<T>,
-        turned: &AcrossSums<T>,
+        turned: Lanes<T>,
         spin: &Lanes<T>,
         n: usize,
         inverse: T,
         rate: &mut Lanes<T>,
     ) {
         self.turning.set(n, core::array::from_fn(|i| spin[i] - self.orbit[n][i]));
-        self.orbit[n + 1] = scaled(&across(turned), inverse);
+        self.orbit[n + 1] = scaled(&turned, inverse);
         let (turned, own) = own_sums(n + 1, &self.direction, &self.turning);
         let pairs = pairs(&own);
         for i in 0..4 {
             rate[i] -= law.acceleration[i] * pairs[i];
         }
         self.direction.set(n + 1, scaled(&across(&turned), inverse));
+    }
+
+    // Few laws have two, and inlined it takes registers from the one.
+    #[inline(never)]
+    fn add_all(
+        all: &mut [Self],
+        laws: &[GradientLaw<T>],
+        spin: &Coefficients<T, N>,
+        n: usize,
+        inverse: T,
+        mut rate: Lanes<T>,
+    ) -> Lanes<T> {
+        for (own, law) in all.iter_mut().zip(laws) {
+            let turned = across(&across_sums(n + 1, &own.orbit, spin));
+            own.add(law, turned, &spin.up[n], n, inverse, &mut rate);
+        }
+        rate
     }
 }
 
@@ -348,7 +374,7 @@ mod tests {
         let law = Law::of(&system, 1.0).unwrap();
         let start = Quaternion::new(0.5, -0.1, 0.7, 0.2).normalize();
         let spin = Vector3::new(0.5, 2.0, -0.4);
-        let mut fast = Series::<f64, LENGTH>::new(&law, None);
+        let mut fast = Series::<f64, LENGTH>::new(&law, false);
         fast.begin(&law, &start, spin.into(), 0.0);
         fast.extend_to(MOST, &law);
 

@@ -32,21 +32,36 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     /// None where the law is no polynomial.
     pub(super) fn new(run: &Run<T>) -> Option<Self> {
         let law = Law::of(&run.system, T::one())?;
-        let start = run.variation.as_deref();
-        let (series, next) = (Box::new(Series::new(&law, start)), Series::new(&law, start));
+        let varied = run.variation.is_some();
+        let (series, next) = (Box::new(Series::new(&law, varied)), Series::new(&law, varied));
         let rates = Rates::of(&run.system, &law);
         Some(Self { law, unit: 1.0, rates, series, next, ready: false, most: order(run.tolerance) })
     }
 
-    /// Begins the next series at a state, its variation and a time, s after the start of the run.
-    fn begin(&mut self, run: &Run<T>, state: &State<T>, variation: Option<&Variation<T>>, time: f64) {
+    /// Begins the next series at a state and a time, s after the start of the run.
+    fn begin(&mut self, run: &Run<T>, state: &State<T>, time: f64) {
         let unit = Run::number(self.unit);
         let spin = run.system.omega(&state.momentum).map(|x| x * unit).into();
         self.next.begin(&self.law, &state.attitude, spin, run.system.time + Run::number(time));
-        if let (Some(variations), Some(variation)) = (&mut self.next.variations, variation) {
-            variations.begin(&in_units(variation, unit));
+        self.next.extend_to(1, &self.law);
+    }
+
+    /// Begins the next series' variations, in units, where it has begun itself.
+    fn begin_variations(&mut self, start: &Variation<T>) {
+        if let Some(variations) = &mut self.next.variations {
+            variations.begin(start);
         }
         self.next.extend_to(1, &self.law);
+    }
+
+    /// Begins the variations at the end of a step of `x` units; returns how far the series' rates are from
+    /// those of the law there.
+    #[inline(never)]
+    fn end_variations(&mut self, x: T) -> f64 {
+        let Some([value, rate]) = self.series.variations.as_ref().map(|own| own.at(x)) else { return 0.0 };
+        self.begin_variations(&value);
+        let both = self.series.variations.as_ref().zip(self.next.variations.as_ref());
+        both.map_or(0.0, |(own, next)| own.off(&next.coefficient(1), &rate))
     }
 
     /// What the torques change the momentum by in a unit of time, times the unit.
@@ -86,37 +101,26 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     }
 
     /// The end of a step of `x` units at a time (s after the start of the run), and its error: how left the
-    /// series is from the law there; and its variation.
-    fn end(
-        &mut self,
-        run: &Run<T>,
-        x: T,
-        time: f64,
-        scale: f64,
-    ) -> (State<T>, f64, Option<Box<Variation<T>>>) {
+    /// series is from the law there.
+    fn end(&mut self, run: &Run<T>, x: T, time: f64, scale: f64) -> (State<T>, f64) {
         let [q, w, dq, dw] = self.series.at(x);
         let mut end = self.moved(run, &run.state, &q, &w);
         end.momentum.apply(|x| {
-            if run.variation.is_none() && x.size() > 0.0 && x.size() < smallest::<T>() {
+            if x.size() > 0.0 && x.size() < smallest::<T>() {
                 *x = T::zero();
             }
         });
         let stretched = run.project(&mut end);
         let per = Run::number(1.0 / self.unit);
-        let varied = self.series.variations.as_ref().map(|variations| variations.at(x));
-        let variation = varied.map(|[value, _]| Box::new(in_units(&value, per)));
-        self.begin(run, &end, variation.as_deref(), time);
+        self.begin(run, &end, time);
         let [turned, spun] = self.next.rate();
         let turned: [T; 4] = core::array::from_fn(|i| turned[i] - dq[i]);
         let spun: [T; 3] = core::array::from_fn(|i| spun[i] - dw[i]);
         let pushed: [T; 3] = core::array::from_fn(|i| spun[i] * run.system.moments()[i] * per);
         let share = x.size() / (self.series.order as f64 + 1.0);
         let error = share * largest(&[largest(&turned), ratio(largest(&pushed), scale)]);
-        let off = match (varied, &self.series.variations, &self.next.variations) {
-            (Some([_, rate]), Some(own), Some(next)) => share * own.off(&next.rate(), &rate),
-            _ => 0.0,
-        };
-        (end, largest(&[error, stretched, off]), variation)
+        let varied = if run.variation.is_some() { share * self.end_variations(x) } else { 0.0 };
+        (end, largest(&[error, stretched, varied]))
     }
 
     /// A state after these changes of attitude and spin in units.
@@ -180,7 +184,10 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
             (self.unit, self.ready) = (unit, false);
         }
         if !core::mem::take(&mut self.ready) {
-            self.begin(run, &run.state, run.variation.as_deref(), run.time);
+            self.begin(run, &run.state, run.time);
+            if let Some(variation) = &run.variation {
+                self.begin_variations(&in_units(variation, Run::number(unit)));
+            }
         }
         let (moves, scale) = self.scale(run, unit);
         let weights = [0, 1, 2].map(|i| ratio(run.system.moments()[i].size() / unit, scale).min(f64::MAX));
@@ -193,7 +200,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
             let (h, last) = run.fitted((x * unit).copysign(remaining))?;
             let signed = if last { left } else { x }.copysign(remaining);
             let until = if last { run.duration } else { run.time + h };
-            let (end, error, variation) = self.end(run, Run::number(signed), until, scale);
+            let (end, error) = self.end(run, Run::number(signed), until, scale);
             if error <= run.tolerance.max(32.0 * T::rounding()) {
                 run.count_stiffness(if moves { decay * h.abs() } else { 0.0 });
                 if let Some(flips) = &mut run.flips {
@@ -201,7 +208,9 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
                     flips.find(&spin[..=self.series.order], signed, run.time, unit);
                 }
                 run.take(end, h, last);
-                run.variation = variation;
+                if let (Some(variation), Some(variations)) = (&mut run.variation, &self.next.variations) {
+                    **variation = in_units(&variations.coefficient(0), Run::number(1.0 / self.unit));
+                }
                 self.ready = true;
                 return Ok(());
             }
