@@ -17,11 +17,13 @@ use crate::number::Analytic;
 use crate::number::power_of_two::{exponent, times_power_of_two};
 use crate::step::system::System;
 use crate::step::torque::before_or_at;
+use alloc::boxed::Box;
 use alloc::sync::Arc;
 use core::f64::consts::{LN_2, SQRT_2};
 use flips::Flips;
 use nalgebra::{Quaternion, Vector3};
 use num_traits::FromPrimitive;
+use series::Variation;
 
 pub(super) use dense::{AdaptiveRun, Tracked};
 
@@ -69,8 +71,8 @@ struct Run<T: nalgebra::Scalar> {
     mild: u32,
     /// Where flips are looked for.
     flips: Option<Flips>,
-    /// The derivatives of numbers that carry them.
-    derivatives: Option<DerivativeSizes<T>>,
+    /// That of the state by the state at the start of the whole, its spin in rad/s, if it is tracked.
+    variation: Option<Box<Variation<T>>>,
 }
 
 impl<T: Analytic + Copy + FromPrimitive> Run<T> {
@@ -95,7 +97,7 @@ impl<T: Analytic + Copy + FromPrimitive> Run<T> {
             stiff: 0,
             mild: 0,
             flips: None,
-            derivatives: None,
+            variation: None,
         })
     }
 
@@ -240,47 +242,6 @@ fn logarithm(x: f64) -> f64 {
     let z = (m - SQRT_2) / (m + SQRT_2);
     let square = z * z;
     (f64::from(whole) + 0.5) * LN_2 + 2.0 * z * (1.0 + square * (1.0 / 3.0 + square * 0.2))
-}
-
-/// How many derivatives a number carries at most.
-const DIRECTIONS: usize = 6;
-
-/// The sizes of the derivatives of a number.
-type DerivativeSizes<T> = fn(&T) -> [f64; DIRECTIONS];
-
-/// The derivatives of a state by each variable.
-#[derive(Debug, Clone, Copy)]
-struct Derivatives<T> {
-    of: DerivativeSizes<T>,
-    /// The size of each column.
-    sizes: [f64; DIRECTIONS],
-}
-
-impl<T> Derivatives<T> {
-    /// Of an attitude and of a spin in radians in the unit of time.
-    fn of(of: DerivativeSizes<T>, attitude: &[T], spin: &[T]) -> Self {
-        let mut derivatives = Self { of, sizes: [1.0; DIRECTIONS] };
-        derivatives.sizes = derivatives.shares(attitude.iter().chain(spin));
-        derivatives
-    }
-
-    /// The largest derivative of each column, in sizes of the column.
-    fn shares<'a>(&self, parts: impl Iterator<Item = &'a T>) -> [f64; DIRECTIONS]
-    where
-        T: 'a,
-    {
-        parts.map(self.of).fold([0.0; DIRECTIONS], |most, derivatives| {
-            core::array::from_fn(|i| largest(&[most[i], ratio(derivatives[i], self.sizes[i])]))
-        })
-    }
-
-    /// The largest derivative, in sizes of its column.
-    fn share<'a>(&self, parts: impl Iterator<Item = &'a T>) -> f64
-    where
-        T: 'a,
-    {
-        largest(&self.shares(parts))
-    }
 }
 
 #[cfg(test)]

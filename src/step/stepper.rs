@@ -38,6 +38,34 @@ use num_traits::{FromPrimitive, ToPrimitive};
 /// assert!((stepper.body()?.energy() / handle.energy() - 1.0).abs() < 1e-3);
 /// # Ok::<(), tumbling::Error>(())
 /// ```
+///
+/// Bodies do not depend on each other, so many go over threads, with the same bits as one after the other:
+/// here satellites under gravity gradient, each with another start, for one orbit.
+///
+/// ```
+/// use nalgebra::{UnitQuaternion, Vector3};
+/// use tumbling::step::{State, Stepper, Torque};
+/// use tumbling::{Body, Error, Inertia};
+/// let rate = Vector3::z() * 1.1e-3;
+/// let satellite = |k: usize| {
+///     let inertia = Inertia::from_moments(10.0, 14.0, 17.0)?;
+///     let start = UnitQuaternion::from_euler_angles(0.1, 0.2, 0.01 * k as f64);
+///     let body = Body::spinning(inertia, start, &Vector3::new(0.0, 1e-4, 1.1e-3))?;
+///     let stepper = Stepper::<f64>::adaptive(&body, 1e-10, 10_000)?;
+///     stepper.with_torques([Torque::gravity_gradient(&Vector3::x(), &rate)])
+/// };
+/// let mut fleet: Vec<Stepper> = (0..50).map(satellite).collect::<Result<_, Error>>()?;
+/// let fly = |some: &mut [Stepper]| -> Result<Vec<State<f64>>, Error> {
+///     some.iter_mut().map(|one| one.step(5700.0)).collect()
+/// };
+/// let alone = fly(&mut fleet.clone())?;
+/// let parts: Result<Vec<_>, Error> = std::thread::scope(|scope| {
+///     let threads: Vec<_> = fleet.chunks_mut(25).map(|some| scope.spawn(|| fly(some))).collect();
+///     threads.into_iter().map(|thread| thread.join().expect("no panic")).collect()
+/// });
+/// assert_eq!(parts?.concat(), alone);
+/// # Ok::<(), tumbling::Error>(())
+/// ```
 #[derive(Debug, Clone)]
 pub struct Stepper<T: nalgebra::Scalar = f64> {
     /// The body at the start.

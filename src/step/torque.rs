@@ -231,40 +231,6 @@ impl<T: nalgebra::Scalar + ToPrimitive> Torque<T> {
     }
 }
 
-impl<T: nalgebra::Scalar> Torque<T> {
-    /// With other numbers, and other vectors for those in body axes; none of a function, which gives no
-    /// others.
-    pub(crate) fn map<U: nalgebra::Scalar>(
-        &self,
-        number: impl Fn(T) -> U + Copy,
-        in_body: impl Fn(&Vector3<T>) -> Vector3<U> + Copy,
-    ) -> Option<Torque<U>> {
-        let in_world = |v: &Vector3<T>| v.map(number);
-        Some(match self.clone() {
-            Self::InBody(torque) => Torque::InBody(in_body(&torque)),
-            Self::InWorld(torque) => Torque::InWorld(in_world(&torque)),
-            Self::Aligning { arm, field } => Torque::Aligning { arm: in_body(&arm), field: in_world(&field) },
-            // Along the principal axes.
-            Self::Damping(coefficients) => Torque::Damping(coefficients.map(number)),
-            Self::Dissipation(strength) => Torque::Dissipation(number(strength)),
-            Self::GravityGradient { strength, direction, orbit } => Torque::GravityGradient {
-                strength: number(strength),
-                direction: in_world(&direction),
-                orbit: in_world(&orbit),
-            },
-            Self::Periodic { amplitude, rate, phase } => {
-                Torque::Periodic { amplitude: in_body(&amplitude), rate: number(rate), phase: number(phase) }
-            }
-            Self::During { start, end, torque } => Torque::During {
-                start: number(start),
-                end: number(end),
-                torque: Box::new(torque.map(number, in_body)?),
-            },
-            Self::Function(_) => return None,
-        })
-    }
-}
-
 impl<T: Analytic + Send + Sync> Torque<T> {
     /// The torque along a body's principal axes.
     ///
@@ -285,7 +251,12 @@ impl<T: Analytic + Send + Sync> Torque<T> {
                 &to_principal * law(time, &(rotation * &to_principal), &(to_body * omega))
             }),
             Self::During { start, end, torque } => Self::during(start, end, torque.along(frame)?),
-            _ => self.map(|x| x, |v| frame.along(v)).unwrap_or(self),
+            Self::InBody(torque) => Self::InBody(frame.along(&torque)),
+            Self::Aligning { arm, field } => Self::Aligning { arm: frame.along(&arm), field },
+            Self::Periodic { amplitude, rate, phase } => {
+                Self::Periodic { amplitude: frame.along(&amplitude), rate, phase }
+            }
+            Self::InWorld(_) | Self::Damping(_) | Self::Dissipation(_) | Self::GravityGradient { .. } => self,
         })
     }
 }

@@ -80,6 +80,11 @@ fn bad_torques_are_refused_by_name() {
         (Torque::Dissipation(-1.0), "dissipation"),
         (Torque::InBody(Vector3::new(f64::NAN, 0.0, 0.0)), "torque"),
         (Torque::gravity(&Vector3::new(f64::INFINITY, 0.0, 0.0), 1.0), "arm"),
+        (Torque::Periodic { amplitude: Vector3::y(), rate: f64::NAN, phase: 0.0 }, "of a periodic torque"),
+        (
+            Torque::Periodic { amplitude: Vector3::y(), rate: 1.0, phase: f64::INFINITY },
+            "of a periodic torque",
+        ),
     ] {
         let error = System::with(moments.try_into().unwrap(), vec![torque]).unwrap_err().to_string();
         assert!(error.contains(word), "{error}");

@@ -6,7 +6,7 @@ use crate::error::{Error, within};
 use crate::initial_state::Checked;
 use crate::plan::Driven;
 use crate::scene::{Outputs, Scene};
-use crate::torques::{Rates, have_series};
+use crate::torques::Rates;
 use nalgebra::{UnitQuaternion, Vector3};
 use tumbling::dynamics::observe;
 use tumbling::step::{State, Stepper, Torque};
@@ -71,8 +71,7 @@ fn chosen_to(accuracy: f64, start: &Checked, body: &Body, scene: &Scene) -> Resu
     let (tolerance, difference, steps) =
         if end == 0.0 { (first, 0.0, 0) } else { trial.refined(first, &mut budget)? };
     let stepper = trial.stepper(tolerance, usize::MAX)?;
-    let stops = if have_series(scene.torques()) { Vec::new() } else { times };
-    Ok(Driven { stepper, stops, tolerance, difference, steps, trials: budget.spent, stiff })
+    Ok(Driven { stepper, tolerance, difference, steps, trials: budget.spent, stiff })
 }
 
 /// Times at which runs are compared, in order: some of those requested, evenly chosen, with the last, and

@@ -185,9 +185,6 @@ pub enum Strategy {
 pub struct Driven {
     /// At the start.
     pub(crate) stepper: Stepper,
-    /// Times at which steps end besides those requested, as they did in the trial runs; none where states are
-    /// taken from series.
-    pub(crate) stops: Vec<f64>,
     pub(crate) tolerance: f64,
     pub(crate) difference: f64,
     pub(crate) steps: usize,

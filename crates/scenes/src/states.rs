@@ -31,8 +31,6 @@ pub struct States<'a> {
     end: u64,
     /// Of a driven body, once its first state is requested.
     stepper: Option<Box<Stepper>>,
-    /// The number of its stops that are behind it.
-    stops: usize,
 }
 
 /// Spin in body axes, and attitude.
@@ -70,10 +68,6 @@ impl<'a> States<'a> {
     fn stepped(&mut self, time: f64) -> Result<SpinAndAttitude, Error> {
         let Some(driven) = &self.plan.driven else { return Ok((None, None)) };
         let stepper = self.stepper.get_or_insert_with(|| Box::new(driven.stepper.clone()));
-        while let Some(&stop) = driven.stops.get(self.stops).filter(|stop| **stop < time) {
-            stepper.step_to(stop)?;
-            self.stops += 1;
-        }
         let state = stepper.step_to(time)?;
         Ok((Some(stepper.omega()), Some(UnitQuaternion::from_quaternion(state.attitude))))
     }
@@ -83,7 +77,7 @@ impl Plan<'_> {
     /// The states at the times of the scene, in order, one at a time.
     #[must_use]
     pub fn states(&self) -> States<'_> {
-        States { plan: self, next: 0, end: self.scene.times().count(), stepper: None, stops: 0 }
+        States { plan: self, next: 0, end: self.scene.times().count(), stepper: None }
     }
 
     #[inline]

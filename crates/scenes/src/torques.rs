@@ -39,17 +39,6 @@ pub(crate) fn is_damping(torque: &Torque<f64>) -> bool {
     }
 }
 
-/// Whether steps under these torques surely have series: under one gravity gradient and two rates of periodic
-/// torques at most.
-pub(crate) fn have_series(torques: &[Torque<f64>]) -> bool {
-    fn inner(torque: &Torque<f64>) -> &Torque<f64> {
-        if let Torque::During { torque, .. } = torque { inner(torque) } else { torque }
-    }
-    let count = |is: fn(&Torque<f64>) -> bool| torques.iter().map(inner).filter(|torque| is(torque)).count();
-    count(|torque| matches!(torque, Torque::GravityGradient { .. })) < 2
-        && count(|torque| matches!(torque, Torque::Periodic { .. })) < 3
-}
-
 /// How fast the torques change the motion.
 #[derive(Debug, Default)]
 pub(crate) struct Rates {

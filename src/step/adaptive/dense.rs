@@ -7,6 +7,7 @@
 use super::collocation::Collocation;
 use super::flips::Flips;
 use super::pair::Pair;
+use super::series::identity;
 use super::taylor::Taylor;
 use super::{Run, STIFF, STIFF_STEPS, check_tolerance, largest, ratio, signed};
 use crate::body::State;
@@ -15,19 +16,21 @@ use crate::number::Analytic;
 use crate::step::method::check_square_underflow;
 use crate::step::system::System;
 use crate::step::torque::Torque;
+use alloc::boxed::Box;
 use alloc::sync::Arc;
 use alloc::vec::Vec;
+use nalgebra::Matrix6;
 use num_traits::FromPrimitive;
 
 /// What a run keeps track of besides the state.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::step) enum Tracked<T> {
+pub(in crate::step) enum Tracked {
     Nothing,
     /// Changes of sign of the spin about the middle axis, given that before the start, or zero where none is
     /// known.
     Flips(f64),
-    /// The derivatives of numbers that carry them.
-    Derivatives(super::DerivativeSizes<T>),
+    /// The derivatives of attitude and spin by those at the start.
+    Variation,
 }
 
 /// A state that is requested changes nothing of what follows.
@@ -51,7 +54,7 @@ impl<T: Analytic + Copy + FromPrimitive> AdaptiveRun<T> {
         start: &State<T>,
         end: f64,
         tolerance: f64,
-        tracked: Tracked<T>,
+        tracked: Tracked,
     ) -> Result<Self, Error> {
         check_tolerance::<T>(tolerance)?;
         (*start).checked()?;
@@ -61,7 +64,7 @@ impl<T: Analytic + Copy + FromPrimitive> AdaptiveRun<T> {
         match tracked {
             Tracked::Nothing => {}
             Tracked::Flips(before) => run.flips = Some(Flips::new(&system, start, before)),
-            Tracked::Derivatives(sizes) => run.derivatives = Some(sizes),
+            Tracked::Variation => run.variation = Some(Box::new(identity())),
         }
         let (steps, before) = (Steps::new(&run)?, (run.state, 0.0));
         Ok(Self { system, run, until, end, steps, before })
@@ -124,8 +127,8 @@ impl<T: Analytic + Copy + FromPrimitive> AdaptiveRun<T> {
         let start = self.run.state.checked()?;
         let mut run = Run::new(acting, &start, next - self.until, self.run.tolerance)?;
         run.from = self.until;
-        (run.steps, run.rejected, run.derivatives) =
-            (self.run.steps, self.run.rejected, self.run.derivatives);
+        (run.steps, run.rejected) = (self.run.steps, self.run.rejected);
+        run.variation = self.run.variation.take();
         run.flips = self.run.flips.clone().map(|flips| flips.later(self.until - self.run.from));
         self.steps = Steps::new(&run)?;
         (self.run, self.until) = (run, next);
@@ -133,23 +136,33 @@ impl<T: Analytic + Copy + FromPrimitive> AdaptiveRun<T> {
         Ok(())
     }
 
-    /// Takes the next step: where it began and ended, s after the start of the run. None at the end.
-    pub(in crate::step) fn next_step(&mut self, budget: &mut usize) -> Result<Option<[f64; 2]>, Error> {
-        while self.run.time != self.run.duration || self.until != self.end {
-            let began = self.run.from + self.run.time;
+    /// Takes the next step, unless it is at the end.
+    pub(in crate::step) fn next_step(&mut self, budget: &mut usize) -> Result<bool, Error> {
+        let taken = self.run.steps;
+        while self.run.steps == taken && (self.run.time != self.run.duration || self.until != self.end) {
             self.advance(self.end, budget)?;
-            let whole = self.run.time == self.run.duration;
-            let ended = if whole { self.until } else { self.run.from + self.run.time };
-            if ended != began {
-                return Ok(Some([began, ended]));
-            }
         }
-        Ok(None)
+        Ok(self.run.steps != taken)
     }
 
     /// The state that the steps have led to.
     pub(in crate::step) fn state(&self) -> &State<T> {
         &self.run.state
+    }
+
+    /// The derivatives of attitude and spin (rad/s) where the steps have led to, by those at the start or
+    /// where they [began anew](Self::vary_anew); the identity of a run that does not track them.
+    pub(in crate::step) fn variation(&self) -> Matrix6<T> {
+        let variation = self.run.variation.as_deref().copied().unwrap_or_else(identity);
+        Matrix6::from_fn(|i, j| variation[i / 3][i % 3][j])
+    }
+
+    /// From now on the derivatives are those by the state here.
+    pub(in crate::step) fn vary_anew(&mut self) {
+        self.run.variation = Some(Box::new(identity()));
+        if let Steps::Series(series) = &mut self.steps {
+            series.ready = false;
+        }
     }
 
     /// The flips before the time `end` that were not taken yet, s after the start, and the sign of the spin
@@ -240,18 +253,17 @@ enum Steps<T: nalgebra::Scalar> {
 impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
     /// Explicit ones.
     fn new(run: &Run<T>) -> Result<Self, Error> {
-        if let Some(series) = Taylor::new(&run.system, run.tolerance) {
+        if let Some(series) = Taylor::new(run) {
             return Ok(Self::Series(series));
         }
-        if run.flips.is_none() {
-            return Pair::new(run).map(Self::Pair);
-        }
-        let why = if !run.system.sum.functions.is_empty() {
-            "steps under a torque that is a function have no series: give the torque by its name, or look for changes of sign"
+        let (what, why) = if run.variation.is_some() {
+            (Subject::Transition, "a function gives no derivatives: give the torque by its name")
+        } else if run.flips.is_some() {
+            (Subject::FlipTimes, "a function has no series: name the torque, or look for changes of sign")
         } else {
-            "steps under two gravity gradients, or three rates of periodic torques, have no series: look for changes of sign"
+            return Pair::new(run).map(Self::Pair);
         };
-        Err(Refusal::Undefined { what: Subject::FlipTimes, why }.into())
+        Err(Refusal::Undefined { what, why }.into())
     }
 
     /// What takes the next step: it may be another than took the last.
@@ -291,7 +303,7 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
             return Ok(());
         }
         let change = change(run);
-        let tracked = run.flips.is_some() || run.derivatives.is_some();
+        let tracked = run.flips.is_some() || run.variation.is_some();
         if !tracked && sum.dissipation.is_zero() && decay * run.last > LONG {
             let rate = sum.periodic.iter().map(|torque| torque.rate.size()).fold(change, f64::max);
             if decay > FASTER * largest(system.omega(&state.momentum).as_slice()).max(rate) {

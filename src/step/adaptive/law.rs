@@ -5,12 +5,10 @@ use super::sums::{Lanes, lanes};
 use crate::number::Analytic;
 use crate::step::system::System;
 use crate::step::torques::{Gradient, Periodic, WorldVector};
+use alloc::vec::Vec;
 use nalgebra::Vector3;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
-
-/// How many rates periodic torques may have.
-pub(super) const PERIODIC_RATES: usize = 2;
 
 /// Angular acceleration by spin, attitude and time, in a unit of time, all of it polynomial or periodic; in
 /// rows as the series are.
@@ -23,22 +21,19 @@ pub(super) struct Law<T: nalgebra::Scalar> {
     /// The rates at which damping takes the spin's components, if it takes any.
     pub(super) decay: Option<Lanes<T>>,
     pub(super) dissipation: Option<DissipationLaw<T>>,
-    pub(super) gradient: Option<GradientLaw<T>>,
-    world: [WorldLaw<T>; 3],
-    world_count: usize,
-    periodic: [PeriodicLaw<T>; PERIODIC_RATES],
-    periodic_count: usize,
+    pub(super) gradients: Vec<GradientLaw<T>>,
+    pub(super) world: Vec<WorldLaw<T>>,
+    /// One of each rate.
+    pub(super) periodic: Vec<PeriodicLaw<T>>,
 }
 
 impl<T: Analytic + Copy> Law<T> {
-    /// That of a system in units of this number of seconds, if all its torques are polynomials: not of a
-    /// function, and not of two gravity gradients or three rates of periodic torques.
+    /// That of a system in units of this number of seconds, if none of its torques is a function.
     pub(super) fn of(system: &System<T>, unit: T) -> Option<Self> {
         let (inverse, sum) = (&system.inverse, &system.sum);
-        if !sum.functions.is_empty() || !sum.timed.is_empty() || sum.gradients.len() > 1 {
+        if !sum.functions.is_empty() || !sum.timed.is_empty() {
             return None;
         }
-        let none = [T::zero(); 4];
         // In units of time, from what is per second squared.
         let squared = |x: T| x * unit * unit;
         let [x, y, z] = (*system.moments()).into();
@@ -55,50 +50,44 @@ impl<T: Analytic + Copy> Law<T> {
                     acceleration: lanes(system.moments().map(|moment| strength / moment).into()),
                 }
             }),
-            gradient: sum.gradients.first().map(|gradient| {
-                let acceleration = coupling.map(|x| x * squared(gradient.strength));
-                GradientLaw::new(gradient, lanes(acceleration), unit)
-            }),
-            world: [WorldLaw { vector: Vector3::repeat(T::zero()), acceleration: [none; 3] }; 3],
-            world_count: sum.world.len(),
-            periodic: [PeriodicLaw { rate: T::zero(), rate_in_units: T::zero(), cosine: none, sine: none };
-                PERIODIC_RATES],
-            periodic_count: 0,
+            gradients: sum
+                .gradients
+                .iter()
+                .map(|gradient| {
+                    let acceleration = coupling.map(|x| x * squared(gradient.strength));
+                    GradientLaw::new(gradient, lanes(acceleration), unit)
+                })
+                .collect(),
+            world: sum
+                .world
+                .iter()
+                .map(|WorldVector { vector, torque }| {
+                    let column =
+                        |axis: usize| lanes([0, 1, 2].map(|i| squared(torque[(i, axis)] * inverse[i])));
+                    WorldLaw { vector: *vector, acceleration: [0, 1, 2].map(column) }
+                })
+                .collect(),
+            periodic: Vec::new(),
         };
-        for (place, WorldVector { vector, torque }) in law.world.iter_mut().zip(&sum.world) {
-            let column = |axis: usize| lanes([0, 1, 2].map(|i| squared(torque[(i, axis)] * inverse[i])));
-            *place = WorldLaw { vector: *vector, acceleration: [0, 1, 2].map(column) };
-        }
-        sum.periodic.iter().try_for_each(|torque| {
+        for torque in &sum.periodic {
             let acceleration = torque.amplitude.component_mul(inverse).map(squared);
-            law.add_periodic(torque, &lanes(acceleration.into()), unit)
-        })?;
+            law.add_periodic(torque, &lanes(acceleration.into()), unit);
+        }
         Some(law)
     }
 
-    /// Adds a periodic torque, if there is a place for its rate.
-    fn add_periodic(&mut self, torque: &Periodic<T>, acceleration: &Lanes<T>, unit: T) -> Option<()> {
+    fn add_periodic(&mut self, torque: &Periodic<T>, acceleration: &Lanes<T>, unit: T) {
         let (sine, cosine) = Analytic::sin_cos(&torque.phase);
-        let known = self.periodic().iter().position(|one| one.rate == torque.rate);
-        let place = known.unwrap_or(self.periodic_count);
-        let one = self.periodic.get_mut(place)?;
-        (one.rate, one.rate_in_units) = (torque.rate, torque.rate * unit);
-        for (i, &component) in acceleration.iter().enumerate() {
-            one.cosine[i] += component * cosine;
-            one.sine[i] -= component * sine;
+        let (cosine, sine) = (acceleration.map(|x| x * cosine), acceleration.map(|x| -(x * sine)));
+        if let Some(one) = self.periodic.iter_mut().find(|one| one.rate == torque.rate) {
+            for i in 0..4 {
+                one.cosine[i] += cosine[i];
+                one.sine[i] += sine[i];
+            }
+        } else {
+            let (rate, rate_in_units) = (torque.rate, torque.rate * unit);
+            self.periodic.push(PeriodicLaw { rate, rate_in_units, cosine, sine });
         }
-        self.periodic_count = self.periodic_count.max(place + 1);
-        Some(())
-    }
-
-    #[inline(always)]
-    pub(super) fn world(&self) -> &[WorldLaw<T>] {
-        &self.world[..self.world_count]
-    }
-
-    #[inline(always)]
-    pub(super) fn periodic(&self) -> &[PeriodicLaw<T>] {
-        &self.periodic[..self.periodic_count]
     }
 }
 
@@ -121,11 +110,11 @@ impl Rates {
     /// Those of a system with a law in seconds.
     pub(super) fn of<T: Analytic + Copy>(system: &System<T>, law: &Law<T>) -> Self {
         let sum = &system.sum;
-        let world = law.world().iter().map(|one| {
+        let world = law.world.iter().map(|one| {
             // Any axis may turn onto the vector, which is shorter than twice its largest component.
             2.0 * largest(one.vector.as_slice()) * largest(one.acceleration.as_flattened())
         });
-        let periodic = law.periodic().iter();
+        let periodic = law.periodic.iter();
         let acceleration = largest(&law.constant)
             + periodic.clone().map(|one| largest(&one.cosine) + largest(&one.sine)).sum::<f64>()
             + world.sum::<f64>()

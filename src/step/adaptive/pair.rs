@@ -2,7 +2,7 @@
 //! are functions.
 
 use super::dop853_coefficients::{FIFTH, STAGES, STEP, THIRD, Weights};
-use super::{Derivatives, Run, largest, ratio};
+use super::{Run, largest, ratio};
 use crate::body::{Rate, State};
 use crate::error::{Error, Subject, representable};
 use crate::number::Analytic;
@@ -100,13 +100,7 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
         }
         let attitude =
             ratio(largest(off.attitude.coords.as_slice()), largest(run.state.attitude.coords.as_slice()));
-        let derived = run.derivatives.map_or(0.0, |sizes| {
-            let spun = |state: &State<T>| run.system.omega(&state.momentum).map(|x| x * Run::number(h));
-            let derivatives =
-                Derivatives::of(sizes, run.state.attitude.coords.as_slice(), spun(&run.state).as_slice());
-            derivatives.share(off.attitude.coords.iter().chain(&spun(off)))
-        });
-        largest(&[attitude, largest(off.momentum.as_slice()) / whole, derived])
+        largest(&[attitude, largest(off.momentum.as_slice()) / whole])
     }
 
     /// The step in decay times: of two states near its end, how much faster the rates differ than the states.
@@ -166,8 +160,16 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
         let mut pair = Self { rates: [self.first; 12], first: self.first, h: duration };
         let end = began + duration;
         let system = Arc::clone(&run.system);
-        let mut part =
-            Run { time: began, state: *start, duration: end, goal: end, flips: None, system, ..*run };
+        let mut part = Run {
+            time: began,
+            state: *start,
+            duration: end,
+            goal: end,
+            flips: None,
+            variation: None,
+            system,
+            ..*run
+        };
         let before = run.steps + run.rejected;
         while part.time != end {
             if part.steps + part.rejected > before + SHORTER_STEPS {

@@ -3,8 +3,9 @@
 //! Spin, attitude and world vectors in body axes are bilinear in each other: each coefficient is a sum of
 //! products of those before.
 
-use super::Derivatives;
-use super::law::{DissipationLaw, Law, PERIODIC_RATES, WorldLaw};
+mod variation;
+
+use super::law::{DissipationLaw, GradientLaw, Law, WorldLaw};
 use super::sums::{
     Coefficients, Lanes, across, across_sums, add_scaled, lanes, own_sums, pairs, scaled, sums, turn,
 };
@@ -14,6 +15,7 @@ use alloc::boxed::Box;
 use alloc::vec;
 use alloc::vec::Vec;
 use nalgebra::{Quaternion, Vector3};
+pub(super) use variation::{Variation, Variations, identity, in_units};
 
 /// The largest order.
 pub(super) const MOST: usize = 26;
@@ -46,31 +48,36 @@ pub(super) struct Series<T: nalgebra::Scalar, const N: usize> {
     attitude: [Lanes<T>; N],
     spin: Coefficients<T, N>,
     /// Cosine and sine of each periodic torque: the last coefficient alone.
-    periodic: [[T; 2]; PERIODIC_RATES],
+    periodic: Vec<[T; 2]>,
     // Few laws have them, and all runs are moved.
     /// World vectors in body axes.
     world: Vec<[Lanes<T>; N]>,
     dissipation: Option<Box<DissipationSeries<T, N>>>,
-    gradient: Option<Box<GradientSeries<T, N>>>,
+    gradients: Vec<GradientSeries<T, N>>,
+    /// Those of the motion's variations, if these are tracked.
+    pub(super) variations: Option<Box<Variations<T, N>>>,
 }
 
 impl<T: Analytic + Copy, const N: usize> Series<T, N> {
-    /// What a law of these torques needs.
-    pub(super) fn new(law: &Law<T>) -> Self {
+    /// What a law of these torques needs, with variations or without.
+    pub(super) fn new(law: &Law<T>, varied: bool) -> Self {
         let rows = [[T::zero(); 4]; N];
         let none = || Coefficients { up: rows, down: [[[T::zero(); 2]; 3]; N] };
         Self {
             order: 0,
             attitude: rows,
             spin: none(),
-            periodic: [[T::zero(); 2]; PERIODIC_RATES],
-            world: vec![rows; law.world().len()],
+            periodic: vec![[T::zero(); 2]; law.periodic.len()],
+            world: vec![rows; law.world.len()],
             dissipation: law
                 .dissipation
                 .map(|_| Box::new(DissipationSeries { momentum: rows, coupling: none() })),
-            gradient: law
-                .gradient
-                .map(|_| Box::new(GradientSeries { direction: none(), orbit: rows, turning: none() })),
+            gradients: law
+                .gradients
+                .iter()
+                .map(|_| GradientSeries { direction: none(), orbit: rows, turning: none() })
+                .collect(),
+            variations: varied.then(|| Box::new(Variations::new())),
         }
     }
 
@@ -81,25 +88,29 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
         let q = &attitude.coords;
         self.attitude[0] = [q.x, q.y, q.z, q.w];
         self.spin.set(0, lanes(spin));
-        for (rows, one) in self.world.iter_mut().zip(law.world()) {
+        for (rows, one) in self.world.iter_mut().zip(&law.world) {
             rows[0] = in_body(&one.vector);
         }
-        for (now, one) in self.periodic.iter_mut().zip(law.periodic()) {
+        for (now, one) in self.periodic.iter_mut().zip(&law.periodic) {
             let (sine, cosine) = Analytic::sin_cos(&(one.rate * time));
             *now = [cosine, sine];
         }
-        if let (Some(own), Some(gradient)) = (&mut self.gradient, &law.gradient) {
+        for (own, gradient) in self.gradients.iter_mut().zip(&law.gradients) {
             own.orbit[0] = in_body(&gradient.orbit);
             own.direction.set(0, in_body(&gradient.direction_at(time)));
-            let turning = core::array::from_fn(|i| self.spin.up[0][i] - own.orbit[0][i]);
-            own.turning.set(0, turning);
         }
     }
 
     /// Begins as another series does.
+    #[inline(always)]
     pub(super) fn begin_as<const M: usize>(&mut self, other: &Series<T, M>) {
         self.order = other.order;
-        self.periodic = other.periodic;
+        for (own, other) in self.periodic.iter_mut().zip(&other.periodic) {
+            *own = *other;
+        }
+        if let (Some(own), Some(other)) = (&mut self.variations, &other.variations) {
+            own.begin(&other.coefficient(0));
+        }
         for power in 0..=other.order {
             self.attitude[power] = other.attitude[power];
             self.spin.set(power, other.spin.up[power]);
@@ -110,7 +121,7 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
                 own.momentum[power] = other.momentum[power];
                 own.coupling.set(power, other.coupling.up[power]);
             }
-            if let (Some(own), Some(other)) = (&mut self.gradient, &other.gradient) {
+            for (own, other) in self.gradients.iter_mut().zip(&other.gradients) {
                 own.orbit[power] = other.orbit[power];
                 own.direction.set(power, other.direction.up[power]);
                 own.turning.set(power, other.turning.up[power]);
@@ -120,10 +131,23 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
 
     /// The coefficients of everything up to a power.
     pub(super) fn extend_to(&mut self, order: usize, law: &Law<T>) {
-        if law.world().is_empty() && law.gradient.is_none() {
+        if law.world.is_empty() && law.gradients.is_empty() {
             self.extend_with::<false>(order, law);
         } else {
             self.extend_with::<true>(order, law);
+        }
+        if self.variations.is_some() {
+            self.extend_variations(law);
+        }
+    }
+
+    #[inline(never)]
+    fn extend_variations(&mut self, law: &Law<T>) {
+        if let Some(mut variations) = self.variations.take() {
+            while variations.order < self.order.min(N - 1) {
+                variations.extend(self, law);
+            }
+            self.variations = Some(variations);
         }
     }
 
@@ -132,37 +156,40 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     // Not inlined: alone it has the registers to itself.
     #[inline(never)]
     fn extend_with<const ACROSS: bool>(&mut self, order: usize, law: &Law<T>) {
+        // What is constant is in the first rate alone.
+        let mut rate = if self.order == 0 { law.constant } else { [T::zero(); 4] };
         while self.order < order.min(N - 1) {
-            self.extend::<ACROSS>(law);
+            self.extend::<ACROSS>(law, core::mem::replace(&mut rate, [T::zero(); 4]));
         }
     }
 
-    /// The next coefficient of everything.
+    /// The next coefficient of everything, given the part of the spin's rate that is constant.
     #[inline(always)]
-    fn extend<const ACROSS: bool>(&mut self, law: &Law<T>) {
+    fn extend<const ACROSS: bool>(&mut self, law: &Law<T>, mut rate: Lanes<T>) {
         let n = self.order.min(N - 2);
         let inverse = T::one() / T::integer(n as u32 + 1);
-        let (attitude, spin, alone) = (&self.attitude, &self.spin, law.world().is_empty());
+        let (attitude, spin, alone) = (&self.attitude, &self.spin, law.world.is_empty());
         // The sums last: all else is at hand before they are.
-        let mut rate = if n == 0 { law.constant } else { [T::zero(); 4] };
         if let Some(decay) = &law.decay {
             for ((rate, decay), spin) in rate.iter_mut().zip(decay).zip(&spin.up[n]) {
                 *rate -= *decay * *spin;
             }
         }
-        for ([cosine, sine], one) in self.periodic.iter_mut().zip(law.periodic()) {
-            add_scaled(&mut rate, &one.cosine, *cosine);
-            add_scaled(&mut rate, &one.sine, *sine);
-            let turn = one.rate_in_units * inverse;
-            (*cosine, *sine) = (-(*sine * turn), *cosine * turn);
+        if !self.periodic.is_empty() {
+            for ([cosine, sine], one) in self.periodic.iter_mut().zip(&law.periodic) {
+                add_scaled(&mut rate, &one.cosine, *cosine);
+                add_scaled(&mut rate, &one.sine, *sine);
+                let turn = one.rate_in_units * inverse;
+                (*cosine, *sine) = (-(*sine * turn), *cosine * turn);
+            }
         }
-        let vector = match (&*self.world, &self.gradient) {
-            ([first, ..], _) => first,
-            (_, Some(own)) => &own.orbit,
+        let vector = match (&*self.world, &*self.gradients) {
+            ([first, ..], _) if ACROSS => first,
+            (_, [own, ..]) if ACROSS => &own.orbit,
             _ => attitude,
         };
         let sums = sums::<T, N, ACROSS>(n + 1, attitude, vector, spin);
-        if ACROSS && let ([rows, more @ ..], [first, others @ ..]) = (&mut *self.world, law.world()) {
+        if ACROSS && let ([rows, more @ ..], [first, others @ ..]) = (&mut *self.world, &*law.world) {
             first.add_acceleration(&rows[n], &mut rate);
             rows[n + 1] = scaled(&across(&sums.across), inverse);
             // Few laws have more, and a loop over none takes its time.
@@ -179,20 +206,18 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
         if let (Some(own), Some(dissipation)) = (&mut self.dissipation, &law.dissipation) {
             own.add(dissipation, &spin.up[n], &free, n, &mut rate);
         }
-        if ACROSS && let (Some(own), Some(gradient)) = (&mut self.gradient, &law.gradient) {
-            let turned = if alone { sums.across } else { across_sums(n + 1, &own.orbit, spin) };
-            own.orbit[n + 1] = scaled(&across(&turned), inverse);
-            own.add(&gradient.acceleration, n, inverse, &mut rate);
+        if ACROSS && let ([own, more @ ..], [first, others @ ..]) = (&mut *self.gradients, &*law.gradients) {
+            let turned =
+                if alone { across(&sums.across) } else { across(&across_sums(n + 1, &own.orbit, spin)) };
+            own.add(first, turned, &spin.up[n], n, inverse, &mut rate);
+            if !more.is_empty() {
+                rate = GradientSeries::add_all(more, others, spin, n, inverse, rate);
+            }
         }
         for i in 0..4 {
             rate[i] += free[i];
         }
-        let spin = scaled(&rate, inverse);
-        self.spin.set(n + 1, spin);
-        if ACROSS && let Some(own) = &mut self.gradient {
-            let turning = core::array::from_fn(|i| spin[i] - own.orbit[n + 1][i]);
-            own.turning.set(n + 1, turning);
-        }
+        self.spin.set(n + 1, scaled(&rate, inverse));
         self.order = n + 1;
     }
 
@@ -209,19 +234,14 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     }
 
     /// The larger of the attitude's coefficient of this power, and the momentum's in units of `1 / weights`;
-    /// or of their derivatives, if these are larger in sizes of their derivatives.
+    /// or of the variations, if these are larger in sizes of their columns.
     #[inline(always)]
-    pub(super) fn size(&self, power: usize, weights: &[f64; 3], derivatives: Option<&Derivatives<T>>) -> f64 {
+    pub(super) fn size(&self, power: usize, weights: &[f64; 3]) -> f64 {
         let spin = &self.spin.up[power];
         let momentum = [0, 1, 2].map(|i| spin[i].size() * weights[i]);
         let attitude = &self.attitude[power];
         let size = super::largest(&[super::largest(attitude), super::largest(&momentum)]);
-        match derivatives {
-            Some(derivatives) => {
-                super::largest(&[size, derivatives.share(attitude.iter().chain(&spin[..3]))])
-            }
-            None => size,
-        }
+        self.variations.as_ref().map_or(size, |variations| super::largest(&[size, variations.size(power)]))
     }
 
     /// The coefficients of a component of the spin.
@@ -294,14 +314,43 @@ impl<T: Analytic + Copy, const N: usize> DissipationSeries<T, N> {
 }
 
 impl<T: Analytic + Copy, const N: usize> GradientSeries<T, N> {
-    /// Adds the angular acceleration by the gravity gradient, and makes the direction's next coefficient.
-    fn add(&mut self, acceleration: &Lanes<T>, n: usize, inverse: T, rate: &mut Lanes<T>) {
+    /// Adds the angular acceleration by the gravity gradient, and makes the next coefficients of orbit, given
+    /// its products with the spin, and direction.
+    #[inline(always)]
+    fn add(
+        &mut self,
+        law: &GradientLaw<T>,
+        turned: Lanes<T>,
+        spin: &Lanes<T>,
+        n: usize,
+        inverse: T,
+        rate: &mut Lanes<T>,
+    ) {
+        self.turning.set(n, core::array::from_fn(|i| spin[i] - self.orbit[n][i]));
+        self.orbit[n + 1] = scaled(&turned, inverse);
         let (turned, own) = own_sums(n + 1, &self.direction, &self.turning);
         let pairs = pairs(&own);
         for i in 0..4 {
-            rate[i] -= acceleration[i] * pairs[i];
+            rate[i] -= law.acceleration[i] * pairs[i];
         }
         self.direction.set(n + 1, scaled(&across(&turned), inverse));
+    }
+
+    // Few laws have two, and inlined it takes registers from the one.
+    #[inline(never)]
+    fn add_all(
+        all: &mut [Self],
+        laws: &[GradientLaw<T>],
+        spin: &Coefficients<T, N>,
+        n: usize,
+        inverse: T,
+        mut rate: Lanes<T>,
+    ) -> Lanes<T> {
+        for (own, law) in all.iter_mut().zip(laws) {
+            let turned = across(&across_sums(n + 1, &own.orbit, spin));
+            own.add(law, turned, &spin.up[n], n, inverse, &mut rate);
+        }
+        rate
     }
 }
 
@@ -325,7 +374,7 @@ mod tests {
         let law = Law::of(&system, 1.0).unwrap();
         let start = Quaternion::new(0.5, -0.1, 0.7, 0.2).normalize();
         let spin = Vector3::new(0.5, 2.0, -0.4);
-        let mut fast = Series::<f64, LENGTH>::new(&law);
+        let mut fast = Series::<f64, LENGTH>::new(&law, false);
         fast.begin(&law, &start, spin.into(), 0.0);
         fast.extend_to(MOST, &law);
 

@@ -1,14 +1,13 @@
 //! Steps by Taylor series, as long as their last terms allow.
 
 use super::law::{Law, Rates};
-use super::series::{LENGTH, MOST, Series};
-use super::{Derivatives, Run, TRIES, largest, logarithm, ratio, smallest};
+use super::series::{LENGTH, MOST, Series, Variation, in_units};
+use super::{Run, TRIES, largest, logarithm, ratio, smallest};
 use crate::body::State;
 use crate::error::Error;
 use crate::number::Analytic;
 use crate::number::functions::exp;
 use crate::number::power_of_two::{exponent, times_power_of_two};
-use crate::step::system::System;
 use alloc::boxed::Box;
 use nalgebra::{Quaternion, Vector3};
 use num_traits::FromPrimitive;
@@ -24,18 +23,19 @@ pub(super) struct Taylor<T: nalgebra::Scalar> {
     /// That of the first order about the end of a step: it tells the step's error, and begins the next.
     next: Series<T, 2>,
     /// Whether it is about the run's state.
-    ready: bool,
+    pub(super) ready: bool,
     /// The highest power that a step takes.
     most: usize,
 }
 
 impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     /// None where the law is no polynomial.
-    pub(super) fn new(system: &System<T>, tolerance: f64) -> Option<Self> {
-        let law = Law::of(system, T::one())?;
-        let (series, next) = (Box::new(Series::new(&law)), Series::new(&law));
-        let rates = Rates::of(system, &law);
-        Some(Self { law, unit: 1.0, rates, series, next, ready: false, most: order(tolerance) })
+    pub(super) fn new(run: &Run<T>) -> Option<Self> {
+        let law = Law::of(&run.system, T::one())?;
+        let varied = run.variation.is_some();
+        let (series, next) = (Box::new(Series::new(&law, varied)), Series::new(&law, varied));
+        let rates = Rates::of(&run.system, &law);
+        Some(Self { law, unit: 1.0, rates, series, next, ready: false, most: order(run.tolerance) })
     }
 
     /// Begins the next series at a state and a time, s after the start of the run.
@@ -46,6 +46,24 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
         self.next.extend_to(1, &self.law);
     }
 
+    /// Begins the next series' variations, in units, where it has begun itself.
+    fn begin_variations(&mut self, start: &Variation<T>) {
+        if let Some(variations) = &mut self.next.variations {
+            variations.begin(start);
+        }
+        self.next.extend_to(1, &self.law);
+    }
+
+    /// Begins the variations at the end of a step of `x` units; returns how far the series' rates are from
+    /// those of the law there.
+    #[inline(never)]
+    fn end_variations(&mut self, x: T) -> f64 {
+        let Some([value, rate]) = self.series.variations.as_ref().map(|own| own.at(x)) else { return 0.0 };
+        self.begin_variations(&value);
+        let both = self.series.variations.as_ref().zip(self.next.variations.as_ref());
+        both.map_or(0.0, |(own, next)| own.off(&next.coefficient(1), &rate))
+    }
+
     /// What the torques change the momentum by in a unit of time, times the unit.
     fn gained(&self, run: &Run<T>) -> [T; 3] {
         let torque = self.next.torque(&self.law);
@@ -54,13 +72,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
 
     /// The coefficients about the state now; the longest step that keeps the last of them below the
     /// tolerance, in units.
-    fn fill(
-        &mut self,
-        weights: &[f64; 3],
-        derivatives: Option<&Derivatives<T>>,
-        left: f64,
-        tolerance: f64,
-    ) -> f64 {
+    fn fill(&mut self, weights: &[f64; 3], left: f64, tolerance: f64) -> f64 {
         self.series.begin_as(&self.next);
         let (mut power, mut below) = (left, false);
         if left > 1.0 {
@@ -72,7 +84,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
                     self.series.extend_to((order + 2).min(self.most), &self.law);
                 }
                 power *= left;
-                let small = self.series.size(order, weights, derivatives) * power <= 0.1 * tolerance;
+                let small = self.series.size(order, weights) * power <= 0.1 * tolerance;
                 if small && below {
                     return left;
                 }
@@ -80,7 +92,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
             }
         }
         let goal = logarithm(tolerance);
-        let size = |order: usize| self.series.size(order, weights, derivatives);
+        let size = |order: usize| self.series.size(order, weights);
         let longest = |order: usize| (goal - logarithm(size(order))) / order as f64;
         let [last, before] = [self.most, self.most - 1].map(longest);
         let longest = exp(if last < before { last } else { before });
@@ -90,33 +102,25 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
 
     /// The end of a step of `x` units at a time (s after the start of the run), and its error: how left the
     /// series is from the law there.
-    fn end(
-        &mut self,
-        run: &Run<T>,
-        derivatives: Option<&Derivatives<T>>,
-        x: T,
-        time: f64,
-        scale: f64,
-    ) -> (State<T>, f64) {
+    fn end(&mut self, run: &Run<T>, x: T, time: f64, scale: f64) -> (State<T>, f64) {
         let [q, w, dq, dw] = self.series.at(x);
         let mut end = self.moved(run, &run.state, &q, &w);
         end.momentum.apply(|x| {
-            if derivatives.is_none() && x.size() > 0.0 && x.size() < smallest::<T>() {
+            if x.size() > 0.0 && x.size() < smallest::<T>() {
                 *x = T::zero();
             }
         });
         let stretched = run.project(&mut end);
-        self.begin(run, &end, time);
         let per = Run::number(1.0 / self.unit);
+        self.begin(run, &end, time);
         let [turned, spun] = self.next.rate();
         let turned: [T; 4] = core::array::from_fn(|i| turned[i] - dq[i]);
         let spun: [T; 3] = core::array::from_fn(|i| spun[i] - dw[i]);
         let pushed: [T; 3] = core::array::from_fn(|i| spun[i] * run.system.moments()[i] * per);
         let share = x.size() / (self.series.order as f64 + 1.0);
         let error = share * largest(&[largest(&turned), ratio(largest(&pushed), scale)]);
-        let derivatives =
-            derivatives.map_or(0.0, |derivatives| share * derivatives.share(turned.iter().chain(&spun)));
-        (end, largest(&[error, stretched, derivatives]))
+        let varied = if run.variation.is_some() { share * self.end_variations(x) } else { 0.0 };
+        (end, largest(&[error, stretched, varied]))
     }
 
     /// A state after these changes of attitude and spin in units.
@@ -181,16 +185,14 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
         }
         if !core::mem::take(&mut self.ready) {
             self.begin(run, &run.state, run.time);
+            if let Some(variation) = &run.variation {
+                self.begin_variations(&in_units(variation, Run::number(unit)));
+            }
         }
         let (moves, scale) = self.scale(run, unit);
         let weights = [0, 1, 2].map(|i| ratio(run.system.moments()[i].size() / unit, scale).min(f64::MAX));
         let left = remaining.abs() / unit;
-        let attitude = run.state.attitude.coords.as_slice();
-        let spin = omega.map(|x| x * Run::number(unit));
-        let derivatives =
-            run.derivatives.map(|derivatives| Derivatives::of(derivatives, attitude, spin.as_slice()));
-        let derivatives = derivatives.as_ref();
-        let mut x = self.fill(&weights, derivatives, left, run.tolerance);
+        let mut x = self.fill(&weights, left, run.tolerance);
         if !(x * unit).is_finite() {
             x = run.ahead().abs() / unit;
         }
@@ -198,7 +200,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
             let (h, last) = run.fitted((x * unit).copysign(remaining))?;
             let signed = if last { left } else { x }.copysign(remaining);
             let until = if last { run.duration } else { run.time + h };
-            let (end, error) = self.end(run, derivatives, Run::number(signed), until, scale);
+            let (end, error) = self.end(run, Run::number(signed), until, scale);
             if error <= run.tolerance.max(32.0 * T::rounding()) {
                 run.count_stiffness(if moves { decay * h.abs() } else { 0.0 });
                 if let Some(flips) = &mut run.flips {
@@ -206,6 +208,9 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
                     flips.find(&spin[..=self.series.order], signed, run.time, unit);
                 }
                 run.take(end, h, last);
+                if let (Some(variation), Some(variations)) = (&mut run.variation, &self.next.variations) {
+                    **variation = in_units(&variations.coefficient(0), Run::number(1.0 / self.unit));
+                }
                 self.ready = true;
                 return Ok(());
             }

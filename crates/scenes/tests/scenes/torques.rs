@@ -134,20 +134,16 @@ fn a_push_swings_to_and_fro() {
     held(vec![push], |time, q, _| q * ARM * (3.0 * (2.5 * time + 0.75).cos()), &[]);
 }
 
-/// Under two gradients there are no series, and a step ends at each time; so it does in the trial runs, and
-/// at the same times: what was tried is what is answered, whatever is requested between.
 #[test]
 fn the_end_does_not_depend_on_the_states_requested_on_the_way() {
     let still = Torque::GravityGradient { strength: 2.0, direction: REST, orbit: Vector3::zeros() };
     let gradient = Torque::gravity_gradient(&toward(), &ORBIT);
-    for torques in [vec![gradient.clone(), still], vec![gradient]] {
-        let end = |parts: u32| {
-            let times = (1..=parts).map(|k| 4.0 * (f64::from(k) / f64::from(parts))).collect();
-            let scene = one(lopsided(), torques.clone(), Times::Given(times), BOTH, 1e-7);
-            states(&scene.plan(0).unwrap()).pop().unwrap()
-        };
-        assert_eq!(end(1), end(16));
-    }
+    let end = |parts: u32| {
+        let times = (1..=parts).map(|k| 4.0 * (f64::from(k) / f64::from(parts))).collect();
+        let scene = one(lopsided(), vec![gradient.clone(), still.clone()], Times::Given(times), BOTH, 1e-7);
+        states(&scene.plan(0).unwrap()).pop().unwrap()
+    };
+    assert_eq!(end(1), end(16));
 }
 
 /// One thruster within the first second, one across two of the times; a spring that lets go.
