@@ -12,8 +12,8 @@ use core::array;
 /// The derivatives of a vector by each of six variables.
 type Columns<T> = [[T; 6]; 3];
 
-/// Where the spin does not depend on the attitude, so many columns of zeros are skipped that the others make
-/// whole vectors.
+/// The number of columns of zeros that are skipped where the spin does not depend on the attitude: the four
+/// that are left fill whole vectors.
 const SKIPPED: usize = 2;
 
 /// Those of the attitude, as an error vector along the body's axes (rad), and of the spin.
