@@ -45,7 +45,8 @@ impl Motion {
         let mut rows = Rows::open(source)?;
         rows.columns.take_positions();
         let (kind, positions) = (rows.columns.kind, rows.columns.position.is_some());
-        let given = options.inertia.or_else(|| rows.header.moments(&mut Vec::new()));
+        let given =
+            options.inertia.map_or_else(|| rows.header.moments(&mut Vec::new()), |given| Ok(Some(given)))?;
         let moments =
             given.or((!kind.is_momentum()).then(|| Vector3::repeat(1.0))).ok_or(Error::NoMoments)?;
         Self::of(&mut rows, kind, &moments, positions)

@@ -46,7 +46,7 @@ pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> 
         kind: rows.columns.kind,
         step: rows.header.step,
         torque: rows.header.torque.filter(|torque| *torque != Vector3::zeros()),
-        moments: options.inertia.or_else(|| rows.header.moments(&mut notes)),
+        moments: options.inertia.map_or_else(|| rows.header.moments(&mut notes), |given| Ok(Some(given)))?,
         notes,
         ignored: rows.columns.ignored(),
     };

@@ -1,6 +1,6 @@
 //! Records in memory: rows from an iterator, without text.
 
-use crate::error::Error;
+use crate::error::{Error, not_later};
 use crate::judge::judge_rows;
 use crate::options::Options;
 use crate::read::{Exact, Kind, Printed, Raw, Said, Source, significant_bits};
@@ -175,7 +175,7 @@ impl<T: Precision, I: Iterator<Item = Row<T>>> Source for Memory<I> {
             return Ok(None);
         }
         if row.time <= self.last {
-            return Err(wrong(format!("time does not increase: {} s after {} s", row.time, self.last)));
+            return Err(wrong(not_later(row.time, self.last)));
         }
         self.last = row.time;
         Ok(Some(Raw {

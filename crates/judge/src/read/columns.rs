@@ -80,17 +80,20 @@ impl Separator {
         [';', '\t', ','].into_iter().find(|&c| line.contains(c)).map_or(Self::Blanks, Self::One)
     }
 
-    /// The fields of a line, without the blanks around them.
+    /// The fields of a line, without the blanks and quotes around them.
     pub(crate) fn split(self, line: &str) -> impl Iterator<Item = &str> {
         let (is_one, blanks) = (move |c: char| Self::One(c) == self, self == Self::Blanks);
         let fields = line.split(move |c: char| if blanks { c.is_whitespace() } else { is_one(c) });
-        fields.map(str::trim).filter(move |field| !blanks || !field.is_empty())
+        let surrounds = |c: char| c.is_whitespace() || c == '"';
+        fields
+            .map(move |field| field.trim_matches(surrounds))
+            .filter(move |field| !blanks || !field.is_empty())
     }
 }
 
 /// A name without quotes, unit, underscores and capitals; and its unit.
 fn plain(name: &str) -> (String, String) {
-    let name = name.trim_matches(|c: char| c == '"' || c == '\'' || c.is_whitespace()).to_lowercase();
+    let name = name.trim_matches(|c: char| c == '\'' || c.is_whitespace()).to_lowercase();
     let (name, unit) = match name.find(['[', '(']) {
         Some(at) => name.split_at(at),
         None => (name.as_str(), ""),

@@ -355,7 +355,9 @@ impl Reading {
             return self;
         }
         let hand = if alike < 0.0 { Hand::Left } else { Hand::Right };
-        Self { hand, ..self }.with_units(size.abs())
+        let way = Self { hand, ..self }.with_units(size.abs());
+        // One number is no evidence of two units: a term of another size shows as much.
+        if way.spin != 1.0 && way.time != 1.0 { Self { spin: 1.0, time: 1.0, ..way } } else { way }
     }
 }
 

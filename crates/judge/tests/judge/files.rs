@@ -203,7 +203,8 @@ fn bad_input_is_an_error_with_line_and_column() {
     assert_eq!(with("0.1,1,,3"), "line 4, column 3 (`wy`): the field is empty");
     assert_eq!(with("0.1,1,2"), "line 4: there are 3 fields for 4 columns: `wz` is missing");
     assert!(with("0.1,1,2,3,4").starts_with("line 4, column 5 (``): `4` is one more field"));
-    assert_eq!(with("0,1,2,3"), "line 4, column 1 (`t`): time does not increase: 0 s after 0 s");
+    let stands = "line 4, column 1 (`t`): time does not increase: 0 s after 0 s. Write each instant once, in the order of time";
+    assert_eq!(with("0,1,2,3"), stands);
     assert!(error("").contains("the file is empty"));
     assert!(error("# inertia: 1 2 3\n\n").contains("the file is empty"));
     assert!(error("t,wx,wy,wz\n").contains("no rows"));
@@ -222,7 +223,7 @@ fn bad_input_is_an_error_with_line_and_column() {
     assert_eq!(error(no_attitude), "line 4: the quaternion has no length: from here on there is no motion");
     let bytes = [head.as_bytes(), &[0xff, 0xfe, b'\n']].concat();
     let error = judge(&bytes[..], &Options::default()).unwrap_err().to_string();
-    assert_eq!(error, "line 4: the line is not text (UTF-8)");
+    assert_eq!(error, "line 4: the line is not text in UTF-8: save the file in UTF-8");
     let long = format!("{head}{}", "1".repeat(100_000));
     assert!(judge(long.as_bytes(), &Options::default()).unwrap_err().to_string().contains("longer than"));
 }

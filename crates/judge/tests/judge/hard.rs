@@ -29,7 +29,7 @@ fn what_spreadsheets_and_locales_make_of_a_record_is_named() {
     assert!(error(old).starts_with("line 1: there are carriage returns within the line"));
     let garbage: Vec<u8> = (0..4000_u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8).collect();
     assert!(error(garbage).starts_with("line 1"));
-    assert_eq!(error("t,wx\0,wy,wz\n"), "line 1: the line is not text (UTF-8)");
+    assert_eq!(error("t,wx\0,wy,wz\n"), "line 1: the line is not text in UTF-8: save the file in UTF-8");
     let huge = with(&format!("0.1,1,{},3", "x".repeat(5000)));
     assert!(huge.starts_with("line 4, column 3 (`wy`): `xxx") && huge.len() < 200, "{huge}");
     let digits = with(&format!("0.1,1,{},3", "9".repeat(5000)));
