@@ -1,14 +1,14 @@
 //! From a record to a verdict, one row in hand at a time.
 
 use crate::error::Error;
-use crate::laws::{Complaint, Trial};
+use crate::laws::Trial;
 use crate::options::Options;
 use crate::read::{
     Derived, Feed, Fit, Known, Note, Raw, Row, Rows, Said, Source, Stopped, fitted_start, in_world,
 };
 use crate::rule::{PHYSICS_ENGINES, Subject};
 use crate::thresholds::PROBE_ROWS;
-use crate::verdict::{Verdict, verdict};
+use crate::verdict::{Verdict, too_far, verdict};
 use nalgebra::Vector3;
 use std::io::BufRead;
 use tumbling::PrincipalMoments;
@@ -124,7 +124,7 @@ fn start(
 ) -> Result<(Row, Option<Fitted>), Error> {
     let Some(mut first) = states.first().copied() else {
         return Err(match stopped {
-            Some((line, turn)) => Error::Line { line, problem: Complaint::TooFar { line, turn }.problem() },
+            Some((line, turn)) => Error::Line { line, problem: too_far(turn) },
             None => Error::OneRow,
         });
     };

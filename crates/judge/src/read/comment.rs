@@ -88,12 +88,6 @@ fn has_decimal_comma(text: &str, count: usize) -> bool {
 
 const DECIMAL_COMMA: &str = "a number has a decimal comma: write a point";
 
-/// The first three numbers, and by how much their printed digits leave them open.
-fn three(text: &str) -> Option<[Vector3<f64>; 2]> {
-    let [x, y, z, ..] = numbers(text)[..] else { return None };
-    Some([Vector3::new(x.0, y.0, z.0), Vector3::new(x.1, y.1, z.1)])
-}
-
 /// How many kg m² the unit behind the numbers of a tensor is; 1 for prose.
 fn unit(text: &str) -> Result<f64, String> {
     let number = |c: char| c.is_ascii_digit() || " ,\t;()[].+-eE".contains(c);
@@ -176,7 +170,7 @@ impl Header {
         if self.torque.is_none()
             && let Some(text) = after(comment, "torque")
         {
-            self.torque = three(text).map(|three| three[0]);
+            self.torque = numbers(text).get(..3).map(|three| Vector3::from_fn(|i, _| three[i].0));
             unread = unread.or(self.torque.is_none().then_some("torque"));
         }
         for word in ["dt", "timestep", "step"] {
@@ -204,16 +198,12 @@ impl Header {
 
     /// Moments that a line names: those that another line has named, if it has.
     fn take(&mut self, moments: Vector3<f64>, open: Vector3<f64>, line: usize) -> Result<(), Error> {
-        match self.inertia.replace(moments) {
-            Some(before) if before != moments => {
-                let problem = format!("the moments differ from those in line {}: name them once", self.line);
-                Err(Error::Line { line, problem })
-            }
-            _ => {
-                (self.open, self.line) = (open, line);
-                Ok(())
-            }
+        if self.inertia.replace(moments).is_some_and(|before| before != moments) {
+            let problem = format!("the moments differ from those in line {}: name them once", self.line);
+            return Err(Error::Line { line, problem });
         }
+        (self.open, self.line) = (open, line);
+        Ok(())
     }
 
     /// The engine named; or the first comment, where that begins with the name of one.

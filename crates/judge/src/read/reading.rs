@@ -356,8 +356,11 @@ impl Reading {
         }
         let hand = if alike < 0.0 { Hand::Left } else { Hand::Right };
         let way = Self { hand, ..self }.with_units(size.abs());
-        // One number is no evidence of two units: a term of another size shows as much.
-        if way.spin != 1.0 && way.time != 1.0 { Self { spin: 1.0, time: 1.0, ..way } } else { way }
+        // Two units have many products, and a wrong term may be near one: theirs is met to a step's error.
+        let turn = median(way.pairs(pairs, moments).map(|pair| pair.from.omega.norm() * pair.h));
+        let off = (size.abs() / (way.spin * way.time) - 1.0).abs();
+        let both = way.spin != 1.0 && way.time != 1.0 && off > FRACTION_NEAR + turn * turn;
+        if both { Self { hand, ..self } } else { way }
     }
 }
 

@@ -101,6 +101,9 @@ fn of_term(subject: &Subject, few: &[Pair], base: Base, term: f64, turned: Optio
     // accurate one nearly so. With attitudes both would have to be off by one factor.
     // The mean spin turns the attitude alone.
     let with_attitude = few.first().is_some_and(|pair| pair.from.attitude.is_some());
+    // An attitude that turns about another axis, in short turns, says nothing of the times.
+    let across = median(few.iter().filter_map(Pair::across));
+    let about_it = with_attitude && !(NEARER_READING..f64::INFINITY).contains(&across);
     let is_accurate = matches!(base, Base::Method(method, _) if method.info().order > 2
         || !with_attitude && method == Method::MeanSpinRungeKutta4);
     let keeps = is_accurate || Rule::plain(base).keeps(LawName::Separatrix);
@@ -115,8 +118,10 @@ fn of_term(subject: &Subject, few: &[Pair], base: Base, term: f64, turned: Optio
         _ if !keeps => far > NEAR_A_TERM[1],
         _ => base == Base::Exact && far > RATE_APART,
     };
-    let turned = turned.or(with_attitude.then_some(1.0));
-    multiples(times, turned).filter(is_seen).map(|how| base.but(how)).collect()
+    multiples(times, turned.or(Some(1.0)).filter(|_| about_it))
+        .filter(is_seen)
+        .map(|how| base.but(how))
+        .collect()
 }
 
 /// Turns in the wrong place or by the wrong spin.

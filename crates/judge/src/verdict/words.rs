@@ -25,7 +25,7 @@ impl fmt::Display for Complaint {
                 let moved = 100.0 * moved;
                 write!(f, "the spin stays as it is at the start, and should change by {moved:.0} % of it")
             }
-            Self::TooFar { line, .. } => write!(f, "line {line}: {}. Judged up to there", self.problem()),
+            Self::TooFar { line, turn } => write!(f, "line {line}: {}. Judged up to there", too_far(*turn)),
             Self::NoSteps => f.write_str("no two rows are one step apart: no rule can be tried"),
             Self::Otherwise { off, seen } => {
                 write!(
@@ -59,17 +59,12 @@ impl fmt::Display for Complaint {
     }
 }
 
-impl Complaint {
-    /// What is wrong, without its line.
-    pub(crate) fn problem(&self) -> String {
-        match self {
-            Self::TooFar { turn, .. } => format!(
-                "the attitude turns by {turn:.2} rad or more in one step, and attitudes alone do not distinguish a turn \
-                 from one that goes the other way round. Record the spin, or shorter steps"
-            ),
-            other => other.to_string(),
-        }
-    }
+/// What is wrong where attitudes are too far apart, by an angle in rad.
+pub(crate) fn too_far(turn: f64) -> String {
+    format!(
+        "the attitude turns by {turn:.2} rad or more in one step, and attitudes alone do not distinguish a turn from one \
+         that goes the other way round. Record the spin, or shorter steps"
+    )
 }
 
 impl fmt::Display for Note {
