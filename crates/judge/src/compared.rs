@@ -331,7 +331,8 @@ impl fmt::Display for Comparison {
         }
         for (k, apart) in &self.alike {
             if let Some(origin) = apart.origin {
-                let [x, y, z]: [f64; 3] = origin.map(rounded).into();
+                // To eight places: less is rounding.
+                let [x, y, z]: [f64; 3] = origin.map(|x| (x * 1e8).round() / 1e8 + 0.0).into();
                 let left = plain_number(apart.off[2].most);
                 writeln!(
                     f,
@@ -347,11 +348,6 @@ impl fmt::Display for Comparison {
         }
         Ok(())
     }
-}
-
-/// To eight places: less is rounding.
-fn rounded(x: f64) -> f64 {
-    (x * 1e8).round() / 1e8 + 0.0
 }
 
 impl Comparison {

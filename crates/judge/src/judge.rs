@@ -123,10 +123,8 @@ fn start(
     options: &Options,
 ) -> Result<(Row, Option<Fitted>), Error> {
     let Some(mut first) = states.first().copied() else {
-        return Err(match stopped {
-            Some((line, turn)) => Error::Line { line, problem: too_far(turn) },
-            None => Error::OneRow,
-        });
+        let wrong = |(line, turn)| Error::Line { line, problem: too_far(turn) };
+        return Err(stopped.map_or(Error::OneRow, wrong));
     };
     let Some(count) = options.fit else { return Ok((first, None)) };
     if count > states.len() {

@@ -118,10 +118,8 @@ fn of_term(subject: &Subject, few: &[Pair], base: Base, term: f64, turned: Optio
         _ if !keeps => far > NEAR_A_TERM[1],
         _ => base == Base::Exact && far > RATE_APART,
     };
-    multiples(times, turned.or(Some(1.0)).filter(|_| about_it))
-        .filter(is_seen)
-        .map(|how| base.but(how))
-        .collect()
+    let turned = turned.or(Some(1.0)).filter(|_| about_it);
+    multiples(times, turned).filter(is_seen).map(|how| base.but(how)).collect()
 }
 
 /// Turns in the wrong place or by the wrong spin.

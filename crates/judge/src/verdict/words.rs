@@ -11,16 +11,14 @@ impl fmt::Display for Complaint {
             Self::TurnedOver { time } => {
                 write!(f, "the spin turns over at {time:.4} s about the axis that it should circle for ever")
             }
-            Self::NeverFlips { exact } => write!(
-                f,
-                "the spin along the middle axis never changes sign, and should do so {}",
-                times(*exact)
-            ),
-            Self::Flips { found } => write!(
-                f,
-                "the spin along the middle axis changes sign {}, and should never do so",
-                times(*found)
-            ),
+            Self::NeverFlips { exact } => {
+                let exact = times(*exact);
+                write!(f, "the spin along the middle axis never changes sign, and should do so {exact}")
+            }
+            Self::Flips { found } => {
+                let found = times(*found);
+                write!(f, "the spin along the middle axis changes sign {found}, and should never do so")
+            }
             Self::Constant { moved } => {
                 let moved = 100.0 * moved;
                 write!(f, "the spin stays as it is at the start, and should change by {moved:.0} % of it")
