@@ -45,7 +45,8 @@ impl Motion {
         let mut rows = Rows::open(source)?;
         rows.columns.take_positions();
         let (kind, positions) = (rows.columns.kind, rows.columns.position.is_some());
-        let given = options.inertia.or_else(|| rows.header.moments(&mut Vec::new()));
+        let given =
+            options.inertia.map_or_else(|| rows.header.moments(&mut Vec::new()), |given| Ok(Some(given)))?;
         let moments =
             given.or((!kind.is_momentum()).then(|| Vector3::repeat(1.0))).ok_or(Error::NoMoments)?;
         Self::of(&mut rows, kind, &moments, positions)
@@ -330,7 +331,8 @@ impl fmt::Display for Comparison {
         }
         for (k, apart) in &self.alike {
             if let Some(origin) = apart.origin {
-                let [x, y, z]: [f64; 3] = origin.map(rounded).into();
+                // To eight places: less is rounding.
+                let [x, y, z]: [f64; 3] = origin.map(|x| (x * 1e8).round() / 1e8 + 0.0).into();
                 let left = plain_number(apart.off[2].most);
                 writeln!(
                     f,
@@ -346,11 +348,6 @@ impl fmt::Display for Comparison {
         }
         Ok(())
     }
-}
-
-/// To eight places: less is rounding.
-fn rounded(x: f64) -> f64 {
-    (x * 1e8).round() / 1e8 + 0.0
 }
 
 impl Comparison {

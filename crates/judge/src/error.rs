@@ -77,6 +77,11 @@ pub enum Error {
     },
 }
 
+/// What is wrong with a time, s, that is not after the last.
+pub(crate) fn not_later(time: f64, last: f64) -> String {
+    format!("time does not increase: {time} s after {last} s. Write each instant once, in the order of time")
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

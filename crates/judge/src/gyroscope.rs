@@ -1,6 +1,6 @@
 //! A body's moments and principal axes, fitted to the record of a gyroscope.
 
-use crate::error::Error;
+use crate::error::{Error, not_later};
 use crate::read::{least, normal, slopes};
 use crate::rule::{inside, tensor};
 use crate::thresholds::*;
@@ -130,7 +130,7 @@ fn check(rows: &[(f64, Vector3<f64>)]) -> Result<(), Error> {
             return wrong(format!("a value is {bad}: all must be finite"));
         }
         if *t <= last {
-            return wrong(format!("time does not increase: {t} s after {last} s"));
+            return wrong(not_later(*t, last));
         }
         last = *t;
     }

@@ -1,14 +1,14 @@
 //! From a record to a verdict, one row in hand at a time.
 
 use crate::error::Error;
-use crate::laws::{Complaint, Trial};
+use crate::laws::Trial;
 use crate::options::Options;
 use crate::read::{
     Derived, Feed, Fit, Known, Note, Raw, Row, Rows, Said, Source, Stopped, fitted_start, in_world,
 };
 use crate::rule::{PHYSICS_ENGINES, Subject};
 use crate::thresholds::PROBE_ROWS;
-use crate::verdict::{Verdict, verdict};
+use crate::verdict::{Verdict, too_far, verdict};
 use nalgebra::Vector3;
 use std::io::BufRead;
 use tumbling::PrincipalMoments;
@@ -46,7 +46,7 @@ pub fn judge(source: impl BufRead, options: &Options) -> Result<Verdict, Error> 
         kind: rows.columns.kind,
         step: rows.header.step,
         torque: rows.header.torque.filter(|torque| *torque != Vector3::zeros()),
-        moments: options.inertia.or_else(|| rows.header.moments(&mut notes)),
+        moments: options.inertia.map_or_else(|| rows.header.moments(&mut notes), |given| Ok(Some(given)))?,
         notes,
         ignored: rows.columns.ignored(),
     };
@@ -123,10 +123,8 @@ fn start(
     options: &Options,
 ) -> Result<(Row, Option<Fitted>), Error> {
     let Some(mut first) = states.first().copied() else {
-        return Err(match stopped {
-            Some((line, turn)) => Error::Line { line, problem: Complaint::TooFar { line, turn }.problem() },
-            None => Error::OneRow,
-        });
+        let wrong = |(line, turn)| Error::Line { line, problem: too_far(turn) };
+        return Err(stopped.map_or(Error::OneRow, wrong));
     };
     let Some(count) = options.fit else { return Ok((first, None)) };
     if count > states.len() {

@@ -1,6 +1,6 @@
 //! Records in memory: rows from an iterator, without text.
 
-use crate::error::Error;
+use crate::error::{Error, not_later};
 use crate::judge::judge_rows;
 use crate::options::Options;
 use crate::read::{Exact, Kind, Printed, Raw, Said, Source, significant_bits};
@@ -8,37 +8,18 @@ use crate::thresholds::*;
 use crate::verdict::Verdict;
 use nalgebra::{Quaternion, Vector3};
 
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for f32 {}
-    impl Sealed for f64 {}
-}
-
 /// A number that an engine counts in: `f64` or `f32`.
-pub trait Precision: sealed::Sealed + Copy {
-    /// Half the distance from 1 to the next number: the rounding of one operation.
-    const ROUNDING: f64;
-
+pub trait Precision: Into<f64> + Copy {
     /// The nearest number of this precision.
     #[must_use]
     fn of(x: f64) -> Self;
-
-    /// This number in double precision.
-    #[must_use]
-    fn get(self) -> f64;
 }
 
 macro_rules! precise {
     ($($number:ty)+) => {$(
         impl Precision for $number {
-            const ROUNDING: f64 = Self::EPSILON as f64 / 2.0;
-
             fn of(x: f64) -> Self {
                 x as Self
-            }
-
-            fn get(self) -> f64 {
-                self.into()
             }
         }
     )+};
@@ -154,9 +135,9 @@ impl<T: Precision, I: Iterator<Item = Row<T>>> Source for Memory<I> {
         let Some(row) = self.rows.next() else { return Ok(None) };
         self.count += 1;
         let wrong = |problem: String| Error::Row { row: self.count, problem };
-        let spin = Vector3::from(row.spin.map(T::get));
+        let spin = Vector3::from(row.spin.map(Into::into));
         let attitude = row.attitude.map(|q| {
-            let [w, x, y, z] = q.map(T::get);
+            let [w, x, y, z] = q.map(Into::into);
             Quaternion::new(w, x, y, z)
         });
         if attitude.is_some() != self.attitudes {
@@ -175,7 +156,7 @@ impl<T: Precision, I: Iterator<Item = Row<T>>> Source for Memory<I> {
             return Ok(None);
         }
         if row.time <= self.last {
-            return Err(wrong(format!("time does not increase: {} s after {} s", row.time, self.last)));
+            return Err(wrong(not_later(row.time, self.last)));
         }
         self.last = row.time;
         Ok(Some(Raw {
@@ -187,7 +168,7 @@ impl<T: Precision, I: Iterator<Item = Row<T>>> Source for Memory<I> {
             printed: Printed::default(),
             exact: [&row.attitude.map_or(Vec::new(), Vec::from)[..], &row.spin[..]].map(|numbers| Exact {
                 digits: MOST_DIGITS,
-                bits: numbers.iter().map(|x| significant_bits(x.get())).max().unwrap_or(0),
+                bits: numbers.iter().map(|x| significant_bits((*x).into())).max().unwrap_or(0),
                 place: f64::INFINITY,
             }),
         }))

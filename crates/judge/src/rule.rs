@@ -23,4 +23,4 @@ pub use engines::PHYSICS_ENGINES;
 pub(crate) use fitted::{compound, inside, momentum_for_spin, other_bodies, tensor};
 pub(crate) use names::{engine_names, engines, first_named, readable, settings};
 pub use rules::{Alteration, Base, Rule, Steps, Turn, When};
-pub(crate) use rules::{frozen_at, in_parts, of_parts, plain};
+pub(crate) use rules::{frozen, in_parts, of_parts, plain};

@@ -47,6 +47,8 @@ pub(crate) const AS_EXACT: f64 = 0.01;
 pub(crate) const CLEAR: f64 = 1e3;
 /// Steps to which a rule's numbers are fitted.
 pub(crate) const FITTED_STEPS: usize = 96;
+/// How many times as far off as the middle step one is that is left out of a fit.
+pub(crate) const PUSHED: f64 = 16.0;
 /// Stretches of time in which an error's course is kept.
 pub(crate) const STRETCHES: usize = 512;
 /// Points kept to draw a run by: more than a picture's pixels show apart.

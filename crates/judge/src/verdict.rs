@@ -17,3 +17,4 @@ pub use outcome::{Outcome, Recording, Verdict};
 pub(crate) use plain::plain_number;
 pub(crate) use report::COLUMNS;
 pub use report::Section;
+pub(crate) use words::too_far;

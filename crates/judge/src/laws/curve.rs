@@ -159,31 +159,34 @@ pub enum Growth {
 }
 
 impl Growth {
+    /// From best, 0, to worst, 5; a name, in a word or three; and its rate or power.
+    const fn parts(self) -> (u8, &'static str, Option<f64>) {
+        match self {
+            Self::Rounding => (0, "kept to rounding", None),
+            Self::Bounded => (1, "bounded", None),
+            Self::RandomWalk { rate } => (2, "random walk", Some(rate)),
+            Self::Linear { rate } => (3, "linear", Some(rate)),
+            Self::Power { power } => (4, "faster than linear", Some(power)),
+            Self::Stayed => (5, "changed, then stayed", None),
+            Self::Exponential { rate } => (5, "exponential", Some(rate)),
+        }
+    }
+
     /// From best, 0, to worst, 5.
     #[must_use]
     pub const fn rank(self) -> u8 {
-        match self {
-            Self::Rounding => 0,
-            Self::Bounded => 1,
-            Self::RandomWalk { .. } => 2,
-            Self::Linear { .. } => 3,
-            Self::Power { .. } => 4,
-            Self::Exponential { .. } | Self::Stayed => 5,
-        }
+        self.parts().0
     }
 
     /// A name, in a word or three.
     #[must_use]
     pub const fn name(self) -> &'static str {
-        match self {
-            Self::Rounding => "kept to rounding",
-            Self::Bounded => "bounded",
-            Self::Stayed => "changed, then stayed",
-            Self::RandomWalk { .. } => "random walk",
-            Self::Linear { .. } => "linear",
-            Self::Power { .. } => "faster than linear",
-            Self::Exponential { .. } => "exponential",
-        }
+        self.parts().1
+    }
+
+    /// What it grows by in a second, or to which power of time.
+    pub(crate) const fn rate(self) -> Option<f64> {
+        self.parts().2
     }
 }
 

@@ -80,17 +80,20 @@ impl Separator {
         [';', '\t', ','].into_iter().find(|&c| line.contains(c)).map_or(Self::Blanks, Self::One)
     }
 
-    /// The fields of a line, without the blanks around them.
+    /// The fields of a line, without the blanks and quotes around them.
     pub(crate) fn split(self, line: &str) -> impl Iterator<Item = &str> {
         let (is_one, blanks) = (move |c: char| Self::One(c) == self, self == Self::Blanks);
         let fields = line.split(move |c: char| if blanks { c.is_whitespace() } else { is_one(c) });
-        fields.map(str::trim).filter(move |field| !blanks || !field.is_empty())
+        let surrounds = |c: char| c.is_whitespace() || c == '"';
+        fields
+            .map(move |field| field.trim_matches(surrounds))
+            .filter(move |field| !blanks || !field.is_empty())
     }
 }
 
 /// A name without quotes, unit, underscores and capitals; and its unit.
 fn plain(name: &str) -> (String, String) {
-    let name = name.trim_matches(|c: char| c == '"' || c == '\'' || c.is_whitespace()).to_lowercase();
+    let name = name.trim_matches(|c: char| c == '\'' || c.is_whitespace()).to_lowercase();
     let (name, unit) = match name.find(['[', '(']) {
         Some(at) => name.split_at(at),
         None => (name.as_str(), ""),
@@ -99,17 +102,9 @@ fn plain(name: &str) -> (String, String) {
     (letters, unit.trim_matches(|c: char| "[]() ".contains(c)).to_string())
 }
 
-const TIME: [&str; 10] =
-    ["t", "time", "seconds", "timestamp", "ts", "tsec", "times", "timesec", "timeseconds", "simtime"];
-/// Names of the time that say its unit.
-const TIME_IN: [(&str, &str); 6] = [
-    ("tms", "ms"),
-    ("timems", "ms"),
-    ("timestampms", "ms"),
-    ("timeus", "us"),
-    ("timens", "ns"),
-    ("timestampns", "ns"),
-];
+/// The time, with its unit behind it or without.
+const TIME: [&str; 5] = ["timestamp", "simtime", "time", "t", "seconds"];
+const UNITS: [&str; 7] = ["", "s", "sec", "seconds", "ms", "us", "ns"];
 const STEPS: [&str; 2] = ["step", "frame"];
 /// Before the letter of the axis.
 const ATTITUDE: [&str; 3] = ["q", "quat", "quaternion"];
@@ -141,6 +136,11 @@ const VECTORS: [(Kind, &str); 4] = [
 const POSITIONS: [&str; 4] = ["", "p", "pos", "position"];
 /// Three names of a spin that have no axes' letters.
 const SPIN_NAMES: [&str; 3] = ["p", "q", "r"];
+
+/// The unit behind the name of a time.
+fn unit_of_time(name: &str) -> Option<&str> {
+    TIME.iter().find_map(|time| name.strip_prefix(time)).filter(|unit| UNITS.contains(unit))
+}
 
 /// The line of names, and what is found in it.
 struct Names {
@@ -185,11 +185,8 @@ impl Names {
     }
 
     /// The one there is of these.
-    fn any(&self, wanted: &[&str]) -> Result<Option<usize>, Error> {
-        let mut found = Vec::new();
-        for name in wanted {
-            found.extend(self.at(name)?);
-        }
+    fn any(&self, is_one: impl Fn(&str) -> bool) -> Result<Option<usize>, Error> {
+        let found: Vec<usize> = (0..self.raw.len()).filter(|i| is_one(&self.plain[*i].0)).collect();
         match found[..] {
             [a, b, ..] => {
                 Err(self.wrong(format!("`{}` and `{}` both are the time", self.raw[a], self.raw[b])))
@@ -218,8 +215,7 @@ impl Names {
 
     /// The time; `step` says whether the header has the length of a step.
     fn clock(&self, step: bool) -> Result<TimeColumn, Error> {
-        let times: Vec<&str> = TIME.into_iter().chain(TIME_IN.map(|name| name.0)).collect();
-        match (self.any(&times)?, self.any(&STEPS)?) {
+        match (self.any(|name| unit_of_time(name).is_some())?, self.any(|name| STEPS.contains(&name))?) {
             (Some(i), _) => Ok(TimeColumn::Time(i)),
             (None, Some(i)) => Ok(TimeColumn::Steps(i)),
             (None, None) if step => Ok(TimeColumn::Rows),
@@ -295,7 +291,7 @@ impl Names {
     fn per_second(&self, clock: TimeColumn) -> Result<f64, Error> {
         let TimeColumn::Time(i) = clock else { return Ok(1.0) };
         let (name, unit) = &self.plain[i];
-        let by_name = TIME_IN.iter().find(|known| known.0 == name.as_str()).map_or("", |known| known.1);
+        let by_name = unit_of_time(name).unwrap_or_default();
         units::per_second(if unit.is_empty() { by_name } else { unit }).ok_or_else(|| {
             self.wrong(format!(
                 "the unit of `{}` is not known here: known are s, ms, us, ns and min",

@@ -5,6 +5,7 @@ use crate::read::units;
 use crate::read::{Note, last_place};
 use crate::thresholds::MOMENTS_MISS;
 use nalgebra::Vector3;
+use tumbling::PrincipalMoments;
 
 /// What the comments before the first row say.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -17,6 +18,8 @@ pub struct Header {
     pub inertia: Option<Vector3<f64>>,
     /// By how much their printed digits leave them open.
     pub open: Vector3<f64>,
+    /// The line that names them.
+    line: usize,
     /// Each of them where it has a line of its own, and by how much its digits leave it open.
     each: [Option<(f64, f64)>; 3],
     /// The step, s.
@@ -29,6 +32,8 @@ pub struct Header {
 
 /// Words that may stand between a name and its numbers.
 const BETWEEN: [&str; 6] = ["size", "length", "is", "of", "tensor", "principal"];
+
+const OFF_DIAGONAL: [&str; 6] = ["ixy", "iyx", "ixz", "izx", "iyz", "izy"];
 
 /// Words before a name that say that there is none of it.
 const NONE: [&str; 3] = ["no", "without", "zero"];
@@ -61,7 +66,10 @@ fn seconds(text: &str) -> Option<f64> {
         Some((over, under)) => over.parse::<f64>().ok()? / under.parse::<f64>().ok()?,
         None => word.parse().ok()?,
     };
-    Some(number / words.next().and_then(units::per_second).unwrap_or(1.0))
+    match words.next() {
+        Some(unit) if unit.eq_ignore_ascii_case("hz") => Some(1.0 / number),
+        unit => Some(number / unit.and_then(units::per_second).unwrap_or(1.0)),
+    }
 }
 
 /// The numbers up to the first word that is none, and by how much their printed digits leave them open.
@@ -80,12 +88,6 @@ fn has_decimal_comma(text: &str, count: usize) -> bool {
 
 const DECIMAL_COMMA: &str = "a number has a decimal comma: write a point";
 
-/// The first three numbers, and by how much their printed digits leave them open.
-fn three(text: &str) -> Option<[Vector3<f64>; 2]> {
-    let [x, y, z, ..] = numbers(text)[..] else { return None };
-    Some([Vector3::new(x.0, y.0, z.0), Vector3::new(x.1, y.1, z.1)])
-}
-
 /// How many kg m² the unit behind the numbers of a tensor is; 1 for prose.
 fn unit(text: &str) -> Result<f64, String> {
     let number = |c: char| c.is_ascii_digit() || " ,\t;()[].+-eE".contains(c);
@@ -100,25 +102,30 @@ fn unit(text: &str) -> Result<f64, String> {
     Ok(known.unwrap_or(1.0))
 }
 
-/// Three moments; of nine numbers, or of six, the tensor's, those of its diagonal if the rest are zero.
-fn moments(text: &str) -> Result<Option<[Vector3<f64>; 2]>, String> {
+const PRINCIPAL: &str =
+    "give the three principal moments, and write spin and attitude about the principal axes";
+
+/// Three moments; of nine numbers, or of six, the tensor's, those of its diagonal if the rest are zero. One
+/// or two may be prose where no colon stands before them.
+fn moments(text: &str, named: bool) -> Result<Option<[Vector3<f64>; 2]>, String> {
     if has_decimal_comma(text, 3) {
         return Err(DECIMAL_COMMA.into());
     }
     let all = numbers(text);
-    let places = match all.len() {
-        6 => [0, 1, 2],
+    let count = all.len();
+    let places = match count {
+        3 | 6 => [0, 1, 2],
         9 => [0, 4, 8],
+        0 => return Ok(None),
+        1 | 2 if !named => return Ok(None),
         _ => {
-            let unit = unit(text)?;
-            return Ok(three(text).map(|three| three.map(|x| x * unit)));
+            let numbers = if count == 1 { "number is" } else { "numbers are" };
+            return Err(format!("{count} {numbers} given for the inertia: {PRINCIPAL}"));
         }
     };
-    if (0..all.len()).any(|i| !places.contains(&i) && all[i].0 != 0.0) {
+    if (0..count).any(|i| !places.contains(&i) && all[i].0 != 0.0) {
         return Err(format!(
-            "{} numbers are given for the inertia, with products that are not zero: give the three principal moments, and \
-             write spin and attitude about the principal axes",
-            all.len()
+            "{count} numbers are given for the inertia, with products that are not zero: {PRINCIPAL}"
         ));
     }
     let unit = unit(text)?;
@@ -140,27 +147,30 @@ impl Header {
         }
         self.first.get_or_insert_with(|| head(comment));
         let mut unread = None;
+        let wrong = |problem: String| Error::Line { line, problem };
         for word in ["inertia", "moments"] {
-            if self.inertia.is_none()
-                && let Some(text) = after(comment, word)
-            {
-                match moments(text).map_err(|problem| Error::Line { line, problem })? {
-                    Some([moments, open]) => (self.inertia, self.open) = (Some(moments), open),
-                    None => unread = Some(word).filter(|_| after(comment, "ixx").is_none()),
-                }
+            let Some(text) = after(comment, word) else { continue };
+            let named = comment[..comment.len() - text.len()].trim_end().ends_with([':', '=']);
+            match moments(text, named).map_err(wrong)? {
+                Some([moments, open]) => self.take(moments, open, line)?,
+                None if self.inertia.is_none() && after(comment, "ixx").is_none() => unread = Some(word),
+                None => {}
             }
         }
+        let one = |word: &str| after(comment, word).and_then(|text| numbers(text).first().copied());
         for (i, word) in ["ixx", "iyy", "izz"].into_iter().enumerate() {
-            self.each[i] =
-                self.each[i].or(after(comment, word).and_then(|text| numbers(text).first().copied()));
+            self.each[i] = self.each[i].or_else(|| one(word));
+        }
+        if let Some(word) = OFF_DIAGONAL.into_iter().find(|word| one(word).is_some_and(|x| x.0 != 0.0)) {
+            return Err(wrong(format!("the product `{word}` is not zero: {PRINCIPAL}")));
         }
         if let (None, [Some(x), Some(y), Some(z)]) = (self.inertia, self.each) {
-            (self.inertia, self.open) = (Some(Vector3::new(x.0, y.0, z.0)), Vector3::new(x.1, y.1, z.1));
+            self.take(Vector3::new(x.0, y.0, z.0), Vector3::new(x.1, y.1, z.1), line)?;
         }
         if self.torque.is_none()
             && let Some(text) = after(comment, "torque")
         {
-            self.torque = three(text).map(|three| three[0]);
+            self.torque = numbers(text).get(..3).map(|three| Vector3::from_fn(|i, _| three[i].0));
             unread = unread.or(self.torque.is_none().then_some("torque"));
         }
         for word in ["dt", "timestep", "step"] {
@@ -168,15 +178,14 @@ impl Header {
                 && let Some(text) = after(comment, word)
             {
                 if has_decimal_comma(text, 1) {
-                    return Err(Error::Line { line, problem: DECIMAL_COMMA.into() });
+                    return Err(wrong(DECIMAL_COMMA.into()));
                 }
                 let Some(step) = seconds(text) else {
                     unread = unread.or(Some(word));
                     continue;
                 };
                 if !(step.is_finite() && step > 0.0) {
-                    let problem = format!("the step is given as {step}: it must be above zero");
-                    return Err(Error::Line { line, problem });
+                    return Err(wrong(format!("the step is given as {step}: it must be above zero")));
                 }
                 self.step = Some(step);
             }
@@ -184,6 +193,16 @@ impl Header {
         if let Some(word) = unread {
             self.notes.push(Note::Unread { line, word });
         }
+        Ok(())
+    }
+
+    /// Moments that a line names: those that another line has named, if it has.
+    fn take(&mut self, moments: Vector3<f64>, open: Vector3<f64>, line: usize) -> Result<(), Error> {
+        if self.inertia.replace(moments).is_some_and(|before| before != moments) {
+            let problem = format!("the moments differ from those in line {}: name them once", self.line);
+            return Err(Error::Line { line, problem });
+        }
+        (self.open, self.line) = (open, line);
         Ok(())
     }
 
@@ -198,19 +217,22 @@ impl Header {
     /// The moments given. Of a flat body, whose rounded moments miss the triangle rule by no more
     /// than their printed digits leave open, the largest is taken as the sum of the others, and a note says
     /// so.
-    pub(crate) fn moments(&self, notes: &mut Vec<Note>) -> Option<Vector3<f64>> {
-        let named = self.inertia?;
+    pub(crate) fn moments(&self, notes: &mut Vec<Note>) -> Result<Option<Vector3<f64>>, Error> {
+        let Some(named) = self.inertia else { return Ok(None) };
         let largest = named.imax();
         let rest = named[(largest + 1) % 3] + named[(largest + 2) % 3];
         let missing = named[largest] - rest;
         // One or two digits are no rounding, but a mistake.
         let rounded = missing <= self.open.sum() && missing <= MOMENTS_MISS * named[largest];
         if !(missing > 0.0 && rounded && named.min() > 0.0) {
-            return Some(named);
+            let line = self.line;
+            let wrong =
+                |wrong| Error::Line { line, problem: format!("{wrong}. Look at the numbers and their unit") };
+            return PrincipalMoments::try_from(named).map(|_| Some(named)).map_err(wrong);
         }
         let mut moments = named;
         moments[largest] = rest;
         notes.push(Note::Flat { printed: named[largest], missing, moments });
-        Some(moments)
+        Ok(Some(moments))
     }
 }

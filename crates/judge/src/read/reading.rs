@@ -355,7 +355,12 @@ impl Reading {
             return self;
         }
         let hand = if alike < 0.0 { Hand::Left } else { Hand::Right };
-        Self { hand, ..self }.with_units(size.abs())
+        let way = Self { hand, ..self }.with_units(size.abs());
+        // Two units have many products, and a wrong term may be near one: theirs is met to a step's error.
+        let turn = median(way.pairs(pairs, moments).map(|pair| pair.from.omega.norm() * pair.h));
+        let off = (size.abs() / (way.spin * way.time) - 1.0).abs();
+        let both = way.spin != 1.0 && way.time != 1.0 && off > FRACTION_NEAR + turn * turn;
+        if both { Self { hand, ..self } } else { way }
     }
 }
 

@@ -1,6 +1,6 @@
 //! A record, row by row: one line in memory at a time.
 
-use crate::error::Error;
+use crate::error::{Error, not_later};
 use crate::read::{
     Columns, Exact, Header, Printed, Raw, Separator, Source, TimeColumn, last_place, significant,
     significant_bits,
@@ -64,8 +64,7 @@ impl<R: BufRead> Rows<R> {
             {
                 let i = self.columns.clock.place().unwrap_or(0);
                 let (column, name) = (i + 1, self.columns.names[i].clone());
-                let problem = format!("time does not increase: {} s after {last} s", raw.t);
-                return Err(Error::Field { line, column, name, problem });
+                return Err(Error::Field { line, column, name, problem: not_later(raw.t, last) });
             }
             self.rows += 1;
             return Ok(Some(raw));
@@ -109,6 +108,9 @@ impl Printed {
     }
 }
 
+/// What programs in C print for what is no number.
+const C_HAS_NONE: [&str; 5] = ["nan(", "#IND", "#QNAN", "#SNAN", "#INF"];
+
 /// The numbers of a row, one for each column; zero where none is read. Where one is not finite the numbers
 /// end.
 fn numbers(
@@ -144,7 +146,8 @@ fn numbers(
         if field.is_empty() {
             return Err(wrong("the field is empty".into()));
         }
-        let value: f64 = field.parse().map_err(|_| wrong(no_number(field)))?;
+        let none = || C_HAS_NONE.iter().any(|none| field.contains(none)).then_some(f64::NAN);
+        let value: f64 = field.parse().ok().or_else(none).ok_or_else(|| wrong(no_number(field)))?;
         if !value.is_finite() {
             let problem = format!("the value is {}: from here on there is no motion", shown(field));
             ended.get_or_insert(wrong(problem));
@@ -246,7 +249,7 @@ fn text_of(bytes: &[u8], line: usize) -> Result<&str, Error> {
         _ if line == 1 && (bytes.starts_with(&[0xff, 0xfe]) || bytes.starts_with(&[0xfe, 0xff])) => {
             return Err(wrong("the file is in UTF-16: save it in UTF-8"));
         }
-        _ => return Err(wrong("the line is not text (UTF-8)")),
+        _ => return Err(wrong("the line is not text in UTF-8: save the file in UTF-8")),
     };
     if text.trim_end().contains('\r') {
         return Err(wrong("there are carriage returns within the line: end lines by a line feed"));

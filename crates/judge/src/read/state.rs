@@ -1,6 +1,6 @@
 //! A body at one instant, as the judge takes it, and two of them one step apart.
 
-use crate::thresholds::LONG_TURN;
+use crate::thresholds::{LONG_TURN, SHORT_TURN};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::f64::consts::PI;
 use tumbling::attitude;
@@ -44,6 +44,15 @@ impl Pair {
         let sine = q.imag().norm();
         let half = sine.atan2(q.w);
         Some(if sine > 0.0 { q.imag() * (2.0 * half / sine) } else { Vector3::zeros() })
+    }
+
+    /// The sine between the axes of a short turn and of the spin: the one before, after, or their mean,
+    /// whichever is the nearest.
+    pub(crate) fn across(&self) -> Option<f64> {
+        let turn = self.turn().filter(|turn| turn.norm() < SHORT_TURN)?;
+        let (a, b) = (self.from.omega, self.to.omega);
+        let sine = |omega: Vector3<f64>| turn.cross(&omega).norm() / (turn.norm() * omega.norm());
+        Some([a, b, a + b].map(sine).into_iter().fold(f64::INFINITY, f64::min))
     }
 
     /// How far the turn is from what the spin says, relative to the spin: from the one before, after, or

@@ -39,11 +39,9 @@ advices! {
     NOTHING: "Nothing to do: the steps are the motion itself.";
     COMPARE: "Compare the engine's rule with the known ones." in STEPS;
     DRIFTS_ON: "Its errors fall with its step or its tolerance; what drifts in the table goes on drifting." in STEPS;
-    EACH_STEP: "Write a row at each of the engine's steps, and none in between.";
-    ONCE: "Write a row at each of the engine's steps, once.";
+    EACH_STEP: "Write a row at each of the engine's steps, once, and none in between, and judge it again.";
     ALL_DIGITS_OR_FIT: "Write the engine's own numbers, with all their digits; of a sensor, fit a motion to many rows \
          instead.";
-    EVERY_STEP: "Write a row at every step, and judge it again.";
     FASTER: "Errors so close to rounding are those of many rules: record a faster spin, or longer steps, and judge it \
          again.";
     MORE_DIGITS: "Write the record with all digits (17 of double precision, 9 of single), and judge it again.";
@@ -62,7 +60,7 @@ advices! {
     TIMES: "The times are not those of the steps: look for rows left out, a step taken more than once, or another step than \
          the one named.";
     TERM_OR_TIMES: "Spins alone do not part a wrong term from wrong times. Look at the step and at rows left out, or record \
-         the attitude too; if the times are right, the term is not that of the body: w' = J ((I w) x w)." in PITFALL_FLIPS;
+         an attitude that turns by the spin; if the times are right, the term is not that of the body: w' = J ((I w) x w)." in PITFALL_FLIPS;
     SIDE: "The turn of a step stands on the wrong side of the attitude: with q from body to world write q * dq where dq is \
          made of a spin in body axes, and dq * q where it is made of a spin in world axes.";
     OWN_UPDATE: "The turn does not belong to the spin: take attitude and spin at the end of the step both from this rule, \
@@ -116,10 +114,8 @@ impl Advice {
             Confidence::NoneFits | Confidence::Altered if whole.on_wrong_side => Self::SIDE,
             Confidence::NoneFits if !floor.few => Self::COMPARE,
             Confidence::Accurate => Self::DRIFTS_ON,
-            Confidence::Interpolated => Self::EACH_STEP,
-            Confidence::Repeated => Self::ONCE,
+            Confidence::Interpolated | Confidence::Repeated | Confidence::FewSteps => Self::EACH_STEP,
             Confidence::Scattered => Self::ALL_DIGITS_OR_FIT,
-            Confidence::FewSteps => Self::EVERY_STEP,
             Confidence::SmallErrors => Self::FASTER,
             Confidence::FewDigits if floor.single => Self::SINGLE,
             Confidence::FewDigits | Confidence::NoneFits => Self::MORE_DIGITS,
@@ -135,8 +131,10 @@ impl Advice {
         // A rule with something altered has a fault of its own, and so has one between jumps.
         let more = (jumps || confidence.names_a_rule() && rule.alteration.is_some())
             .then(|| Self::of_rule(&if jumps { *rule } else { Rule::plain(rule.base) }));
+        // A term that is found by the spin alone says nothing of what turns the attitude.
+        let side = (whole.on_wrong_side && one != Self::SIDE && rule.is_of_spin()).then_some(Self::SIDE);
         let right = [Self::NOTHING, Self::KEEPS_LAWS, Self::OF_ORDER];
-        std::iter::once(one).chain(more.filter(|more| !right.contains(more))).collect()
+        std::iter::once(one).chain(side).chain(more.filter(|more| !right.contains(more))).collect()
     }
 
     /// What follows from a rule that all steps are made by.

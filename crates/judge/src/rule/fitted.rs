@@ -2,7 +2,7 @@
 
 use crate::law::LawName;
 use crate::read::{Pair, least, median, normal, ordered, simplest, slopes, times_the_turn};
-use crate::rule::{Alteration, Base, Rule, Subject, Turn, When};
+use crate::rule::{Alteration, Base, Rule, Subject, Turn, When, frozen};
 use crate::thresholds::*;
 use nalgebra::{Matrix3, Rotation3, SVector, UnitQuaternion, Vector3};
 use tumbling::PrincipalMoments;
@@ -34,6 +34,18 @@ fn misses(subject: &Subject, pairs: &[Pair], rule: &Rule) -> Option<Vec<Vector3<
     pairs.iter().map(miss).collect()
 }
 
+/// The number of a rule that misses the spins least, without the steps that are far off: pushes.
+fn number(subject: &Subject, pairs: &[Pair], start: f64, rule: impl Fn(f64) -> Rule) -> Option<f64> {
+    let fit = |pairs: &[Pair], start: f64| {
+        least([start].into(), |x| misses(subject, pairs, &rule(x.x)), |x| x).map(|x| x.x)
+    };
+    let first = fit(pairs, start)?;
+    let off: Vec<f64> = misses(subject, pairs, &rule(first))?.iter().map(Vector3::norm).collect();
+    let most = PUSHED * median(off.iter().copied());
+    let own: Vec<Pair> = pairs.iter().zip(&off).filter(|(_, off)| **off <= most).map(|x| *x.0).collect();
+    if own.len() == pairs.len() { Some(first) } else { fit(&own, first) }
+}
+
 /// Rules with one number, or none: damping, another gyroscopic term, another turn, a cap.
 pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<Rule> {
     let few = &*some(pairs, FITTED_STEPS);
@@ -49,13 +61,16 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
         (true, false) => &[&[When::After, When::Open]],
         (false, _) => &[&[When::Before], &[When::Open]],
     };
-    for base in Base::all() {
+    for base in Base::all().into_iter().chain(frozen(pairs)) {
         for whens in whens {
             let fitted = damped(subject, few, base, whens[0], rounding);
             let rule = |(factor, rate)| {
                 whens.iter().map(move |&when| base.but(Alteration::Damped { factor, rate, when }))
             };
             all.extend(fitted.into_iter().flat_map(rule));
+        }
+        if matches!(base, Base::FrozenTensor(..)) {
+            continue;
         }
         all.extend(of_term(subject, few, base, term, turned.filter(|_| of_spin)));
         // It cuts what the base makes beyond it.
@@ -86,24 +101,24 @@ fn of_term(subject: &Subject, few: &[Pair], base: Base, term: f64, turned: Optio
     // accurate one nearly so. With attitudes both would have to be off by one factor.
     // The mean spin turns the attitude alone.
     let with_attitude = few.first().is_some_and(|pair| pair.from.attitude.is_some());
+    // An attitude that turns about another axis, in short turns, says nothing of the times.
+    let across = median(few.iter().filter_map(Pair::across));
+    let about_it = with_attitude && !(NEARER_READING..f64::INFINITY).contains(&across);
     let is_accurate = matches!(base, Base::Method(method, _) if method.info().order > 2
         || !with_attitude && method == Method::MeanSpinRungeKutta4);
     let keeps = is_accurate || Rule::plain(base).keeps(LawName::Separatrix);
     if is_still(base) || keeps && turned.is_none() && base != Base::Exact || !term.is_finite() {
         return Vec::new();
     }
-    let rule = |times: &SVector<f64, 1>| base.but(Alteration::TermOrTimes(times.x));
-    let fitted = least([term].into(), |times| misses(subject, few, &rule(times)), |times| times);
-    let Some(times) = fitted.map(|times| times.x).filter(|times| times.abs() > NEAR_A_TERM[1]) else {
-        return Vec::new();
-    };
+    let fitted = number(subject, few, term, |times| base.but(Alteration::TermOrTimes(times)));
+    let Some(times) = fitted.filter(|times| times.abs() > NEAR_A_TERM[1]) else { return Vec::new() };
     let far = (times - 1.0).abs();
     let is_seen = |how: &Alteration| match how {
         Alteration::Times(own) => (own - 1.0).abs() > NEAR_A_TERM[1],
         _ if !keeps => far > NEAR_A_TERM[1],
         _ => base == Base::Exact && far > RATE_APART,
     };
-    let turned = turned.or(with_attitude.then_some(1.0));
+    let turned = turned.or(Some(1.0)).filter(|_| about_it);
     multiples(times, turned).filter(is_seen).map(|how| base.but(how)).collect()
 }
 
@@ -237,7 +252,7 @@ pub(crate) fn inside(numbers: SVector<f64, 5>) -> SVector<f64, 5> {
 /// The factor by which each step lessens the spin that the base makes, and what that is a second.
 fn damped(subject: &Subject, pairs: &[Pair], base: Base, when: When, rounding: f64) -> Option<(f64, f64)> {
     let rule = |factor: f64| base.but(Alteration::Damped { factor, rate: 0.0, when });
-    let factor = least([1.0].into(), |factor| misses(subject, pairs, &rule(factor.x)), |factor| factor)?.x;
+    let factor = number(subject, pairs, 1.0, rule)?;
     let below = 1.0 - DAMPED.max(DAMPED_ROUNDINGS * rounding);
     (factor > 0.0 && factor < below).then_some((factor, rate(factor, pairs.first()?.h)))
 }

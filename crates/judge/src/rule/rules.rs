@@ -281,7 +281,7 @@ pub(crate) fn plain(free: bool, pairs: &[Pair]) -> Vec<Rule> {
     }
     all.extend(Method::ALL.iter().map(|&method| Base::Method(method, 1)));
     all.extend(free.then_some(Base::PositionStage(1)));
-    all.extend(Steps::frozen(Quaternion::identity()));
+    all.extend(frozen(pairs));
     distinct(all).into_iter().map(Rule::plain).collect()
 }
 
@@ -323,11 +323,11 @@ pub(crate) fn of_parts(parts: u32) -> Vec<Rule> {
     all.map(|base| Rule::plain(base.in_parts(parts))).collect()
 }
 
-/// The tensor frozen as it stood at the record's first attitude, where that is another than the identity.
-pub(crate) fn frozen_at(pairs: &[Pair]) -> Vec<Rule> {
+/// The tensor frozen as it stood at the identity, and at the record's first attitude where that is another.
+pub(crate) fn frozen(pairs: &[Pair]) -> Vec<Base> {
     let first = pairs.first().and_then(|pair| pair.from.attitude).map(|q| q / q.norm());
     let other = first.filter(|q| q.imag().norm() > 0.0 && q.norm().is_finite());
-    other.into_iter().flat_map(Steps::frozen).map(Rule::plain).collect()
+    [Quaternion::identity()].into_iter().chain(other).flat_map(Steps::frozen).collect()
 }
 
 /// The most spin along an axis of the world after any step.

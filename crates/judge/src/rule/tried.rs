@@ -3,8 +3,8 @@
 use crate::read::{Floor, Known, Pair, middle_and_most};
 use crate::rule::fitted::some;
 use crate::rule::{
-    Alteration, Base, Explanation, Rule, Subject, Turn, compound, frozen_at, in_parts, momentum_for_spin,
-    of_parts, other_bodies, plain,
+    Alteration, Base, Explanation, Rule, Subject, Turn, compound, in_parts, momentum_for_spin, of_parts,
+    other_bodies, plain,
 };
 use crate::thresholds::*;
 use tumbling::step::Method;
@@ -53,7 +53,7 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
     }
     let unaltered = found.len();
     found.extend(equals(&found, floor).into_iter().filter_map(explained));
-    let more: [Fitted; 3] = [|_, pairs, _| frozen_at(pairs), compound, other_bodies];
+    let more: [Fitted; 2] = [compound, other_bodies];
     for rules in more {
         if free && !fits(&found) {
             // Times that are nearly right are wrong where that is all there is.

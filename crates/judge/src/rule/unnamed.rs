@@ -3,7 +3,7 @@
 use crate::read::{Floor, Pair, median};
 use crate::rule::diagnosis::Ranked;
 use crate::rule::tried::explained;
-use crate::rule::{Alteration, Base, Confidence, Explanation, Rule, Subject};
+use crate::rule::{Alteration, Base, Confidence, Explanation, Rule, Subject, When};
 use crate::thresholds::*;
 
 /// The exact motion with a number altered, if that explains nearly all of its error; an accurate rule, and
@@ -22,7 +22,12 @@ pub(super) fn unnamed(
     let alone = |best: &Explanation| Ranked { best: *best, alike: Vec::new(), second: Some(*exact) };
     let (altered, times) = altered(subject, pairs, found);
     if let Some(altered) = altered.filter(|x| times > ALTERED[1] && x.median < NEAR) {
-        return (alone(altered), Confidence::Altered, None);
+        let mut altered = alone(altered);
+        // Where in the step of a rule that is not known it is damped, the exact motion does not show.
+        if let Some(Alteration::Damped { when, .. }) = &mut altered.best.rule.alteration {
+            *when = When::Open;
+        }
+        return (altered, Confidence::Altered, None);
     }
     let error = accuracy(subject, pairs, exact, floor.size).filter(|_| !fails && times < ALTERED[0]);
     if error.is_some() {

@@ -176,23 +176,24 @@ impl End<'_> {
 
 /// How the attitude turns where most steps do not turn it by the spin.
 fn turned(pairs: &[Pair]) -> Option<Seen> {
-    let middle = |of: fn(Vector3<f64>, Vector3<f64>, Matrix3<f64>) -> f64| {
+    let middle = |of: &dyn Fn(Vector3<f64>, Vector3<f64>, Matrix3<f64>) -> f64| {
         median(pairs.iter().filter_map(|pair| {
             let start = unit(&pair.from.attitude?).to_rotation_matrix().into_inner();
             Some(of(pair.turn()? / pair.h, (pair.from.omega + pair.to.omega) / 2.0, start))
         }))
     };
-    let plain = middle(|turn, spin, _| (turn - spin).norm() / spin.norm());
-    let body = middle(|turn, spin, start| (start * turn - spin).norm() / spin.norm());
-    let world = middle(|turn, spin, start| (turn - start * spin).norm() / spin.norm());
-    let times = middle(|turn, spin, _| turn.dot(&spin) / spin.norm_squared());
-    let across = middle(|turn, spin, _| turn.cross(&spin).norm() / (turn.norm() * spin.norm()));
+    let across = |a: Vector3<f64>, b: Vector3<f64>| a.cross(&b).norm() / (a.norm() * b.norm());
+    let plain = middle(&|turn, spin, _| (turn - spin).norm() / spin.norm());
+    let own = middle(&|turn, spin, _| across(turn, spin));
+    let body = middle(&|turn, spin, start| across(start * turn, spin));
+    let world = middle(&|turn, spin, start| across(turn, start * spin));
+    let times = middle(&|turn, spin, _| turn.dot(&spin) / spin.norm_squared());
     let agrees = |off: f64| off < TURNS_AGREE;
-    match (agrees(plain), agrees(body.min(world)), agrees(across)) {
+    match (agrees(plain), agrees(own), agrees(body.min(world))) {
         (true, ..) => None,
-        (_, true, _) => Some(if body <= world { Seen::BodyInWorld } else { Seen::WorldInBody }),
-        (.., true) => ((times - 1.0).abs() > PACE_APART).then_some(Seen::Times(times)),
-        _ => (across > NEARER_READING).then_some(Seen::OtherAxis),
+        (_, true, _) => ((times - 1.0).abs() > PACE_APART).then_some(Seen::Times(times)),
+        (.., true) => Some(if body <= world { Seen::BodyInWorld } else { Seen::WorldInBody }),
+        _ => (own > NEARER_READING).then_some(Seen::OtherAxis),
     }
 }
 

@@ -130,10 +130,8 @@ impl Diagnosis {
         }
         all.extend(self.would_decide().map(|how| format!("what would decide: {how}")));
         all.extend(self.error.filter(|_| self.confidence == Confidence::Accurate).map(|share| {
-            format!(
-                "the error of a step is {} of what the gyroscopic term changes in it",
-                plain_number(share)
-            )
+            let share = plain_number(share);
+            format!("the error of a step is {share} of what the gyroscopic term changes in it")
         }));
         all
     }
@@ -154,10 +152,9 @@ impl fmt::Display for Diagnosis {
 
 impl Jump {
     fn words(&self) -> String {
-        let Self { line, time, size } = self;
+        let (Self { line, time, .. }, size) = (self, plain_number(self.size));
         format!(
-            "at t = {time:.4} s (line {line}) the body jumps, by {} of its spin: a push, a contact, a limit on the spin or a reset",
-            plain_number(*size)
+            "at t = {time:.4} s (line {line}) the body jumps, by {size} of its spin: a push, a contact, a limit on the spin or a reset"
         )
     }
 }

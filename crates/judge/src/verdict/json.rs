@@ -1,7 +1,7 @@
 //! A verdict for programs: what is written as JSON, field by field.
 
 use crate::law::LawName;
-use crate::laws::{Growth, Law, Point, Reset};
+use crate::laws::{Law, Point, Reset};
 use crate::rule::{Diagnosis, Explanation, Rule};
 use crate::verdict::{COLUMNS, Verdict};
 use nalgebra::Vector3;
@@ -78,19 +78,11 @@ fn reported(law: &Law, verdict: &Verdict) -> Value {
         "words": law.name.words(),
         "grade": law.growth.name(),
         "growth": law.plain(),
-        "rate": rate(law.growth),
+        "rate": law.growth.rate(),
         "most": law.most,
         "last": law.last,
         "allowed": verdict.options.allowed(law.name),
     })
-}
-
-fn rate(growth: Growth) -> Option<f64> {
-    match growth {
-        Growth::Rounding | Growth::Bounded | Growth::Stayed => None,
-        Growth::RandomWalk { rate } | Growth::Linear { rate } | Growth::Exponential { rate } => Some(rate),
-        Growth::Power { power } => Some(power),
-    }
 }
 
 fn diagnosed(diagnosis: &Diagnosis) -> Value {

@@ -159,11 +159,8 @@ impl Verdict {
         let mut all = Vec::new();
         if !self.laws.is_empty() {
             let worst = self.worst().map(|law| {
-                format!(
-                    "Of what the motion keeps, {} is kept worst: {}.",
-                    law.name.words(),
-                    law.growth.name()
-                )
+                let (name, how) = (law.name.words(), law.growth.name());
+                format!("Of what the motion keeps, {name} is kept worst: {how}.")
             });
             let table = self.laws.iter().map(|law| law.cells()).collect();
             all.push(Section { table, ..section("Errors relative to the first row", worst) });
@@ -278,12 +275,6 @@ impl Law {
 
 fn row(f: &mut fmt::Formatter<'_>, [name, most, last, growth]: [&str; 4]) -> fmt::Result {
     write!(f, "{name:22} {most:>14} {last:>14}   {growth}")
-}
-
-impl fmt::Display for Law {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        row(f, self.cells().each_ref().map(String::as_str))
-    }
 }
 
 impl fmt::Display for Section {

@@ -11,21 +11,19 @@ impl fmt::Display for Complaint {
             Self::TurnedOver { time } => {
                 write!(f, "the spin turns over at {time:.4} s about the axis that it should circle for ever")
             }
-            Self::NeverFlips { exact } => write!(
-                f,
-                "the spin along the middle axis never changes sign, and should do so {}",
-                times(*exact)
-            ),
-            Self::Flips { found } => write!(
-                f,
-                "the spin along the middle axis changes sign {}, and should never do so",
-                times(*found)
-            ),
+            Self::NeverFlips { exact } => {
+                let exact = times(*exact);
+                write!(f, "the spin along the middle axis never changes sign, and should do so {exact}")
+            }
+            Self::Flips { found } => {
+                let found = times(*found);
+                write!(f, "the spin along the middle axis changes sign {found}, and should never do so")
+            }
             Self::Constant { moved } => {
                 let moved = 100.0 * moved;
                 write!(f, "the spin stays as it is at the start, and should change by {moved:.0} % of it")
             }
-            Self::TooFar { line, .. } => write!(f, "line {line}: {}. Judged up to there", self.problem()),
+            Self::TooFar { line, turn } => write!(f, "line {line}: {}. Judged up to there", too_far(*turn)),
             Self::NoSteps => f.write_str("no two rows are one step apart: no rule can be tried"),
             Self::Otherwise { off, seen } => {
                 write!(
@@ -59,17 +57,12 @@ impl fmt::Display for Complaint {
     }
 }
 
-impl Complaint {
-    /// What is wrong, without its line.
-    pub(crate) fn problem(&self) -> String {
-        match self {
-            Self::TooFar { turn, .. } => format!(
-                "the attitude turns by {turn:.2} rad or more in one step, and attitudes alone do not distinguish a turn \
-                 from one that goes the other way round. Record the spin, or shorter steps"
-            ),
-            other => other.to_string(),
-        }
-    }
+/// What is wrong where attitudes are too far apart, by an angle in rad.
+pub(crate) fn too_far(turn: f64) -> String {
+    format!(
+        "the attitude turns by {turn:.2} rad or more in one step, and attitudes alone do not distinguish a turn from one \
+         that goes the other way round. Record the spin, or shorter steps"
+    )
 }
 
 impl fmt::Display for Note {

@@ -3,7 +3,6 @@
 use crate::common::record::{H, Record};
 use nalgebra::Vector3;
 use tumbling::attitude::rotation_matrix;
-use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, State, System};
 use tumbling_judge::PHYSICS_ENGINES;
 
@@ -34,7 +33,7 @@ fn sign_changes(signs: impl Iterator<Item = f64>) -> usize {
 
 /// Fate after 20 s; by how many degrees `L` was turned at most on the way; sign changes of the spin's main
 /// component. Found from the whole records (of every step), to these digits.
-const FATES: [(&str, &str, [f64; 4], usize); 20] = [
+const FATES: [(&str, &str, [f64; 4], usize); 14] = [
     ("mujoco-4.0.0-euler", "box-middle", [7.661, 2.768, 1.0, 6.506], 8),
     ("mujoco-4.0.0-euler", "middle", [9.211, 3.035, 1.0, 11.883], 7),
     ("mujoco-4.0.0-implicitfast", "box-middle", [0.3725, 0.6109, 0.9983, 4.842], 8),
@@ -45,12 +44,6 @@ const FATES: [(&str, &str, [f64; 4], usize); 20] = [
     ("mujoco-4.0.0-rk4", "major", [1.0, 1.0, 0.6674, 0.001], 0),
     ("mujoco-4.0.0-rk4", "middle", [1.0, 1.0, 1.0, 0.0], 7),
     ("mujoco-4.0.0-rk4", "minor", [1.0, 1.0, 1.9613, 0.0], 0),
-    ("bullet-3.2.7-multibody", "box-middle", [7.661, 2.768, 1.0, 6.506], 8),
-    ("bullet-3.2.7-multibody", "middle", [9.211, 3.035, 1.0, 12.158], 7),
-    ("bullet-3.2.7-rigid", "box-middle", [0.3725, 0.6109, 0.9983, 4.842], 8),
-    ("bullet-3.2.7-rigid", "major", [0.9976, 0.9993, 0.6667, 0.591], 0),
-    ("bullet-3.2.7-rigid", "middle", [0.3568, 0.5974, 0.9996, 5.712], 7),
-    ("bullet-3.2.7-rigid", "minor", [0.9854, 0.983, 2.0, 2.118], 0),
     ("rapier3d-f64-0.36.1", "box-middle", [1.0, 1.0, 1.0, 0.762], 7),
     ("rapier3d-f64-0.36.1", "major", [1.421, 1.0, 0.9481, 4.578], 0),
     ("rapier3d-f64-0.36.1", "middle", [1.0, 1.0, 1.0, 2.323], 7),
@@ -91,18 +84,6 @@ fn the_fates_of_the_recorded_bodies_are_the_fates_by_the_rules() {
     }
 }
 
-#[test]
-fn the_exact_motion_flips_eight_seven_and_no_times_in_the_recorded_stories() {
-    for (story, flips) in [("box-middle", 8), ("middle", 7), ("major", 0), ("minor", 0)] {
-        let record = Record::read("mujoco-4.0.0-rk4", story);
-        let first = &record.rows[0];
-        let exact = FreeMotion::new((*record.system.moments()).try_into().unwrap(), &first.omega).unwrap();
-        let main = first.omega.iamax();
-        let signs = (0..=1200).map(|n| exact.omega(f64::from(n) * H).unwrap()[main]);
-        assert_eq!(sign_changes(signs), flips, "{story}");
-    }
-}
-
 // Every one of these spins is stable, and the exact motion keeps it for ever.
 #[test]
 fn the_explicit_rule_loses_a_stable_spin_within_twenty_seconds_and_the_others_do_not() {
@@ -124,13 +105,6 @@ fn the_explicit_rule_loses_a_stable_spin_within_twenty_seconds_and_the_others_do
         for method in rules.filter(|&method| method != Method::SemiImplicitEuler) {
             assert!(grown(method) < 2.0, "{story} {method:?}");
         }
-        // So say the records too.
-        for (name, least) in [("mujoco-4.0.0-euler", 1e8), ("bullet-3.2.7-multibody-1e9", 1e16)] {
-            let record = Record::read(name, story);
-            let most =
-                record.rows.iter().map(|row| energy(&record.system, &record.motion(row))).fold(0.0, f64::max);
-            assert!(most / energy(&record.system, &start) > least, "{name} {story}");
-        }
     }
 }
 
@@ -144,8 +118,5 @@ fn one_newton_step_of_implicit_euler_can_multiply_the_energy_of_a_fast_body_and_
         // 100 rad/s at 60 Hz: 1.7 rad a step.
         assert!((record.rows[0].omega.norm() * H - 1.675).abs() < 0.001);
         assert!((energies[1] / energies[0] - 3.5848).abs() < 1e-4, "{name} {}", energies[1] / energies[0]);
-        let start = record.motion(&record.rows[0]);
-        let end = Method::ImplicitOneNewton.step(&record.system, &start, H).unwrap();
-        assert!((energy(&record.system, &end) / energies[1] - 1.0).abs() < 1e-12, "{name}");
     }
 }

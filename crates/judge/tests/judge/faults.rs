@@ -1,8 +1,9 @@
 //! Hits on the way, and a header in other words. (Other faults are the invented records'.)
 
-use crate::common::{csv, exact, judged, stepped};
-use nalgebra::Vector3;
-use tumbling::attitude::product;
+use crate::common::{MOMENTS, Row, csv, exact, judged, stepped};
+use nalgebra::{UnitQuaternion, Vector3};
+use tumbling::attitude::{product, rotation_matrix, turn};
+use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::step::Method;
 use tumbling_judge::judge;
 
@@ -25,6 +26,37 @@ fn three_hits_are_found_and_the_rule_is_judged_between_them() {
 }
 
 #[test]
+fn damping_is_named_between_hits() {
+    // No term: the spin of the body shrinks, and a hit is far more than that.
+    let (mut rows, mut spin): (Vec<Row>, _) = (exact(SPIN, H, 0), SPIN);
+    for i in 1..300 {
+        let hit = if i % 97 == 0 { Vector3::new(0.3, -0.2, 0.5) } else { Vector3::zeros() };
+        spin = spin * (1.0 - 0.3 * H) + hit;
+        rows.push((H * f64::from(i), product(&rows[rows.len() - 1].1, &turn(&(spin * H))), spin));
+    }
+    let found = judged(&csv(&rows)).diagnosis.unwrap();
+    let name = found.best.rule.name();
+    assert!(name.starts_with("damping left on (0.3/s") && name.ends_with("no gyroscopic term"), "{found}");
+    assert_eq!(found.jumps.len(), 3, "{found}");
+}
+
+#[test]
+fn a_tensor_frozen_where_the_body_started_is_named_under_damping_too() {
+    let first = UnitQuaternion::from_euler_angles(0.4, -0.3, 1.1);
+    let (mut rows, mut q, mut world) = (Vec::<Row>::new(), first.into_inner(), first * SPIN);
+    for i in 0..400 {
+        rows.push((H * f64::from(i), q, rotation_matrix(&q).tr_mul(&world)));
+        // In the world, by the tensor as it stood at the first attitude.
+        let rate = first * angular_acceleration(&MOMENTS, &(first.inverse() * world), &Vector3::zeros());
+        world = (world + rate * H) * (1.0 - 0.2 * H);
+        q = product(&turn(&(world * H)), &q);
+    }
+    let name = judged(&csv(&rows)).diagnosis.unwrap().best.rule.name();
+    let frozen = name.ends_with("a tensor frozen in the world");
+    assert!(name.starts_with("damping left on (0.2/s") && frozen, "{name}");
+}
+
+#[test]
 fn a_tensor_may_be_written_in_six_or_nine_numbers_and_a_step_in_place_of_times() {
     let text = csv(&stepped(Method::ConstantSpin, SPIN, H, 100));
     let times = |line: &str| match line.split_once(',') {
@@ -41,8 +73,18 @@ fn a_tensor_may_be_written_in_six_or_nine_numbers_and_a_step_in_place_of_times()
     {
         assert_eq!(with(good, &text).unwrap(), Vector3::new(1.0, 2.0, 2.5), "{good}");
     }
-    let error = with("# inertia: 1 2 2.5 0 0.1 0", &text).unwrap_err().to_string();
-    assert!(error.contains("line 1: 6 numbers are given") && error.contains("principal"), "{error}");
+    for (bad, says) in [
+        ("# inertia: 1 2 2.5 0 0.1 0", "line 1: 6 numbers are given for the inertia, with products"),
+        ("# inertia: 1 2 2.5 3", "line 1: 4 numbers are given for the inertia: give the three principal"),
+        ("# inertia: 2", "line 1: 1 number is given for the inertia"),
+        ("# Ixx: 1, Iyy: 2, Izz: 2.5, Ixy: 0.3", "line 1: the product `ixy` is not zero"),
+        ("# inertia: 1 2 2.5\n# moments: 1 2 3", "line 2: the moments differ from those in line 1"),
+        ("# inertia: 1 -2 2.5", "line 1: a principal moment is -2"),
+    ] {
+        let error = with(bad, &text).unwrap_err().to_string();
+        assert!(error.starts_with(says), "{error}");
+    }
+    assert!(with("# inertia: 1 2 2.5; dt: 60 Hz", &untimed).is_ok());
     assert!(with("# inertia: 1 2 2.5; dt: 1/60", &untimed).is_ok());
     assert!(with("# inertia: 1 2 2.5", &untimed).unwrap_err().to_string().contains("`# dt: 1/60`"));
 }

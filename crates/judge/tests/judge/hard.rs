@@ -27,9 +27,7 @@ fn what_spreadsheets_and_locales_make_of_a_record_is_named() {
     assert_eq!(error(wide), "line 1: the file is in UTF-16: save it in UTF-8");
     let old = HEAD.replace('\n', "\r");
     assert!(error(old).starts_with("line 1: there are carriage returns within the line"));
-    let garbage: Vec<u8> = (0..4000_u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 13) as u8).collect();
-    assert!(error(garbage).starts_with("line 1"));
-    assert_eq!(error("t,wx\0,wy,wz\n"), "line 1: the line is not text (UTF-8)");
+    assert_eq!(error("t,wx\0,wy,wz\n"), "line 1: the line is not text in UTF-8: save the file in UTF-8");
     let huge = with(&format!("0.1,1,{},3", "x".repeat(5000)));
     assert!(huge.starts_with("line 4, column 3 (`wy`): `xxx") && huge.len() < 200, "{huge}");
     let digits = with(&format!("0.1,1,{},3", "9".repeat(5000)));
@@ -44,7 +42,6 @@ fn columns_that_say_a_thing_twice_are_refused() {
         error("t,qw,qx,qy,qz,quat_w,quat_x,quat_y,quat_z,wx,wy,wz\n")
             .contains("two sets of columns for the attitude")
     );
-    assert!(error("t,qw,qx,qy,wx,wy,wz\n").contains("the column `qz` is missing"));
 }
 
 #[test]
@@ -62,15 +59,19 @@ fn separators_at_the_ends_of_lines_and_any_line_end_do_no_harm() {
         plain.trim_end().to_string(),
         plain.replace(',', " ; "),
         plain.replace('\n', "\n\n"),
+        plain
+            .replace('\n', "\"\n\"")
+            .replace(',', "\",\"")
+            .replacen("\"\n\"", "\n\"", 1)
+            .trim_end_matches('"')
+            .into(),
     ] {
         assert_eq!(judged(&text).laws, expected.laws, "{}", &text[..60]);
     }
 }
 
 #[test]
-fn two_rows_are_judged_and_one_attitude_is_an_error() {
-    let rows = exact(Vector3::new(1.0, 2.0, 1.5), 0.01, 1);
-    assert_eq!(judged(&crate::common::csv(&rows)).outcome, Outcome::TooShort);
+fn one_attitude_is_an_error_and_two_are_no_motion() {
     let attitudes = "# inertia: 1 2 2.5\nt,qw,qx,qy,qz\n0,1,0,0,0\n";
     assert!(error(attitudes).contains("one row"));
     // Attitudes alone need a third row for anything to be held against.

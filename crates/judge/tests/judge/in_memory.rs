@@ -21,8 +21,8 @@ fn engine<T: Precision>(
 ) -> impl FnMut([T; 4], [T; 3]) -> ([T; 4], [T; 3]) {
     let system = System::free(PrincipalMoments::try_from(Vector3::from(story.moments)).unwrap()).unwrap();
     move |q, w| {
-        let [w0, x, y, z] = q.map(T::get);
-        let spin = Vector3::from(w.map(T::get));
+        let [w0, x, y, z] = q.map(Into::<f64>::into);
+        let spin = Vector3::from(w.map(Into::<f64>::into));
         let start = State { attitude: Quaternion::new(w0, x, y, z), momentum: system.momentum(&spin) };
         let end = method.step(&system, &start, h).unwrap();
         let (q, spin) = (end.attitude, system.omega(&end.momentum));
@@ -179,7 +179,10 @@ fn what_is_no_record_is_refused_with_its_row() {
     assert!(matches!(empty, Error::NoRows) && !empty.to_string().contains("column"), "{empty}");
     assert!(matches!(judged(&[row(0.0, 1.0)]), Err(Error::OneRow)));
     let error = judged(&[row(0.0, 1.0), row(0.1, 1.0), row(0.1, 1.0)]).unwrap_err().to_string();
-    assert_eq!(error, "row 3: time does not increase: 0.1 s after 0.1 s");
+    assert_eq!(
+        error,
+        "row 3: time does not increase: 0.1 s after 0.1 s. Write each instant once, in the order of time"
+    );
     let ended = judged(&[row(0.0, 1.0), row(0.1, 1.0), row(0.2, f64::NAN), row(0.3, 1.0)]).unwrap();
     assert_eq!((ended.outcome, ended.record.rows), (Outcome::Failed, 2));
     assert!(ended.to_string().contains("row 3: a value is NaN"), "{ended}");
@@ -193,13 +196,13 @@ where
 {
     let moments = Vector3::from(story.moments.map(<T as Precision>::of));
     let stage = PositionStage::new(&moments).unwrap();
-    let wide = |q: &Quaternion<T>| Quaternion::from_vector(q.coords.map(T::get));
+    let wide = |q: &Quaternion<T>| Quaternion::from_vector(q.coords.map(Into::<f64>::into));
     // The engine goes on with its own state, with the spin in world axes; the row is made from it.
     let mut state: Option<(Quaternion<T>, Vector3<T>)> = None;
     let verdict = story.run::<T>(h, |[w, x, y, z], spin| {
         let (mut attitude, mut omega) = state.unwrap_or_else(|| {
             let q = Quaternion::new(w, x, y, z);
-            let omega = rotation_matrix(&wide(&q)) * Vector3::from(spin).map(T::get);
+            let omega = rotation_matrix(&wide(&q)) * Vector3::from(spin).map(Into::<f64>::into);
             (q, omega.map(<T as Precision>::of))
         });
         for _ in 0..steps {
@@ -207,7 +210,7 @@ where
             (attitude, omega) = (end.attitude, end.omega);
         }
         state = Some((attitude, omega));
-        let body = rotation_matrix(&wide(&attitude)).tr_mul(&omega.map(T::get));
+        let body = rotation_matrix(&wide(&attitude)).tr_mul(&omega.map(Into::<f64>::into));
         let q = attitude.coords;
         ([q.w, q.x, q.y, q.z], [body.x, body.y, body.z].map(<T as Precision>::of))
     });

@@ -156,6 +156,15 @@ fn an_attitude_that_is_turned_on_the_wrong_side_or_twice_is_named_with_its_remed
         assert!(
             matches!(found.best.rule.alteration, Some(Alteration::Turned(turn)) if turn != Turn::Otherwise)
         );
+        if name.contains("dq * q") {
+            // The spin alone shows that it changes too far, and not why.
+            let said = judged(&timed(BODIES[0], &rows, 1, 0.5)).to_string();
+            assert!(
+                said.contains("either twice the gyroscopic term, or times that are 2 times too short"),
+                "{said}"
+            );
+            assert!(said.contains("stands on the wrong side of the attitude"), "{said}");
+        }
         let remedy = if name.contains("side") { "q * dq where" } else { "own update" };
         assert!(found.advice[0].words.contains(remedy), "{verdict}");
     }
