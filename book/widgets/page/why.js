@@ -22,7 +22,7 @@ tumblingLive.widget("why", async (stage, from) => {
     const STARTS = {
         hard: { at: leaning(8, 1, 0), words: "All four masses swing out. Whichever way the body tilts, the pulls draw it flat again." },
         easy: { at: leaning(8, 2, 1), words: "The heavy pair stands on the axis and is flung outward, whichever way it tilts. But what moves is turned aside: it circles." },
-        middle: { at: leaning(3, 0, 1), words: "The light pair stands on the axis. Toward the heavy pair it cannot fall; across it nothing holds, and it is flung over." },
+        middle: { at: leaning(3, 0, 1), words: "The light pair stands on the axis. Toward the heavy pair it cannot fall; tilted across, nothing holds it, and it is flung over." },
     };
     const state = { t: 0, start: STARTS.middle, at: STARTS.middle.at, rate: 0, now: null, masses: [], view: { turn: 62, tilt: 20 }, curve: [] };
     const colours = palette(stage, () => [body, globe].forEach((it) => it.draw()));
