@@ -135,8 +135,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     own_folder_refused(file.parent().unwrap_or(&file))?;
     let model = body(&arguments.body)?;
     let film = Film::new(&model, &arguments.request(&model))?;
-    say!("{}", film.explained()?);
     let count = (film.seconds() * RATE).round().clamp(2.0, 12_000.0) as u32;
+    say!("{}\nDrawing {count} pictures ...", film.explained()?);
     let shown = |i: u32| picture(&film, f64::from(i) / f64::from(count), arguments);
     let written = match arguments.format {
         Format::Gif => whole(arguments, &film, count, &shown)?,
