@@ -181,14 +181,14 @@ pub(super) fn frozen() -> Scope {
         .with(r"\dot{\boldsymbol{\omega}}", rate)
 }
 
-/// Pitfall 2: the spin that the wrong engine reads, with `m` the mean of the three moments.
+/// Pitfall 2: the spin that the wrong engine reads, with the mean of the three moments.
 pub(super) fn momentum_for_spin() -> Scope {
     let (moments, momentum) = (vector("I"), vector("L"));
     let (q, _) = crate::symbols::attitude();
     let (tensor, inverse) = (diagonal(&moments), inverse_diagonal(&moments));
     let omega = Engine::MomentumForSpin.omega_world(&rotation_matrix(&q), &tensor, &inverse, &momentum);
     Scope::default()
-        .with("m", moments.sum() / Fraction::from(3))
+        .with(r"\bar{I}", moments.sum() / Fraction::from(3))
         .with(r"\mathbf{L}", momentum)
         .with(r"\boldsymbol{\omega}", omega)
 }
