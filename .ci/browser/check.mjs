@@ -73,7 +73,11 @@ async function open(base, options = {}) {
   const ended = () => { loading -= 1; last = performance.now(); };
   page.on("requestfinished", ended);
   page.quiet = async () => {
-    while (loading > 0 || performance.now() - last < 500) await new Promise((next) => setTimeout(next, 50));
+    const begun = performance.now();
+    while (loading > 0 || performance.now() - last < 500) {
+      if (performance.now() - begun > 30000) return tell("is still loading after 30 s");
+      await new Promise((next) => setTimeout(next, 50));
+    }
   };
   page.on("request", (request) => {
     loading += 1;

@@ -8,7 +8,7 @@
     const LABELS = ["aria-label", "aria-valuetext", "title"];
     function tell(node) {
         if (node.nodeType === Node.TEXT_NODE) {
-            if (!node.parentElement?.closest("script, pre") && said(node.data) !== node.data) node.data = said(node.data);
+            if (!node.parentElement?.closest("script, pre, #mdbook-sidebar strong") && said(node.data) !== node.data) node.data = said(node.data);
             return;
         }
         for (const label of LABELS) {
