@@ -93,33 +93,34 @@ fn fastest<T: Analytic>(system: &System<T>, omega: &Vector3<T>) -> f64 {
     first + middle + last
 }
 
-/// The number of parts of a step that turns the body by no more than `turn` radians.
-fn parts(turn: f64) -> Result<u32, Error> {
+/// In as many parts as keep the turn of each below [`LONGEST`].
+// Not inlined: the code of a step in one part is the shorter for it.
+#[inline(never)]
+fn in_parts<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
+    // Energy and momentum stay, and so does this: the parts do not change on the way.
+    let turn = fastest(system, &system.omega(&start.momentum)).sqrt() * h.size();
     let parts = (turn / LONGEST).ceil().max(1.0);
-    if parts <= MOST_PARTS && !turn.is_nan() {
-        return Ok(parts as u32);
-    }
-    Err(Refusal::NotBelow { what: Subject::TurnOfStep, value: turn, limit: MOST_PARTS * LONGEST }.into())
+    Refusal::NotBelow { what: Subject::TurnOfStep, value: turn, limit: MOST_PARTS * LONGEST }
+        .when(turn.is_nan() || parts > MOST_PARTS)?;
+    let part = h.clone() / T::integer(parts as u32);
+    let prepared = Prepared::new(system, &start.momentum, &part, ORDER)?;
+    (0..parts as u32).try_fold(start.clone(), |motion, _| prepared.step(&motion))
 }
 
 /// The free motion in the time of a step.
 #[inline]
 fn drifted<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
     let inverse = &system.inverse;
-    // Energy and momentum stay, and so does this: the parts do not change on the way.
-    let omega = system.omega(&start.momentum);
     // No more than the energy allows about the smallest moment: cheap, and enough for most.
     let [x, y, z] = [&inverse.x, &inverse.y, &inverse.z].map(Analytic::size);
     let larger = |a: f64, b: f64| if b > a { b } else { a };
     let largest = larger(larger(x, y), z);
-    let rough = (start.momentum.dot(&omega).size() * largest).sqrt() * h.size();
-    let parts = if rough <= LONGEST { 1 } else { parts(fastest(system, &omega).sqrt() * h.size())? };
-    let part = if parts == 1 { h.clone() } else { h.clone() / T::integer(parts) };
-    let prepared = Prepared::new(system, &start.momentum, &part, ORDER)?;
-    let mut motion = prepared.step(start)?;
-    for _ in 1..parts {
-        motion = prepared.step(&motion)?;
-    }
+    let rough = (start.momentum.dot(&system.omega(&start.momentum)).size() * largest).sqrt() * h.size();
+    let mut motion = if rough <= LONGEST {
+        Prepared::new(system, &start.momentum, h, ORDER)?.step(start)?
+    } else {
+        in_parts(system, start, h)?
+    };
     let inverse = T::one() / motion.attitude.coords.dot(&motion.attitude.coords).sqrt();
     motion.attitude.coords.apply(|x| *x *= inverse.clone());
     motion.checked()

@@ -132,33 +132,35 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
     #[must_use]
     #[inline]
     pub fn step(&self, attitude: &Quaternion<T>, omega: &Vector3<T>, h: T) -> Stepped<T> {
-        let start = Stepped { attitude: *attitude, omega: *omega, parts: 1 };
-        let end = self.part(&start, h);
-        if end.parts == 1 { end } else { self.in_parts(&start, h) }
+        let end = self.part(attitude, omega, h);
+        if end.taken() {
+            return end.stepped();
+        }
+        let (attitude, omega, parts) = self.in_parts(attitude, omega, h);
+        Stepped { attitude, omega, parts }
     }
 
-    /// A step too long for one part.
+    /// Attitude, spin and number of parts of a step too long for one. As a [`Stepped`], they would drag the
+    /// numbers of a short step into memory with them.
     #[cold]
     #[inline(never)]
-    fn in_parts(&self, start: &Stepped<T>, h: T) -> Stepped<T> {
-        let left = Stepped { parts: 0, ..*start };
-        let length = square(&start.attitude).sqrt();
-        let attitude = Quaternion::from_vector(start.attitude.coords / length);
-        let unit = Stepped { attitude, parts: 0, ..*start };
-        let (_, omega) = self.spin(&unit);
-        let turn = self.coefficients.fastest(&omega, h).sqrt();
+    fn in_parts(&self, q: &Quaternion<T>, omega: &Vector3<T>, h: T) -> (Quaternion<T>, Vector3<T>, u32) {
+        let left = (*q, *omega, 0);
+        let unit = Quaternion::from_vector(q.coords / square(q).sqrt());
+        let (_, along) = self.spin(&unit, omega);
+        let turn = self.coefficients.fastest(&along, h).sqrt();
         let parts = (turn / number(LONGEST)).ceil().max(T::one());
         if !(turn.is_finite() && parts <= number(MOST_PARTS)) {
             return left;
         }
-        let mut end = unit;
+        let mut end = (unit, *omega, 0);
         let mut done = T::zero();
         while done < parts {
-            let next = self.part(&end, h / parts);
-            if next.parts == 0 {
+            let next = self.part(&end.0, &end.1, h / parts);
+            if !next.taken() {
                 return left;
             }
-            end = Stepped { parts: end.parts + 1, ..next };
+            end = (next.attitude, next.omega, end.2 + 1);
             done += T::one();
         }
         end
@@ -166,10 +168,10 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
 
     /// The rotation matrix from the principal axes to the world, by rows, and the spin along these axes.
     #[inline(always)]
-    fn spin(&self, start: &Stepped<T>) -> ([[T; 3]; 3], [T; 3]) {
+    fn spin(&self, attitude: &Quaternion<T>, v: &Vector3<T>) -> ([[T; 3]; 3], [T; 3]) {
         let q = match &self.frame {
-            None => start.attitude,
-            Some(frame) => product(&start.attitude, frame),
+            None => *attitude,
+            Some(frame) => product(attitude, frame),
         };
         let [w, x, y, z] = [q.coords.w, q.coords.x, q.coords.y, q.coords.z];
         let one = T::one();
@@ -182,27 +184,24 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
             [xy + wz, one - (xx + zz), yz - wx],
             [xz - wy, yz + wx, one - (xx + yy)],
         ];
-        let v = &start.omega;
         let along = |i: usize| r[0][i] * v.x + r[1][i] * v.y + r[2][i] * v.z;
         (r, three(along))
     }
 
-    /// One part; of zero parts if it is too long for one, or not finite.
+    /// One part.
     #[inline(always)]
-    fn part(&self, start: &Stepped<T>, h: T) -> Stepped<T> {
-        let (q, omega) = (&start.attitude, &start.omega);
+    fn part(&self, attitude: &Quaternion<T>, omega: &Vector3<T>, h: T) -> End<T> {
         let steady = turn_square(omega, h) <= self.coefficients.steady;
-        let end = if steady { steady_turn(q, omega, h) } else { self.turn(start, h) };
-        if end.taken() { end.stepped() } else { Stepped { parts: 0, ..*start } }
+        if steady { steady_turn(attitude, omega, h) } else { self.turn(attitude, omega, h) }
     }
 
     /// Where a part ends, whatever its numbers.
     #[inline(always)]
-    fn turn(&self, start: &Stepped<T>, h: T) -> End<T> {
-        let (rotation, omega) = self.spin(start);
-        let q = &start.attitude.coords;
+    fn turn(&self, attitude: &Quaternion<T>, before: &Vector3<T>, h: T) -> End<T> {
+        let (rotation, omega) = self.spin(attitude, before);
+        let q = &attitude.coords;
         let (w, x, y, z) = (q.w, q.x, q.y, q.z);
-        let length = square(&start.attitude);
+        let length = square(attitude);
         let fastest = self.coefficients.fastest(&omega, h);
         let (rate, weights) = self.coefficients.rate(&omega, h);
         let turn = conserving_turn(&self.coefficients.coupling, &weights, &omega, &h, &rate, |x| x.sqrt());
@@ -218,7 +217,7 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
         // digits, which turning the spin to the body and back would not.
         let [u, v, t] = change_of_spin(&turn);
         let back = |i: usize| ((rotation[i][0] * u + rotation[i][1] * v) + rotation[i][2] * t) * scale;
-        let omega = Vector3::new(start.omega.x + back(0), start.omega.y + back(1), start.omega.z + back(2));
+        let omega = Vector3::new(before.x + back(0), before.y + back(1), before.z + back(2));
         let [a, b, c] = self.in_body(tangents);
         let attitude = Quaternion::new(
             (w * below - (x * a + y * b + z * c)) * factor,

@@ -103,7 +103,7 @@ impl<T: Analytic> Prepared<T> {
     ///
     /// # Errors
     /// A turn of [`LONGEST`] or more, or one that Newton's iteration does not find.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn step(&self, start: &State<T>) -> Result<State<T>, Error> {
         let half = start.momentum.map(|x| x * self.scale.clone());
         let c = tangents(&self.moments, &self.inverse, &half)?;

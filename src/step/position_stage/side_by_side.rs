@@ -140,9 +140,8 @@ fn ends_of<T: Field + Float + From<f32>, const FRAMED: bool>(rows: &Rows<T>, h: 
             steady: T::zero(),
         };
         let frame = if FRAMED { Some(quaternion(25)) } else { None };
-        let start = Stepped { attitude: quaternion(0), omega: three(4).into(), parts: 1 };
         let End { attitude, omega, turn, length, factor } =
-            PositionStage { coefficients, frame }.turn(&start, h);
+            PositionStage { coefficients, frame }.turn(&quaternion(0), &three(4).into(), h);
         let q = attitude.coords;
         let numbers = [q.w, q.x, q.y, q.z, omega.x, omega.y, omega.z, turn, length, factor];
         for (row, x) in ends.iter_mut().zip(numbers) {
