@@ -5,7 +5,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use tumbling::attitude::{product, rotation_matrix, turn};
 use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::step::Method;
-use tumbling_judge::judge;
+use tumbling_judge::{Options, judge};
 
 const H: f64 = 1.0 / 60.0;
 const SPIN: Vector3<f64> = Vector3::new(1.0, 2.0, 1.5);
@@ -66,25 +66,60 @@ fn a_tensor_may_be_written_in_six_or_nine_numbers_and_a_step_in_place_of_times()
     let untimed = text.lines().map(times).collect::<String>();
     let with = |inertia: &str, text: &str| {
         let text = text.replacen("# inertia: 1 2 2.5 kg m2", inertia, 1);
-        judge(text.as_bytes(), &tumbling_judge::Options::default()).map(|verdict| verdict.moments)
+        judge(text.as_bytes(), &Options::default()).map(|verdict| verdict.moments)
     };
-    for good in
-        ["# inertia: 1 0 0, 0 2 0, 0 0 2.5", "# inertia: 1 2 2.5 0 0 0", "# Ixx: 1\n# Iyy: 2\n# Izz: 2.5"]
-    {
+    for good in [
+        "# inertia: 1 0 0, 0 2 0, 0 0 2.5",
+        "# inertia: 1 2 2.5 0 0 5e-9",
+        "# Ixx: 1\n# Iyy: 2\n# Izz: 2.5\n# Ixy=1e-17",
+        "# inertia: 1 2 2.5\n# moments: 2 contacts at t = 1\n# moments 2 3 4 are when it was hit",
+        "\"# inertia: 1, 2, 2.5\",,,",
+    ] {
         assert_eq!(with(good, &text).unwrap(), Vector3::new(1.0, 2.0, 2.5), "{good}");
     }
     for (bad, says) in [
-        ("# inertia: 1 2 2.5 0 0.1 0", "line 1: 6 numbers are given for the inertia, with products"),
+        ("# inertia: 1 2 2.5 0 0.1 0", "line 1: a product of inertia is 0.1, more than 1e-9 of"),
         ("# inertia: 1 2 2.5 3", "line 1: 4 numbers are given for the inertia: give the three principal"),
         ("# inertia: 2", "line 1: 1 number is given for the inertia"),
-        ("# Ixx: 1, Iyy: 2, Izz: 2.5, Ixy: 0.3", "line 1: the product `ixy` is not zero"),
+        (
+            "# Ixx: 1, Iyy: 2, Izz: 2.5, Ixy: 0.3",
+            "line 1: a product of inertia is 0.3, more than 1e-9 of the sum of the moments, 5.5",
+        ),
         ("# inertia: 1 2 2.5\n# moments: 1 2 3", "line 2: the moments differ from those in line 1"),
+        ("# inertia: 1 2 2.5\n# Ixx: 1, Iyy: 2, Izz: 3", "line 2: the moments differ from those in line 1"),
+        ("# Ixx: 1\n# Ixx: 1.5", "line 2: the moments differ from those in line 1"),
         ("# inertia: 1 -2 2.5", "line 1: a principal moment is -2"),
     ] {
         let error = with(bad, &text).unwrap_err().to_string();
         assert!(error.starts_with(says), "{error}");
+        let options = Options { inertia: Some(Vector3::new(1.0, 2.0, 2.5)), ..Options::default() };
+        let text = text.replacen("# inertia: 1 2 2.5 kg m2", bad, 1);
+        assert!(judge(text.as_bytes(), &options).is_ok(), "{bad}");
     }
-    assert!(with("# inertia: 1 2 2.5; dt: 60 Hz", &untimed).is_ok());
-    assert!(with("# inertia: 1 2 2.5; dt: 1/60", &untimed).is_ok());
-    assert!(with("# inertia: 1 2 2.5", &untimed).unwrap_err().to_string().contains("`# dt: 1/60`"));
+    let step = |dt: &str| {
+        let text = untimed.replacen("2.5 kg m2", &format!("2.5; {dt}"), 1);
+        judge(text.as_bytes(), &Options::default())
+            .map(|verdict| verdict.record.step)
+            .map_err(|e| e.to_string())
+    };
+    for (dt, expected) in [
+        ("1/60", 1.0 / 60.0),
+        ("100Hz", 0.01),
+        ("0.1 kHz", 0.01),
+        ("100 fps", 0.01),
+        ("10ms", 0.01),
+        ("(0.5 s)", 0.5),
+    ] {
+        let found = step(&format!("dt: {dt}")).unwrap().unwrap();
+        assert!((found / expected - 1.0).abs() < 1e-12, "{dt} {found}");
+    }
+    for (bad, says) in [
+        ("dt: 0 Hz", "line 1: the step is given as 0 Hz: it must be above zero"),
+        ("dt: 100 MHz", "line 1: the unit `MHz` is not known: s, ms"),
+        ("step 3 of the tutorial", "line 2: the column `t` is missing"),
+        ("", "`# dt: 1/60`"),
+    ] {
+        let error = step(bad).unwrap_err();
+        assert!(error.contains(says), "{error}");
+    }
 }
