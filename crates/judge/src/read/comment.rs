@@ -110,9 +110,12 @@ fn unit(text: &str) -> Result<f64, String> {
 const PRINCIPAL: &str =
     "give the three principal moments, and write spin and attitude about the principal axes";
 
+/// Moments and products of inertia, each with how far its printed digits leave it open.
+type Parts = [Vec<(f64, f64)>; 2];
+
 /// Three moments, and what products there are: of nine numbers, or of six, the tensor's. One or two may be
 /// prose where no colon stands before them; so is all but a tensor behind a colon, once moments are known.
-fn tensor(text: &str, named: bool, known: bool) -> Result<Option<[Vec<(f64, f64)>; 2]>, String> {
+fn tensor(text: &str, named: bool, known: bool) -> Result<Option<Parts>, String> {
     let all = numbers(text);
     let count = all.len();
     if known && !(named && [3, 6, 9].contains(&count)) {
