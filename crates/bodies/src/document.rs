@@ -41,16 +41,21 @@ pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
 pub(crate) fn decimal_comma(text: &str, at: usize) -> String {
     let start = text.get(..at).and_then(|before| before.rfind('\n')).map_or(0, |end| end + 1);
     let line = text.get(start..).unwrap_or_default().lines().next().unwrap_or_default();
-    let numeric = |c: char| c.is_ascii_digit() || ",.".contains(c);
+    let digit = |c: char| c.is_ascii_digit();
+    // A comma behind another in one word, or before a blank, is that of a list.
+    let mended = |words: &str| {
+        let pieces: Vec<_> = words.trim_end_matches(',').split(',').collect();
+        let within = pieces.windows(2).all(|two| two[0].ends_with(digit) && two[1].starts_with(digit));
+        let apart = pieces.iter().skip(1).rev().skip(1).all(|piece| piece.contains(' '));
+        (pieces.len() > 1 && within && apart).then(|| pieces.join("."))
+    };
+    let parts = || line.split(['"', '\'']);
     // Within quotes its unit goes along.
-    let quoted = line.split(['"', '\'']).skip(1).step_by(2).map(|words| format!("'{words}'"));
-    let bare = line.split(|c: char| !numeric(c)).map(|word| word.trim_end_matches(',').to_owned());
-    let found = quoted.chain(bare).find(|words| {
-        let number = words.trim_start_matches('\'').split(|c: char| !numeric(c)).next().unwrap_or_default();
-        let read = number.replacen(',', ".", 1).parse::<f64>();
-        read.is_ok() && number.find(',').is_some_and(|at| at > 0)
-    });
-    found.map_or_else(String::new, |words| format!("; write {}", words.replacen(',', ".", 1)))
+    let mut quoted = parts().skip(1).step_by(2).filter_map(mended).map(|words| format!("'{words}'"));
+    let is_list = line.contains('[') && !line.contains(", ");
+    let words = parts().step_by(2).flat_map(|part| part.split(|c| !digit(c) && c != ',' && c != '.'));
+    let found = quoted.next().or_else(|| words.filter(|_| !is_list).find_map(mended));
+    found.map_or_else(String::new, |words| format!("; write {words}"))
 }
 
 /// A number that is none to compute with: its field, its place and why.

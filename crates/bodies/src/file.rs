@@ -147,14 +147,17 @@ impl<'a> Reader<'a> {
         self.placed(found)
     }
 
-    /// The field whose number is the farthest from 1.
+    /// Of the fields that make a body large or small, that whose number is the farthest from 1.
     fn extreme(&self) -> &'static str {
+        let sizes = ["unit", "sides", "semiaxes", "vertices", "radius", "height", "length", "moments"];
+        let counts = |field: &str| sizes.contains(&field) || (field == "mass" && self.by == "moments");
         let off = |(_, span): &&(&str, Range<usize>)| {
             let words = self.text[span.clone()].split(|c: char| !c.is_alphanumeric() && !"+-.".contains(c));
             let numbers = words.map(|word| word.trim_end_matches(char::is_alphabetic).parse().unwrap_or(0.0));
             numbers.filter(|x| *x != 0.0).map(|x: f64| x.abs().log10().abs()).fold(0.0, f64::max)
         };
-        self.present.iter().max_by(|a, b| off(a).total_cmp(&off(b))).map_or(self.by, |(field, _)| *field)
+        let fields = self.present.iter().filter(|(field, _)| counts(field));
+        fields.max_by(|a, b| off(a).total_cmp(&off(b))).map_or(self.by, |(field, _)| *field)
     }
 
     fn weight(&self) -> Result<Weight, Error> {
@@ -218,7 +221,10 @@ impl<'a> Reader<'a> {
         let weight = self.weight()?;
         let mesh = Mesh::new(&vertices, &faces).map_err(|error| self.refused(&error))?;
         let properties = weight.of(&mesh).map_err(|error| self.refused(&error))?;
-        let question = question::filled(properties.mass(), mesh.measure().unwrap_or_default());
+        let question = match (&self.table.density, self.table.unit.is_some()) {
+            (Some(_), _) => question::of(self.text, &self.present, self.by, &[]),
+            (None, set) => question::filled(properties.mass(), mesh.measure().unwrap_or_default(), set),
+        };
         let faces = faces.into_iter().map(|face| face.to_vec()).collect();
         let surface = Surface { vertices, faces, convex: false };
         Ok(BodyModel { question, ..BodyModel::of(properties, vec![surface]) })

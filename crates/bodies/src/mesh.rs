@@ -55,12 +55,10 @@ fn stl(bytes: &[u8]) -> Result<Triangles, Error> {
             format!("neither text that begins with `solid` nor {EACH} bytes for each of {count} triangles");
         return Err(Error::new(why));
     }
-    let mut corners = Vec::new();
-    for (number, line) in text.lines().enumerate() {
-        if let Some(rest) = line.trim_start().strip_prefix("vertex") {
-            corners.push(vertex(rest, number)?);
-        }
-    }
+    let corner = |(number, line): (usize, &str)| {
+        line.trim_start().strip_prefix("vertex").map(|rest| vertex(rest, number))
+    };
+    let corners: Vec<_> = text.lines().enumerate().filter_map(corner).collect::<Result<_, _>>()?;
     if corners.len() % 3 != 0 {
         return Err(Error::new(format!("{} vertices are not three for each triangle", corners.len())));
     }

@@ -26,7 +26,8 @@ pub struct BodyModel {
     pub spin: Option<f64>,
     /// The edges along x, y and z of a body that is one box, m.
     pub sides: Option<[f64; 3]>,
-    /// The question whether other units were meant, where the density is unlikely.
+    /// The question whether it is meant as it was read, where that is unlikely: units by the density, degrees
+    /// for rad, moments and what is drawn by the mass, parts that lie far off or twice in one place.
     pub question: Option<String>,
 }
 

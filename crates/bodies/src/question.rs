@@ -1,4 +1,5 @@
-//! Whether other units were meant than those in which a body was read.
+//! Whether a body is meant as it was read: its units, a mass with such moments, parts and their places. (Of
+//! degrees it is asked where a robot's angles are read.)
 
 use crate::document::from_toml;
 use crate::file::number;
@@ -20,6 +21,11 @@ fn with_unit(numbers: &str, unit: &str) -> String {
         if bare(number) { number.replace(plain, &format!("'{plain} {unit}'")) } else { number.into() }
     };
     numbers.split(',').map(one).collect::<Vec<_>>().join(",")
+}
+
+/// With two digits.
+fn plain(x: f64) -> f64 {
+    format!("{x:.1e}").parse().unwrap_or(x)
 }
 
 const SOLIDS: std::ops::Range<f64> = 10.0..25_000.0;
@@ -65,13 +71,12 @@ pub(crate) fn of(
         asked.filter_map(|(m, kg)| Some((far(m, kg)?, words(m, kg).join(" and ")))).collect();
     likely.sort_by(|a, b| a.0.total_cmp(&b.0));
     let words = likely.into_iter().map(|pair| pair.1).collect::<Vec<_>>().join(", or in ");
-    let shown = |all: &str, unit: &str| match all.split(',').all(bare) {
-        true => format!("{all} {unit}"),
-        false => with_unit(all, unit),
+    let shown = |all: &str, unit: &str| {
+        let number = if all.split(',').all(bare) { format!("{all} {unit}") } else { with_unit(all, unit) };
+        number.replace(['[', ']', '"', '\''], "")
     };
-    let plain = |all: &str, unit: &str| shown(all, unit).replace(['[', ']', '"', '\''], "");
     let plain =
-        format!("{} in {}", plain(mass, "kg"), plain(&sizes, "m").replace(", ", ",").replace(',', " × "));
+        format!("{} in {}", shown(mass, "kg"), shown(&sizes, "m").replace(", ", ",").replace(',', " × "));
     let none = (in_m == in_kg && far("m", "kg").is_none()).then(|| format!("{plain}: {NONE_IS}"));
     if words.is_empty() { none } else { Some(format!("{plain}: is this in {words}?")) }
 }
@@ -90,20 +95,21 @@ fn dense(written: &str) -> Option<String> {
     Some(format!("{}{unit}: {said}", written.replace(['"', '\''], "")))
 }
 
-/// Of what a mesh encloses: whether its numbers were meant in mm.
-pub(crate) fn filled(mass: f64, volume: f64) -> Option<String> {
-    let said = unlikely(mass / volume, 1e9, "is the mesh in mm, `unit = 0.001`?");
-    said.map(|said| format!("{mass} kg in {volume:.1e} m³: {said}"))
+/// Of what a mesh encloses: whether its numbers were meant in mm, where no unit is set.
+pub(crate) fn filled(mass: f64, volume: f64, set: bool) -> Option<String> {
+    let times = if set { 1.0 } else { 1e9 };
+    let said = unlikely(mass / volume, times, "is the mesh in mm, `unit = 0.001`?")?;
+    Some(format!("{mass} kg in {volume:.1e} m³: {said}"))
 }
 
 /// Of a mass and a tensor: whether a body can have both. Of all bodies as dense, a ball has the least trace.
 pub(crate) fn spread(body: &BodyModel) -> Option<String> {
     let (mass, moments) = (body.mass?, body.principal().moments());
     let density = mass / (4.19 * (5.0 / 6.0 * moments.sum() / mass).powf(1.5));
-    let (gyration, reach) = ((moments.max() / mass).sqrt(), body.reach());
-    let large = format!("that is a ring of {gyration:.1e} m, and what is drawn reaches {reach:.1e} m");
-    let large = (!(0.1..100.0).contains(&(reach / gyration))).then_some(large);
-    let dense = format!("a ball with these has {density:.1e} kg/m³");
+    let [radius, reach] = [(moments.max() / mass).sqrt(), body.reach()].map(plain);
+    let large = format!("a ring with these has a radius of {radius} m; the drawing reaches {reach} m");
+    let large = (!(0.1..100.0).contains(&(reach / radius))).then_some(large);
+    let dense = format!("a ball with these would need {density:.1e} kg/m³");
     let why = (!(1e-6..SOLIDS.end).contains(&density)).then_some(dense).or(large)?;
     Some(format!("{mass} kg and moments up to {} kg m²: {why}. Are the units right?", moments.max()))
 }
@@ -124,6 +130,6 @@ pub(crate) fn placed(parts: &[(MassProperties, f64)]) -> Option<String> {
     let sizes = (0..few).map(|at| (2.0 * parts[at].1, gap(at)));
     let (size, gap) =
         sizes.into_iter().find(|(size, gap)| gap.is_finite() && *size > 0.0 && *gap > 10.0 * size)?;
-    let [size, gap] = [size, gap].map(|x| format!("{x:.1e}").parse().unwrap_or(x));
+    let [size, gap] = [size, gap].map(plain);
     Some(format!("a part {size} m large lies {gap} m from the others: is its place in cm, or in mm?"))
 }

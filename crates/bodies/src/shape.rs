@@ -51,11 +51,16 @@ pub(crate) fn shaped(
     let [radius, inner, height, length] = [&table.radius, &table.inner, &table.height, &table.length]
         .map(|size| size.as_ref().map_or(0.0, |x| *x.get_ref()));
     Ok(match name {
-        "ball" => (weight.of(&Ball::hollow(inner, radius)?)?, Surface::ellipsoid(&Vector3::repeat(radius))),
+        "ball" => {
+            let ball = if inner == 0.0 { Ball::new(radius) } else { Ball::hollow(inner, radius) }?;
+            (weight.of(&ball)?, Surface::ellipsoid(&Vector3::repeat(radius)))
+        }
         "capsule" => (weight.of(&Capsule::new(radius, length)?)?, Surface::capsule(radius, length)),
         "cone" => (weight.of(&Cone::new(radius, height)?)?, Surface::cone(radius, height)),
         "cylinder" => {
-            (weight.of(&Cylinder::hollow(inner, radius, height)?)?, Surface::cylinder(inner, radius, height))
+            let hollow = || Cylinder::hollow(inner, radius, height);
+            let cylinder = if inner == 0.0 { Cylinder::new(radius, height) } else { hollow() }?;
+            (weight.of(&cylinder)?, Surface::cylinder(inner, radius, height))
         }
         "disk" => (weight.of(&ThinDisk::new(radius)?)?, Surface::disk(radius)),
         "ellipsoid" => {

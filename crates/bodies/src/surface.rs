@@ -103,13 +103,10 @@ impl Surface {
                 faces.push(face);
             }
         }
-        if !closed {
-            for (&(start, count), up) in [(&rings[0], false), (&rings[rings.len() - 1], true)] {
-                if count > 1 {
-                    let ring = start..start + count;
-                    faces.push(if up { ring.collect() } else { ring.rev().collect() });
-                }
-            }
+        let ends = [(rings[0], false), (rings[rings.len() - 1], true)];
+        for ((start, count), up) in ends.into_iter().filter(|((_, count), _)| !closed && *count > 1) {
+            let ring = start..start + count;
+            faces.push(if up { ring.collect() } else { ring.rev().collect() });
         }
         Self { vertices, faces, convex: !closed }
     }

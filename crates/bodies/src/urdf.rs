@@ -248,7 +248,9 @@ mod tests {
             ("value='2'", "value='-2'", 6, "the mass is -2.0"),
             ("value='2'", "value='2,5'", 6, "expected, in m, kg and rad, without a unit, without the ${}"),
             ("robot", "sdf", 1, "line 1, `sdf`: URDF begins with `<robot>`; give others in TOML"),
-            ("xyz='0.1 0.2 0.3'", "xyz='0,1 0 0'", 5, "of xacro; write '0.1 0 0'"),
+            ("xyz='0.1 0.2 0.3'", "xyz='0,1 0,2 0,3'", 5, "of xacro; write '0.1 0.2 0.3'"),
+            ("xyz='0.1 0.2 0.3'", "xyz='1, 0, 0'", 5, "without the ${} of xacro\n"),
+            ("xyz='0.1 0.2 0.3'", "xyz='1,0,0'", 5, "without the ${} of xacro\n"),
             ("iyz='0'", "", 7, "`iyz` is missing"),
             ("xyz='0.1 0.2 0.3'", "xyz='0.1 0.2'", 5, "3 numbers expected"),
             ("xyz='0.1 0.2 0.3'", "xyz='0.1 inf 0.3'", 5, "`origin`: a number of `xyz` is inf"),
@@ -262,7 +264,7 @@ mod tests {
         ] {
             let error = read(&ARM.replace(from, to), Some("arm"), 0.0).unwrap_err();
             assert_eq!(error.line, Some(line), "{error}");
-            assert!(error.to_string().contains(words), "{error}");
+            assert!(format!("{error}\n").contains(words), "{error}");
         }
         assert!(read(ARM, Some("leg"), 0.0).unwrap_err().why.contains("`arm`"));
         assert!(read(ARM, Some("world"), 0.0).unwrap_err().why.contains("no `<inertial>`"));
@@ -279,10 +281,10 @@ mod tests {
             (
                 "value='2'",
                 "value='1000'",
-                "1000 kg and moments up to 0.04 kg m²: a ball with these has 3.7e8",
+                "1000 kg and moments up to 0.04 kg m²: a ball with these would need 3.7e8",
             ),
             ("value='2'", "value='1e-6'", "0.000001 kg and moments up to 0.04 kg m²: a ball with"),
-            ("0.2 0.3 0.4", "200 300 400", "a ring of 1.4e-1 m, and what is drawn reaches 2.7e2 m. Are the"),
+            ("0.2 0.3 0.4", "200 300 400", "a radius of 0.14 m; the drawing reaches 270 m. Are the"),
         ] {
             assert!(question(from, to).unwrap().contains(words), "{:?}", question(from, to));
         }

@@ -65,8 +65,24 @@ impl Story {
         Self::all().into_iter().find(|story| story.name == name)
     }
 
-    /// The rows that an engine makes of it from a spin, in steps of `h` seconds.
-    fn rows<T: Precision>(
+    /// The rows that an engine makes of it, in steps of `h` seconds: `step` takes an attitude (w, x, y, z;
+    /// body to world) and a spin (body axes, rad/s) one step further.
+    ///
+    /// ```
+    /// let story = tumbling_judge::Story::named("box-5").unwrap();
+    /// let mut rows = story.rows(story.duration / 3.0, |q: [f64; 4], spin| (q, spin));
+    /// assert_eq!(rows.next().unwrap().spin, story.spin);
+    /// assert_eq!(rows.count(), 3);
+    /// ```
+    pub fn rows<T: Precision>(
+        &self,
+        h: f64,
+        step: impl FnMut([T; 4], [T; 3]) -> ([T; 4], [T; 3]),
+    ) -> impl Iterator<Item = Row<T>> {
+        self.rows_from(self.spin, h, step)
+    }
+
+    fn rows_from<T: Precision>(
         &self,
         spin: [f64; 3],
         h: f64,
@@ -94,7 +110,7 @@ impl Story {
         h: f64,
         step: impl FnMut([T; 4], [T; 3]) -> ([T; 4], [T; 3]),
     ) -> Result<Verdict, Error> {
-        self.judged(Kind::SpinBody, h, self.rows(self.spin, h, step))
+        self.judged(Kind::SpinBody, h, self.rows(h, step))
     }
 
     /// As [`run`](Self::run), with the spin in world axes: what engines store.
@@ -121,7 +137,7 @@ impl Story {
     ) -> Result<Verdict, Error> {
         let [w, x, y, z] = self.attitude;
         let spin = in_world(&Quaternion::new(w, x, y, z), &self.spin.into()).into();
-        self.judged(Kind::SpinWorld, h, self.rows(spin, h, step))
+        self.judged(Kind::SpinWorld, h, self.rows_from(spin, h, step))
     }
 
     fn judged<T: Precision>(

@@ -8,8 +8,20 @@ use crate::thresholds::*;
 use crate::verdict::Verdict;
 use nalgebra::{Quaternion, Vector3};
 
-/// A number that an engine counts in: `f64` or `f32`.
-pub trait Precision: Into<f64> + Copy {
+mod sealed {
+    pub trait Sealed {}
+}
+
+/// A number that an engine counts in: `f64` or `f32`, and no other.
+///
+/// ```compile_fail
+/// impl tumbling_judge::Precision for i32 {
+///     fn of(x: f64) -> Self {
+///         x as Self
+///     }
+/// }
+/// ```
+pub trait Precision: sealed::Sealed + Into<f64> + Copy {
     /// The nearest number of this precision.
     #[must_use]
     fn of(x: f64) -> Self;
@@ -17,6 +29,8 @@ pub trait Precision: Into<f64> + Copy {
 
 macro_rules! precise {
     ($($number:ty)+) => {$(
+        impl sealed::Sealed for $number {}
+
         impl Precision for $number {
             fn of(x: f64) -> Self {
                 x as Self

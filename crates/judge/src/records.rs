@@ -92,7 +92,7 @@ impl Recorded {
     /// A record that does not do, or has no moments or attitudes.
     pub fn read(&self) -> Result<Trajectory, Error> {
         let mut rows = Rows::open(self.text.as_bytes())?;
-        let moments = rows.header.inertia.ok_or(Error::NoMoments)?;
+        let moments = rows.header.moments(&mut Vec::new())?.ok_or(Error::NoMoments)?;
         let torque = rows.header.torque.unwrap_or_default();
         let step = rows.header.step.unwrap_or(1.0);
         let mut read = Vec::new();

@@ -95,6 +95,8 @@ pub(crate) const SPIN_FROM_TURN: f64 = 4.0;
 /// Share of the largest moment by which the digits printed may miss the triangle inequality: one or two
 /// digits are a mistake.
 pub(crate) const MOMENTS_MISS: f64 = 2e-3;
+/// Share of the sum of the moments up to which a product of inertia is rounding: engines print 1e-17 of it.
+pub(crate) const PRODUCTS: f64 = 1e-9;
 
 // The clock.
 

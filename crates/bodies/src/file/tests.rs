@@ -32,6 +32,8 @@ fn what_is_wrong_is_named_with_its_line_and_its_field() {
             "line 3, `height`: it does not go with `ball`, which takes `radius`, `inner`, `mass`, `density`",
         ),
         ("mass = 1\nshape = 'cone'\nheight = 1", "line 2, `shape`: `radius` is missing"),
+        ("mass = 1\nshape = 'ball'\nradius = -1", "line 3, `radius`: the radius is -1"),
+        ("mass = 1\nshape = 'cylinder'\nradius = -1\nheight = 1", "line 3, `radius`: the radius is -1"),
         ("mass = 1\nshape = 'ball'\nradius = 1\ninner = 2", "line 4, `inner`: the inner radius"),
         ("moments = [1, 2, 3.1]", "line 1, `moments`: no body has principal moments"),
         ("moments = [1, 2, 3.0001]", "; if its digits were rounded, `tolerance` says by how much"),
@@ -40,6 +42,7 @@ fn what_is_wrong_is_named_with_its_line_and_its_field() {
         ("shape = 'ball'\nradius = 0,07\nmass = 1", "; write 0.07"),
         ("shape = 'ball'\nradius = '7,5 cm'\nmass = 1", "not `7,5 cm`; write '7.5 cm'"),
         ("sides = [7,7, 0.78, 16]\nmass = 1", "3 numbers are expected here, not 4; write 7.7"),
+        ("sides = [1, 2, 3]\nmass = 1\nat = [1,2]", "`at`: 3 numbers are expected here, not 2\n"),
         ("[part]\nmass = 1\n[part]\nmass = 2", "line 3: this is there already; each table of a list begins"),
         ("moments = [1, 2, 2.5, 0]", "line 1, `moments`: 3 numbers are expected here, not 4"),
         ("moments = [1, 2, 2.5]\nproducts = [0, 0, 0, 1]", "line 2, `products`: 3 numbers are expected"),
@@ -67,7 +70,7 @@ fn what_is_wrong_is_named_with_its_line_and_its_field() {
         ("moments = [1, 2, 1e-400]", "line 1, `moments`: 1e-400 is closer to zero"),
         ("sides = [1, 2, 3]\nmass = 1\nat = [1e10, 0, 0]", "line 3, `at`: so far away that rounding"),
     ] {
-        let error = body(text).unwrap_err().to_string();
+        let error = format!("{}\n", body(text).unwrap_err());
         assert!(error.contains(words), "{text}\n{error}");
     }
     // The commas between the numbers of a list are none.
@@ -127,10 +130,10 @@ fn a_size_or_a_mass_may_have_its_unit_and_a_number_that_lacks_it_is_questioned()
         assert_eq!(body(text).unwrap().question, None, "{text}");
     }
     for (text, words) in [
-        ("moments = [1e-6, 1e-6, 1e-6]\nmass = 1000", "a ball with these has 1.9e15 kg/m³. Are the units"),
+        ("moments = [1e-6, 1e-6, 1e-6]\nmass = 1000", "a ball with these would need 1.9e15 kg/m³. Are"),
         (
             "moments = [9, 9, 9]\nmass = 1\nsides = [0.2, 0.2, 0.1]",
-            "of 3.0e0 m, and what is drawn reaches 1.5e-1",
+            "a ring with these has a radius of 3 m; the drawing reaches 0.15 m. Are",
         ),
     ] {
         assert!(body(text).unwrap().question.unwrap().contains(words), "{text}");
@@ -144,7 +147,10 @@ fn the_field_that_is_made_bad_is_the_field_that_is_named() {
         ("sides = [1, 2, 3]\nmass = 1", &[("sides", "[1, 2, -3]"), ("mass", "-1"), ("mass", "inf")][..]),
         ("sides = [1, 2, 3]\ndensity = 1", &[("density", "-1"), ("density", "1e308")]),
         ("shape = 'ball'\nradius = 2\ninner = 1\nmass = 1", &[("radius", "-1"), ("inner", "3")]),
-        ("shape = 'ball'\nradius = 2\nmass = 1", &[("radius", "-1"), ("mass", "0")]),
+        (
+            "name = 'probe 1e-300'\nshape = 'ball'\nradius = 2\nmass = 1e300\nspin = 1e-200",
+            &[("radius", "-1"), ("radius", "1e-150"), ("mass", "0")],
+        ),
         ("shape = 'capsule'\nradius = 2\nlength = 1\nmass = 1", &[("radius", "0"), ("length", "-1")]),
         ("shape = 'cone'\nradius = 2\nheight = 1\nmass = 1", &[("radius", "0"), ("height", "nan")]),
         (
@@ -213,6 +219,12 @@ fn a_marked_mesh_has_all_its_vertices() {
     assert_eq!(mesh("marked.obj").unwrap(), mesh("corner.obj").unwrap());
     let asked = body_in("mesh = 'corner.obj'\nmass = 1.6e-5").unwrap().question.unwrap();
     assert_eq!(asked, "0.000016 kg in 1.6e1 m³: is the mesh in mm, `unit = 0.001`?");
+    for (text, words) in
+        [("density = 7.8", "7.8 kg/m³: is this in g/cm3?"), ("mass = 1\nunit = 1", ": no solid is so")]
+    {
+        let asked = body_in(&format!("mesh = 'corner.obj'\n{text}\n")).unwrap().question.unwrap();
+        assert!(asked.contains(words), "{asked}");
+    }
     assert_eq!(mesh("endless.obj").unwrap_err().why, "a number of a vertex is not finite");
 }
 

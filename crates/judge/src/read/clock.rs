@@ -75,19 +75,12 @@ impl Clock {
 
     /// Rows one step apart, with the step as the file has it.
     pub(crate) fn pairs(&self, probe: &[Raw]) -> Vec<(Raw, Raw, f64)> {
-        let mut pairs: Vec<_> = probe
-            .windows(2)
-            .filter_map(|rows| {
-                let (h, times) = self.between(rows[0].t, rows[1].t);
-                (times == 1.0).then_some((rows[0], rows[1], h))
-            })
-            .collect();
+        let pair = |rows: &[Raw]| {
+            let (h, times) = self.between(rows[0].t, rows[1].t);
+            (times == 1.0).then_some((rows[0], rows[1], h))
+        };
+        let pairs: Vec<_> = probe.windows(2).filter_map(pair).collect();
         let every = pairs.len().div_ceil(PROBE_PAIRS).max(1);
-        let mut place = 0;
-        pairs.retain(|_| {
-            place += 1;
-            (place - 1) % every == 0
-        });
-        pairs
+        pairs.into_iter().step_by(every).collect()
     }
 }

@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::read::units;
 use crate::read::{Note, last_place};
-use crate::thresholds::MOMENTS_MISS;
+use crate::thresholds::{MOMENTS_MISS, PRODUCTS};
 use nalgebra::Vector3;
 use tumbling::PrincipalMoments;
 
@@ -14,14 +14,12 @@ pub struct Header {
     pub engine: Option<String>,
     /// The first comment, up to a semicolon.
     pub first: Option<String>,
-    /// Principal moments, kg m².
-    pub inertia: Option<Vector3<f64>>,
-    /// By how much their printed digits leave them open.
-    pub open: Vector3<f64>,
-    /// The line that names them.
-    line: usize,
-    /// Each of them where it has a line of its own, and by how much its digits leave it open.
-    each: [Option<(f64, f64)>; 3],
+    /// Principal moments, kg m²; how far their printed digits leave them open, and the lines that name them.
+    named: [Option<(f64, f64, usize)>; 3],
+    /// Products of inertia, kg m², and their lines.
+    products: Vec<(f64, usize)>,
+    /// The first line that is wrong about the moments, and why.
+    wrong: Option<(usize, String)>,
     /// The step, s.
     pub step: Option<f64>,
     /// A torque constant in the world, N m.
@@ -58,17 +56,24 @@ fn after<'a>(text: &'a str, word: &str) -> Option<&'a str> {
     Some(rest)
 }
 
-/// The first word or fraction there is a number, with its unit of time if there is one.
-fn seconds(text: &str) -> Option<f64> {
-    let mut words = text.split([' ', ',', ';', '\t', ')', ']', '[', '(']).filter(|word| !word.is_empty());
-    let word = words.next()?;
-    let number = match word.split_once('/') {
-        Some((over, under)) => over.parse::<f64>().ok()? / under.parse::<f64>().ok()?,
-        None => word.parse().ok()?,
-    };
-    match words.next() {
-        Some(unit) if unit.eq_ignore_ascii_case("hz") => Some(1.0 / number),
-        unit => Some(number / unit.and_then(units::per_second).unwrap_or(1.0)),
+/// The first word or fraction there is a number, with its unit of time or of frequency if there is one. Where
+/// no colon stands before them, an unknown unit makes them prose.
+fn seconds(text: &str, named: bool) -> Result<Option<f64>, String> {
+    let said = text.split([',', ';']).next().unwrap_or_default();
+    let mut words = said.split([' ', '\t', '(', ')', '[', ']']).filter(|word| !word.is_empty());
+    let word = words.next().unwrap_or_default();
+    let end = word.rfind(|c: char| c.is_ascii_digit() || c == '.').map_or(word.len(), |at| at + 1);
+    let (number, unit) = word.split_at(end);
+    let (over, under) = number.split_once('/').unwrap_or((number, "1"));
+    let (Ok(over), Ok(under)) = (over.parse::<f64>(), under.parse::<f64>()) else { return Ok(None) };
+    let unit = if unit.is_empty() { words.next().unwrap_or_default() } else { unit };
+    match units::period(over / under, unit.trim_end_matches(['.', ':'])) {
+        Some(step) if step.is_finite() && step > 0.0 => Ok(Some(step)),
+        Some(_) => Err(format!("the step is given as {}: it must be above zero", said.trim())),
+        None if named => {
+            Err(format!("the unit `{unit}` is not known: s, ms, us, ns, min, h, Hz, kHz and fps are"))
+        }
+        None => Ok(None),
     }
 }
 
@@ -105,14 +110,20 @@ fn unit(text: &str) -> Result<f64, String> {
 const PRINCIPAL: &str =
     "give the three principal moments, and write spin and attitude about the principal axes";
 
-/// Three moments; of nine numbers, or of six, the tensor's, those of its diagonal if the rest are zero. One
-/// or two may be prose where no colon stands before them.
-fn moments(text: &str, named: bool) -> Result<Option<[Vector3<f64>; 2]>, String> {
+/// Moments and products of inertia, each with how far its printed digits leave it open.
+type Parts = [Vec<(f64, f64)>; 2];
+
+/// Three moments, and what products there are: of nine numbers, or of six, the tensor's. One or two may be
+/// prose where no colon stands before them; so is all but a tensor behind a colon, once moments are known.
+fn tensor(text: &str, named: bool, known: bool) -> Result<Option<Parts>, String> {
+    let all = numbers(text);
+    let count = all.len();
+    if known && !(named && [3, 6, 9].contains(&count)) {
+        return Ok(None);
+    }
     if has_decimal_comma(text, 3) {
         return Err(DECIMAL_COMMA.into());
     }
-    let all = numbers(text);
-    let count = all.len();
     let places = match count {
         3 | 6 => [0, 1, 2],
         9 => [0, 4, 8],
@@ -123,14 +134,10 @@ fn moments(text: &str, named: bool) -> Result<Option<[Vector3<f64>; 2]>, String>
             return Err(format!("{count} {numbers} given for the inertia: {PRINCIPAL}"));
         }
     };
-    if (0..count).any(|i| !places.contains(&i) && all[i].0 != 0.0) {
-        return Err(format!(
-            "{count} numbers are given for the inertia, with products that are not zero: {PRINCIPAL}"
-        ));
-    }
     let unit = unit(text)?;
-    let part = |of: fn(&(f64, f64)) -> f64| Vector3::from(places.map(|i| of(&all[i]))) * unit;
-    Ok(Some([part(|x| x.0), part(|x| x.1)]))
+    let scaled = all.into_iter().map(|(x, open)| (x * unit, open * unit)).enumerate();
+    let (moments, products): (Vec<_>, Vec<_>) = scaled.partition(|(i, _)| places.contains(i));
+    Ok(Some([moments, products].map(|part| part.into_iter().map(|x| x.1).collect())))
 }
 
 /// What comes before a semicolon.
@@ -148,25 +155,25 @@ impl Header {
         self.first.get_or_insert_with(|| head(comment));
         let mut unread = None;
         let wrong = |problem: String| Error::Line { line, problem };
+        let named = |text: &str| comment[..comment.len() - text.len()].trim_end().ends_with([':', '=']);
         for word in ["inertia", "moments"] {
             let Some(text) = after(comment, word) else { continue };
-            let named = comment[..comment.len() - text.len()].trim_end().ends_with([':', '=']);
-            match moments(text, named).map_err(wrong)? {
-                Some([moments, open]) => self.take(moments, open, line)?,
-                None if self.inertia.is_none() && after(comment, "ixx").is_none() => unread = Some(word),
-                None => {}
+            let known = self.named.iter().all(Option::is_some);
+            match tensor(text, named(text), known) {
+                Ok(Some([moments, products])) => {
+                    moments.into_iter().enumerate().for_each(|(i, moment)| self.take(i, moment, line));
+                    self.products.extend(products.into_iter().map(|product| (product.0, line)));
+                }
+                Ok(None) if !known && after(comment, "ixx").is_none() => unread = Some(word),
+                Ok(None) => {}
+                Err(problem) => self.wrong = self.wrong.take().or(Some((line, problem))),
             }
         }
         let one = |word: &str| after(comment, word).and_then(|text| numbers(text).first().copied());
         for (i, word) in ["ixx", "iyy", "izz"].into_iter().enumerate() {
-            self.each[i] = self.each[i].or_else(|| one(word));
+            one(word).into_iter().for_each(|moment| self.take(i, moment, line));
         }
-        if let Some(word) = OFF_DIAGONAL.into_iter().find(|word| one(word).is_some_and(|x| x.0 != 0.0)) {
-            return Err(wrong(format!("the product `{word}` is not zero: {PRINCIPAL}")));
-        }
-        if let (None, [Some(x), Some(y), Some(z)]) = (self.inertia, self.each) {
-            self.take(Vector3::new(x.0, y.0, z.0), Vector3::new(x.1, y.1, z.1), line)?;
-        }
+        self.products.extend(OFF_DIAGONAL.into_iter().filter_map(one).map(|product| (product.0, line)));
         if self.torque.is_none()
             && let Some(text) = after(comment, "torque")
         {
@@ -180,14 +187,10 @@ impl Header {
                 if has_decimal_comma(text, 1) {
                     return Err(wrong(DECIMAL_COMMA.into()));
                 }
-                let Some(step) = seconds(text) else {
-                    unread = unread.or(Some(word));
-                    continue;
-                };
-                if !(step.is_finite() && step > 0.0) {
-                    return Err(wrong(format!("the step is given as {step}: it must be above zero")));
+                match seconds(text, named(text)).map_err(wrong)? {
+                    None => unread = unread.or(Some(word)),
+                    step => self.step = step,
                 }
-                self.step = Some(step);
             }
         }
         if let Some(word) = unread {
@@ -196,14 +199,13 @@ impl Header {
         Ok(())
     }
 
-    /// Moments that a line names: those that another line has named, if it has.
-    fn take(&mut self, moments: Vector3<f64>, open: Vector3<f64>, line: usize) -> Result<(), Error> {
-        if self.inertia.replace(moments).is_some_and(|before| before != moments) {
-            let problem = format!("the moments differ from those in line {}: name them once", self.line);
-            return Err(Error::Line { line, problem });
+    /// A moment that a line names: that which another line has named, if it has.
+    fn take(&mut self, i: usize, (moment, open): (f64, f64), line: usize) {
+        let (before, _, first) = *self.named[i].get_or_insert((moment, open, line));
+        if before.total_cmp(&moment).is_ne() {
+            let problem = format!("the moments differ from those in line {first}: name them once");
+            self.wrong.get_or_insert((line, problem));
         }
-        (self.open, self.line) = (open, line);
-        Ok(())
     }
 
     /// The engine named; or the first comment, where that begins with the name of one.
@@ -218,14 +220,24 @@ impl Header {
     /// than their printed digits leave open, the largest is taken as the sum of the others, and a note says
     /// so.
     pub(crate) fn moments(&self, notes: &mut Vec<Note>) -> Result<Option<Vector3<f64>>, Error> {
-        let Some(named) = self.inertia else { return Ok(None) };
+        let trace = self.named.iter().flatten().map(|moment| moment.0).sum::<f64>().abs();
+        let large = |product: f64| product.is_nan() || product.abs() > PRODUCTS * trace;
+        let wrong = self.products.iter().find(|(product, _)| large(*product)).map(|(product, line)| {
+            let rule = format!("more than {PRODUCTS:e} of the sum of the moments, {trace}");
+            (*line, format!("a product of inertia is {product}, {rule}: {PRINCIPAL}"))
+        });
+        if let Some((line, problem)) = self.wrong.clone().or(wrong) {
+            return Err(Error::Line { line, problem });
+        }
+        let [Some(x), Some(y), Some(z)] = self.named else { return Ok(None) };
+        let (named, open) = (Vector3::new(x.0, y.0, z.0), x.1 + y.1 + z.1);
         let largest = named.imax();
         let rest = named[(largest + 1) % 3] + named[(largest + 2) % 3];
         let missing = named[largest] - rest;
         // One or two digits are no rounding, but a mistake.
-        let rounded = missing <= self.open.sum() && missing <= MOMENTS_MISS * named[largest];
+        let rounded = missing <= open && missing <= MOMENTS_MISS * named[largest];
         if !(missing > 0.0 && rounded && named.min() > 0.0) {
-            let line = self.line;
+            let line = x.2.max(y.2).max(z.2);
             let wrong =
                 |wrong| Error::Line { line, problem: format!("{wrong}. Look at the numbers and their unit") };
             return PrincipalMoments::try_from(named).map(|_| Some(named)).map_err(wrong);

@@ -28,17 +28,16 @@ pub(crate) fn slopes<const N: usize>(
     here: &[Vector3<f64>],
     misses: impl Fn(&SVector<f64, N>) -> Option<Vec<Vector3<f64>>>,
 ) -> Option<Vec<Vec<Vector3<f64>>>> {
-    let mut along = Vec::new();
-    for i in 0..N {
+    let along = |i: usize| {
         let jolted = |by: f64| {
             let mut other = *at;
             other[i] += by;
             let change = |(there, here): (&Vector3<f64>, &Vector3<f64>)| (there - here) / by;
             misses(&other).map(|there| there.iter().zip(here).map(change).collect::<Vec<_>>())
         };
-        along.push(jolted(JOLT).or_else(|| jolted(-JOLT))?);
-    }
-    Some(along)
+        jolted(JOLT).or_else(|| jolted(-JOLT))
+    };
+    (0..N).map(along).collect()
 }
 
 /// The products of these changes.

@@ -50,15 +50,15 @@ impl Grid {
     }
 
     fn explains(&self, probe: &[Raw]) -> bool {
-        let mut last = -1.0;
-        probe.iter().all(|raw| {
-            let place = self.place(raw.t);
-            let forward = place > last;
-            last = place;
-            forward
-                && (self.start + place * self.step - raw.t).abs()
-                    <= PRINTED_HALVES * half_of(raw, self.half, self.digits)
-        })
+        let forward = |rows: &[Raw]| self.place(rows[0].t) < self.place(rows[1].t);
+        probe.windows(2).all(forward) && probe.iter().all(|raw| self.time(raw).is_some())
+    }
+
+    /// The time from which a row's is rounded, if it is.
+    fn time(&self, raw: &Raw) -> Option<f64> {
+        let time = self.start + self.place(raw.t) * self.step;
+        let half = half_of(raw, self.half, self.digits);
+        Some(time).filter(|time| (time - raw.t).abs() <= PRINTED_HALVES * half)
     }
 
     fn place(&self, t: f64) -> f64 {
@@ -67,11 +67,8 @@ impl Grid {
 
     /// A row at its time.
     pub(crate) fn put(&self, raw: &mut Raw) {
-        let time = self.start + self.place(raw.t) * self.step;
         // A row that is not on it, after all those looked at, keeps its own.
-        if (time - raw.t).abs() <= PRINTED_HALVES * half_of(raw, self.half, self.digits) {
-            raw.t = time;
-        }
+        raw.t = self.time(raw).unwrap_or(raw.t);
     }
 
     /// The rounding that a step so uncertain gives to spins and turns.

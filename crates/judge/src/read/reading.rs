@@ -159,12 +159,8 @@ impl Reading {
 
     /// What it takes for wrong.
     pub(crate) fn mistakes(&self) -> Vec<FileMistake> {
-        let mut all = Vec::new();
-        match self.order {
-            Order::AsNamed => {}
-            Order::Last => all.push(FileMistake::Order),
-            Order::First => all.push(FileMistake::ScalarFirst),
-        }
+        let orders = [(Order::Last, FileMistake::Order), (Order::First, FileMistake::ScalarFirst)];
+        let mut all: Vec<_> = orders.iter().filter(|of| of.0 == self.order).map(|of| of.1).collect();
         let mirrored = self.inverse && self.hand == Hand::Left;
         all.extend((self.inverse && !mirrored).then_some(FileMistake::Inverse));
         all.extend(match self.hand {

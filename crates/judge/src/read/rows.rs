@@ -29,7 +29,7 @@ impl<R: BufRead> Rows<R> {
         while lines.advance()? {
             let line = lines.line;
             let text = text_of(&lines.text, line)?.trim_start_matches('\u{feff}').trim();
-            if let Some(comment) = text.strip_prefix('#') {
+            if let Some(comment) = comment(text) {
                 header.read(comment, line)?;
             } else if !text.is_empty() {
                 let columns = Columns::of(text, line, header.step.is_some())?;
@@ -50,7 +50,7 @@ impl<R: BufRead> Rows<R> {
         while self.ended.is_none() && self.lines.advance()? {
             let line = self.lines.line;
             let text = text_of(&self.lines.text, line)?.trim();
-            if text.is_empty() || text.starts_with('#') {
+            if text.is_empty() || comment(text).is_some() {
                 continue;
             }
             let header = (&self.header, self.rows);
@@ -109,7 +109,7 @@ impl Printed {
 }
 
 /// What programs in C print for what is no number.
-const C_HAS_NONE: [&str; 5] = ["nan(", "#IND", "#QNAN", "#SNAN", "#INF"];
+const C_HAS_NONE: [&str; 5] = ["nan(", "#ind", "#qnan", "#snan", "#inf"];
 
 /// The numbers of a row, one for each column; zero where none is read. Where one is not finite the numbers
 /// end.
@@ -146,7 +146,8 @@ fn numbers(
         if field.is_empty() {
             return Err(wrong("the field is empty".into()));
         }
-        let none = || C_HAS_NONE.iter().any(|none| field.contains(none)).then_some(f64::NAN);
+        let lower = || field.to_ascii_lowercase();
+        let none = || C_HAS_NONE.iter().any(|none| lower().contains(none)).then_some(f64::NAN);
         let value: f64 = field.parse().ok().or_else(none).ok_or_else(|| wrong(no_number(field)))?;
         if !value.is_finite() {
             let problem = format!("the value is {}: from here on there is no motion", shown(field));
@@ -240,6 +241,11 @@ impl<R: BufRead> Lines<R> {
         }
         Ok(read > 0)
     }
+}
+
+/// The text of a comment, without what spreadsheets put around it.
+fn comment(line: &str) -> Option<&str> {
+    line.trim_start_matches('"').strip_prefix('#').map(|text| text.trim_end_matches(['"', ',', ';', '\t']))
 }
 
 fn text_of(bytes: &[u8], line: usize) -> Result<&str, Error> {

@@ -60,7 +60,9 @@ advices! {
     TIMES: "The times are not those of the steps: look for rows left out, a step taken more than once, or another step than \
          the one named.";
     TERM_OR_TIMES: "Spins alone do not part a wrong term from wrong times. Look at the step and at rows left out, or record \
-         an attitude that turns by the spin; if the times are right, the term is not that of the body: w' = J ((I w) x w)." in PITFALL_FLIPS;
+         the attitude too; if the times are right, the term is not that of the body: w' = J ((I w) x w)." in PITFALL_FLIPS;
+    TURN_FIRST: "Spins alone do not part a wrong term from wrong times, and the attitude does not turn by the spin: first mend \
+         how the attitude turns, and judge again.";
     SIDE: "The turn of a step stands on the wrong side of the attitude: with q from body to world write q * dq where dq is \
          made of a spin in body axes, and dq * q where it is made of a spin in world axes.";
     OWN_UPDATE: "The turn does not belong to the spin: take attitude and spin at the end of the step both from this rule, \
@@ -101,14 +103,14 @@ advices! {
 }
 
 impl Advice {
-    /// What follows from the rule that fits best and how well it fits; `floor` is the record's rounding, and
-    /// `jumps` says whether some steps are not the rule's.
+    /// What follows from the rule that fits best and how well it fits; `floor` is the record's rounding,
+    /// `jumps` says whether some steps are not the rule's, `turns` whether there are attitudes.
     pub(crate) fn of(
         confidence: Confidence,
         rule: &Rule,
         floor: Floor,
         whole: &Whole,
-        jumps: bool,
+        [jumps, turns]: [bool; 2],
     ) -> Vec<Self> {
         let one = match confidence {
             Confidence::NoneFits | Confidence::Altered if whole.on_wrong_side => Self::SIDE,
@@ -121,16 +123,18 @@ impl Advice {
             Confidence::FewDigits | Confidence::NoneFits => Self::MORE_DIGITS,
             Confidence::MostSteps if jumps => Self::JUMPS,
             Confidence::MostSteps => Self::OTHERS,
-            Confidence::ToRounding | Confidence::Near | Confidence::Altered => match Self::of_rule(rule) {
-                Self::NOTHING if floor.single => Self::SINGLE,
-                Self::NOTHING if !whole.kept => Self::ADDS_UP,
-                Self::NOTHING if whole.fails => Self::NAMED_HERE,
-                other => other,
-            },
+            Confidence::ToRounding | Confidence::Near | Confidence::Altered => {
+                match Self::of_rule(rule, turns) {
+                    Self::NOTHING if floor.single => Self::SINGLE,
+                    Self::NOTHING if !whole.kept => Self::ADDS_UP,
+                    Self::NOTHING if whole.fails => Self::NAMED_HERE,
+                    other => other,
+                }
+            }
         };
         // A rule with something altered has a fault of its own, and so has one between jumps.
         let more = (jumps || confidence.names_a_rule() && rule.alteration.is_some())
-            .then(|| Self::of_rule(&if jumps { *rule } else { Rule::plain(rule.base) }));
+            .then(|| Self::of_rule(&if jumps { *rule } else { Rule::plain(rule.base) }, turns));
         // A term that is found by the spin alone says nothing of what turns the attitude.
         let side = (whole.on_wrong_side && one != Self::SIDE && rule.is_of_spin()).then_some(Self::SIDE);
         let right = [Self::NOTHING, Self::KEEPS_LAWS, Self::OF_ORDER];
@@ -138,12 +142,13 @@ impl Advice {
     }
 
     /// What follows from a rule that all steps are made by.
-    const fn of_rule(rule: &Rule) -> Self {
+    const fn of_rule(rule: &Rule, turns: bool) -> Self {
         match (&rule.alteration, &rule.base) {
             (Some(Alteration::OtherMoments(..)), _) => Self::OTHER_BODY,
             (Some(Alteration::Damped { .. }), _) => Self::DAMPING,
             (Some(Alteration::Term(_)), _) => Self::TERM,
             (Some(Alteration::Times(_)), _) => Self::TIMES,
+            (Some(Alteration::TermOrTimes(_)), _) if turns => Self::TURN_FIRST,
             (Some(Alteration::TermOrTimes(_)), _) => Self::TERM_OR_TIMES,
             (Some(Alteration::Turned(Turn::BodyInWorld | Turn::WorldInBody)), _) => Self::SIDE,
             (Some(Alteration::Turned(Turn::TwiceBefore | Turn::TwiceAfter | Turn::Own)), _) => {

@@ -325,6 +325,7 @@ pub(crate) fn diagnose(
         }
     }
     let Ranked { best, alike, second } = ranked.placed(&found, floor);
+    let turns = pairs.iter().any(|pair| pair.from.attitude.is_some());
     let header = known.said.engine.as_deref().unwrap_or_default();
     let named =
         confidence.names_a_rule() && (confidence != Confidence::ToRounding || best.rule != Rule::EXACT);
@@ -341,7 +342,7 @@ pub(crate) fn diagnose(
         settings: if whole.fails && named { settings(&own, &leading) } else { Vec::new() },
         leading: leading.iter().map(|rule| rule.times(subject.unit)).collect(),
         error,
-        advice: Advice::of(confidence, &best.rule, floor, whole, !jumps.is_empty()),
+        advice: Advice::of(confidence, &best.rule, floor, whole, [!jumps.is_empty(), turns]),
         open: alike.iter().any(|rule| is_another(subject, pairs, &best.rule, rule)),
         jumps,
         single: floor.single,

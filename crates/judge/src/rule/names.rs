@@ -35,13 +35,9 @@ impl Base {
             Self::Exact => "the exact motion".into(),
             Self::Method(method, parts) => in_parts(method.info().name, *parts),
             Self::PositionStage(parts) => in_parts("the position stage of the crate tumbling", *parts),
-            Self::Engine(engine) => {
-                format!(
-                    "{}, with the limits of {} ({})",
-                    Self::Method(engine.method, engine.parts).name(),
-                    engine.name,
-                    limits(&engine.limits)
-                )
+            Self::Engine(PhysicsEngine { method, parts, name, limits: own, .. }) => {
+                let rule = Self::Method(*method, *parts).name();
+                format!("{rule}, with the limits of {name} ({})", limits(own))
             }
             Self::FrozenTensor(..) => "a tensor frozen in the world".into(),
             Self::MomentumForSpin(mass) => {
@@ -90,22 +86,17 @@ impl Alteration {
                 let (size, [way, _]) = by_how_much(*times);
                 format!("times that are {size} times too {way}")
             }
-            Self::Turned(Turn::Old) => {
-                "the attitude turned by the old spin (or each spin written a row early)".into()
+            Self::Turned(turn) => match turn {
+                Turn::Old => "the attitude turned by the old spin (or each spin written a row early)",
+                Turn::Late => "each spin written a row late",
+                Turn::Early => "each spin written a row early",
+                Turn::BodyInWorld => "the attitude turned on the wrong side (dq * q by a spin in body axes)",
+                Turn::WorldInBody => "the attitude turned on the wrong side (q * dq by a spin in world axes)",
+                Turn::TwiceBefore | Turn::TwiceAfter => "the attitude turned twice a step",
+                Turn::Own => "the attitude turned by the new spin in the world, and not with it",
+                Turn::Otherwise => "the attitude turned otherwise than by this rule",
             }
-            Self::Turned(Turn::Late) => "each spin written a row late".into(),
-            Self::Turned(Turn::Early) => "each spin written a row early".into(),
-            Self::Turned(Turn::BodyInWorld) => {
-                "the attitude turned on the wrong side (dq * q by a spin in body axes)".into()
-            }
-            Self::Turned(Turn::WorldInBody) => {
-                "the attitude turned on the wrong side (q * dq by a spin in world axes)".into()
-            }
-            Self::Turned(Turn::TwiceBefore | Turn::TwiceAfter) => "the attitude turned twice a step".into(),
-            Self::Turned(Turn::Own) => {
-                "the attitude turned by the new spin in the world, and not with it".into()
-            }
-            Self::Turned(Turn::Otherwise) => "the attitude turned otherwise than by this rule".into(),
+            .into(),
             Self::Capped(most) => format!("a cap on the spin ({} rad/s)", significant(*most)),
         }
     }
@@ -137,17 +128,14 @@ impl Rule {
 
     /// The number of an engine's steps that one step of this rule is, if it is the engine's rule.
     pub(crate) fn steps_of(&self, engine: &PhysicsEngine) -> Option<u32> {
+        let has = |method| engine.method == method;
         match (self.base, self.alteration) {
-            (Base::Straight(method, parts), None) => {
-                (engine.limits.straight && engine.method == method).then_some(parts)
-            }
+            (Base::Straight(method, parts), None) => (engine.limits.straight && has(method)).then_some(parts),
             (Base::Method(..), None) if engine.limits.straight => None,
             // However many parts, the spin is the same.
-            (Base::Method(Method::ConstantSpin, _), None) => {
-                (engine.method == Method::ConstantSpin).then_some(1)
-            }
+            (Base::Method(Method::ConstantSpin, _), None) => has(Method::ConstantSpin).then_some(1),
             (Base::Method(method, parts), None) => {
-                (engine.method == method && parts % engine.parts == 0).then_some(parts / engine.parts)
+                (has(method) && parts % engine.parts == 0).then_some(parts / engine.parts)
             }
             (Base::Engine(this), None) => ((engine.method, engine.parts, engine.limits)
                 == (this.method, this.parts, this.limits))
@@ -219,19 +207,11 @@ pub(crate) fn named(engine: &PhysicsEngine, steps: u32) -> String {
 }
 
 fn limits(limits: &Limits) -> String {
-    let mut all = Vec::new();
-    if let Some(angle) = limits.turn {
-        all.push(format!("a step beyond {:.0} degrees turns too little", angle.to_degrees()));
-    }
-    if let Some(most) = limits.component {
-        let most = significant(most);
-        all.push(format!("spin is cut at {most} rad/s along each axis of the world"));
-    }
-    if let Some(angle) = limits.spin {
-        all.push(format!("spin is slowed to {:.0} degrees a step", angle.to_degrees()));
-    }
-    if let Some(most) = limits.rate {
-        all.push(format!("put back beyond {most:e} rad/s2"));
-    }
-    all.join("; ")
+    let [turn, spin] = [limits.turn, limits.spin].map(|angle| angle.map(f64::to_degrees));
+    let turn = turn.map(|angle| format!("a step beyond {angle:.0} degrees turns too little"));
+    let cut = |most| format!("spin is cut at {} rad/s along each axis of the world", significant(most));
+    let spin = spin.map(|angle| format!("spin is slowed to {angle:.0} degrees a step"));
+    let rate = limits.rate.map(|most| format!("put back beyond {most:e} rad/s2"));
+    let all = [turn, limits.component.map(cut), spin, rate];
+    all.into_iter().flatten().collect::<Vec<_>>().join("; ")
 }

@@ -277,6 +277,12 @@ fn row(f: &mut fmt::Formatter<'_>, [name, most, last, growth]: [&str; 4]) -> fmt
     write!(f, "{name:22} {most:>14} {last:>14}   {growth}")
 }
 
+impl fmt::Display for Law {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        row(f, self.cells().each_ref().map(String::as_str))
+    }
+}
+
 impl fmt::Display for Section {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:", self.title)?;

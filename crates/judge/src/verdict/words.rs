@@ -26,24 +26,17 @@ impl fmt::Display for Complaint {
             Self::TooFar { line, turn } => write!(f, "line {line}: {}. Judged up to there", too_far(*turn)),
             Self::NoSteps => f.write_str("no two rows are one step apart: no rule can be tried"),
             Self::Otherwise { off, seen } => {
-                write!(
-                    f,
-                    "the attitude does not turn as the spin says, by up to {:.1} % of it",
-                    100.0 * off
-                )?;
-                match seen {
-                    None => Ok(()),
-                    Some(Seen::BodyInWorld) => {
-                        f.write_str(": it turns about a spin in body axes as if that were in the world's (dq * q, not q * \
-                             dq)")
-                    }
-                    Some(Seen::WorldInBody) => {
-                        f.write_str(": it turns about a spin in world axes as if that were in the body's (q * dq, not dq * \
-                             q)")
-                    }
-                    Some(Seen::Times(times)) => write!(f, ": it turns about the spin's axis, and {times:.3} times as far"),
-                    Some(Seen::OtherAxis) => f.write_str(": it turns about another axis"),
-                }
+                let how = match seen {
+                    None => String::new(),
+                    Some(Seen::BodyInWorld) => ": it turns about a spin in body axes as if that were in the world's (dq * q, not q * \
+                         dq)".into(),
+                    Some(Seen::WorldInBody) => ": it turns about a spin in world axes as if that were in the body's (q * dq, not dq * \
+                         q)".into(),
+                    Some(Seen::Times(times)) => format!(": it turns about the spin's axis, and {times:.3} times as far"),
+                    Some(Seen::OtherAxis) => ": it turns about another axis".into(),
+                };
+                let off = 100.0 * off;
+                write!(f, "the attitude does not turn as the spin says, by up to {off:.1} % of it{how}")
             }
             Self::WrongRule(rule) => {
                 write!(f, "every step is made by a rule that is wrong here: {}", rule.name())

@@ -20,8 +20,8 @@ fn the_exact_motion_by_its_attitudes_alone_is_kept_to_rounding_in_every_law_that
             assert_eq!(verdict.outcome, Outcome::Passed, "{verdict}");
             assert_eq!(verdict.record.missing, [LawName::Consistency]);
             for law in &verdict.laws {
-                assert_eq!(law.growth.rank(), 0, "{spin:?} {h}: {law:?}");
-                assert!(law.most < 1e-6, "{law:?}");
+                assert_eq!(law.growth.rank(), 0, "{spin:?} {h}: {law}");
+                assert!(law.most < 1e-6, "{law}");
             }
             let names: Vec<LawName> = verdict.laws.iter().map(|law| law.name).collect();
             assert_eq!(names, &LawName::ALL[..6]);

@@ -5,7 +5,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use tumbling::attitude::{product, rotation_matrix, turn};
 use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::step::Method;
-use tumbling_judge::judge;
+use tumbling_judge::{Options, judge};
 
 const H: f64 = 1.0 / 60.0;
 const SPIN: Vector3<f64> = Vector3::new(1.0, 2.0, 1.5);
@@ -64,27 +64,53 @@ fn a_tensor_may_be_written_in_six_or_nine_numbers_and_a_step_in_place_of_times()
         _ => format!("{line}\n"),
     };
     let untimed = text.lines().map(times).collect::<String>();
-    let with = |inertia: &str, text: &str| {
-        let text = text.replacen("# inertia: 1 2 2.5 kg m2", inertia, 1);
-        judge(text.as_bytes(), &tumbling_judge::Options::default()).map(|verdict| verdict.moments)
+    let with = |inertia, comment: &str| {
+        let text = text.replacen("# inertia: 1 2 2.5 kg m2", comment, 1);
+        judge(text.as_bytes(), &Options { inertia, ..Options::default() }).map(|verdict| verdict.moments)
     };
-    for good in
-        ["# inertia: 1 0 0, 0 2 0, 0 0 2.5", "# inertia: 1 2 2.5 0 0 0", "# Ixx: 1\n# Iyy: 2\n# Izz: 2.5"]
-    {
-        assert_eq!(with(good, &text).unwrap(), Vector3::new(1.0, 2.0, 2.5), "{good}");
+    for good in [
+        "# inertia: 1 0 0, 0 2 0, 0 0 2.5",
+        "# inertia: 1 2 2.5 0 0 5e-9",
+        "# Ixx: 1\n# Iyy: 2\n# Izz: 2.5\n# Ixy=1e-17",
+        "# inertia: 1 2 2.5\n# moments: 2 contacts at t = 1\n# moments 2 3 4 are when it was hit",
+        "\"# inertia: 1, 2, 2.5\",,,",
+    ] {
+        assert_eq!(with(None, good).unwrap(), Vector3::new(1.0, 2.0, 2.5), "{good}");
     }
     for (bad, says) in [
-        ("# inertia: 1 2 2.5 0 0.1 0", "line 1: 6 numbers are given for the inertia, with products"),
+        ("# inertia: 1 2 2.5 0 0.1 0", "line 1: a product of inertia is 0.1, more than 1e-9 of"),
         ("# inertia: 1 2 2.5 3", "line 1: 4 numbers are given for the inertia: give the three principal"),
         ("# inertia: 2", "line 1: 1 number is given for the inertia"),
-        ("# Ixx: 1, Iyy: 2, Izz: 2.5, Ixy: 0.3", "line 1: the product `ixy` is not zero"),
+        (
+            "# Ixx: 1, Iyy: 2, Izz: 2.5, Ixy: 0.3",
+            "line 1: a product of inertia is 0.3, more than 1e-9 of the sum of the moments, 5.5",
+        ),
         ("# inertia: 1 2 2.5\n# moments: 1 2 3", "line 2: the moments differ from those in line 1"),
+        ("# inertia: 1 2 2.5\n# Ixx: 1, Iyy: 2, Izz: 3", "line 2: the moments differ from those in line 1"),
+        ("# Ixx: 1\n# Ixx: 1.5", "line 2: the moments differ from those in line 1"),
         ("# inertia: 1 -2 2.5", "line 1: a principal moment is -2"),
     ] {
-        let error = with(bad, &text).unwrap_err().to_string();
+        let error = with(None, bad).unwrap_err().to_string();
         assert!(error.starts_with(says), "{error}");
+        assert!(with(Some(Vector3::new(1.0, 2.0, 2.5)), bad).is_ok(), "{bad}");
     }
-    assert!(with("# inertia: 1 2 2.5; dt: 60 Hz", &untimed).is_ok());
-    assert!(with("# inertia: 1 2 2.5; dt: 1/60", &untimed).is_ok());
-    assert!(with("# inertia: 1 2 2.5", &untimed).unwrap_err().to_string().contains("`# dt: 1/60`"));
+    for (dt, says) in [
+        ("dt: 1/60", "Some(0.01666"),
+        ("dt: 100Hz", "Some(0.01"),
+        ("dt: 0.1 kHz", "Some(0.01"),
+        ("dt: 100 fps", "Some(0.01"),
+        ("dt: 10ms", "Some(0.01"),
+        ("dt: (0.5 s)", "Some(0.5)"),
+        ("dt: 0 Hz", "line 1: the step is given as 0 Hz: it must be above zero"),
+        ("dt: 100 MHz", "line 1: the unit `MHz` is not known: s, ms"),
+        (
+            "step 3 of the tutorial",
+            "line 2: the column `t` is missing: add it, or a comment line `# dt: 1/60`",
+        ),
+    ] {
+        let text = untimed.replacen("2.5 kg m2", &format!("2.5; {dt}"), 1);
+        let found = judge(text.as_bytes(), &Options::default()).map(|verdict| verdict.record.step);
+        let found = found.map_or_else(|error| error.to_string(), |step| format!("{step:?}"));
+        assert!(found.starts_with(says), "{found}");
+    }
 }

@@ -227,7 +227,7 @@ fn numbers_of_few_digits_are_judged_by_their_digits() {
     assert_eq!(verdict.outcome, Outcome::Passed);
     assert!(verdict.record.rounding > 1e-8 && verdict.record.rounding < 1e-6);
     for law in &verdict.laws {
-        assert_eq!(law.growth.rank(), 0, "{law:?}");
+        assert_eq!(law.growth.rank(), 0, "{law}");
     }
     let diagnosis = verdict.diagnosis.unwrap();
     assert_eq!(diagnosis.best.rule.name(), "the exact motion");
@@ -340,6 +340,6 @@ fn a_motion_that_jumps_is_named_with_its_place_and_judged_up_to_there() {
     assert_eq!(verdict.outcome, Outcome::Failed);
     assert_eq!(verdict.diagnosis.unwrap().best.rule, tumbling_judge::Rule::EXACT);
     for law in &verdict.laws {
-        assert_eq!(law.growth.rank(), 0, "{law:?}");
+        assert_eq!(law.growth.rank(), 0, "{law}");
     }
 }

@@ -67,7 +67,9 @@ fn the_phase_may_have_a_limit_of_its_own() {
     let with = |options: Options| judge(text.as_bytes(), &options).unwrap();
     // The phase is held to nothing, unless a limit is given.
     let phase = most(&with(Options::default()), LawName::Phase);
-    assert_eq!(with(Options::default().with(LawName::Phase, 0.9 * phase)).outcome, Outcome::Failed);
+    let strict = with(Options::default().with(LawName::Phase, 0.9 * phase));
+    assert_eq!(strict.outcome, Outcome::Failed);
+    assert!(strict.broken().map(|law| law.name).eq([LawName::Phase]));
     assert_eq!(with(Options::default().with(LawName::Phase, 1.1 * phase)).outcome, Outcome::Passed);
 }
 

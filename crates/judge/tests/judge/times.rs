@@ -87,6 +87,7 @@ fn of_spins_alone_wrong_times_and_a_wrong_term_are_both_said() {
                 assert!((found * times - 1.0).abs() < 0.01, "{verdict}");
                 let said = verdict.to_string();
                 assert!(said.contains("either ") && said.contains(", or times that are "), "{said}");
+                assert!(said.contains("or record the attitude too"), "{said}");
             }
         }
     }
@@ -164,6 +165,7 @@ fn an_attitude_that_is_turned_on_the_wrong_side_or_twice_is_named_with_its_remed
                 "{said}"
             );
             assert!(said.contains("stands on the wrong side of the attitude"), "{said}");
+            assert!(said.contains("first mend how the attitude turns"), "{said}");
         }
         let remedy = if name.contains("side") { "q * dq where" } else { "own update" };
         assert!(found.advice[0].words.contains(remedy), "{verdict}");
