@@ -202,8 +202,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// ```
     ///
     /// # Errors
-    /// A stepper by a method of fixed steps, a torque that is a function, or as [`step`](Self::step);
-    /// the body then stays where it was.
+    /// A stepper by a method of fixed steps, a torque that is a function and acts within the step, or as
+    /// [`step`](Self::step); the body then stays where it was.
     pub fn flips(&mut self, end: f64) -> Result<Vec<f64>, Error> {
         let (tolerance, mut budget) = self.tolerance(Subject::FlipWithinStep)?;
         let there = self.run_to(finite(Subject::EndTime, end)?, tolerance, &mut budget, true)?;

@@ -1,6 +1,7 @@
 //! The state transition of a step: the step's series, and those of its variations.
 
 use super::adaptive::{AdaptiveRun, Tracked};
+use super::method::check_square_underflow;
 use super::stepper::Stepper;
 use crate::body::State;
 use crate::error::{Error, Subject, finite, representable};
@@ -15,8 +16,9 @@ impl Stepper<f64> {
     /// convention of [`FreeMotion::state_transition`](crate::exact::FreeMotion::state_transition). The
     /// matrix of several steps is the product, the last on the left.
     ///
-    /// It costs some seven times the step: its own steps keep the error of each
-    /// column below the tolerance, relative to the column's size.
+    /// It costs some six to twelve times the step: its own steps keep the error of each column below the
+    /// tolerance, relative to the column's size. Damping far faster than the motion is not solved for, as in
+    /// the step: it keeps these steps to some decay times each, at any cost.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3, Vector6};
@@ -43,11 +45,10 @@ impl Stepper<f64> {
     /// ```
     ///
     /// # Errors
-    /// A stepper by a method of fixed steps, a torque that is a function, or as [`step`](Self::step); the
-    /// body then stays where it was.
+    /// A stepper by a method of fixed steps, a torque that is a function and acts within the step, or as
+    /// [`step`](Self::step); the body then stays where it was.
     pub fn step_with_transition(&mut self, h: f64) -> Result<Matrix6<f64>, Error> {
-        let (tolerance, mut budget) = self.tolerance(Subject::StepTransition)?;
-        let mut run = self.varied(h, tolerance)?;
+        let (mut run, _, mut budget) = self.begin(Tracked::Variation, h, Subject::StepTransition)?;
         run.at(h, &mut budget)?;
         let transition = self.turned(&run.variation());
         representable(Subject::Transition, transition.as_slice())?;
@@ -59,8 +60,9 @@ impl Stepper<f64> {
     ///
     /// The start is taken to be right to rounding, each of the run's own steps to the tolerance, and what
     /// they are off by is carried on to the end by the motion's state transition, as independent errors. It
-    /// costs some six times the step. A motion near an unstable equilibrium or a separatrix
-    /// multiplies errors by more than any tolerance makes up for: this says so.
+    /// costs some six to nine times the step, and more under damping far faster than the motion, as
+    /// [`step_with_transition`](Self::step_with_transition). A motion near an unstable equilibrium or a
+    /// separatrix multiplies errors by more than any tolerance makes up for: this says so.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
@@ -82,26 +84,26 @@ impl Stepper<f64> {
     /// # Errors
     /// As [`step_with_transition`](Self::step_with_transition).
     pub fn expected_error(&self, h: f64) -> Result<f64, Error> {
-        let (tolerance, mut budget) = self.tolerance(Subject::StepError)?;
-        let mut run = self.varied(h, tolerance)?;
-        let inverse = self.system.inverse;
+        let (mut plain, tolerance, mut steps) = self.begin(Tracked::Nothing, h, Subject::StepError)?;
+        let (mut run, _, mut budget) = self.begin(Tracked::Variation, h, Subject::StepError)?;
         // The variances of an error of the attitude's quaternion and of the momentum, relative to their size.
         let made = |state: &State<f64>, error: f64| {
-            let spin = inverse * (error * state.momentum.amax());
-            let each = |i: usize| if i < 3 { 2.0 * error } else { spin[i - 3] };
-            Matrix6::from_diagonal(&Vector6::from_fn(|i, _| each(i) * each(i)))
+            let spin = self.system.inverse * (error * state.momentum.amax());
+            let errors = Vector6::from_fn(|i, _| if i < 3 { 2.0 * error } else { spin[i - 3] });
+            Matrix6::from_diagonal(&errors.component_mul(&errors))
         };
-        let mut variance = made(&self.state, f64::EPSILON);
-        let error = tolerance.max(32.0 * f64::EPSILON);
-        let mut off = 0.0;
-        while run.next_step(&mut budget)? {
+        let (mut variance, mut off) = (made(&self.state, f64::EPSILON), 0.0);
+        // The variation begins anew where a step of the plain run has ended. After each of the varied run's,
+        // what damping takes of it would never fade, and would keep the steps short.
+        while let Some(time) = plain.next_step(&mut steps)? {
+            run.at(time, &mut budget)?;
             let on = run.variation();
-            let now = on * variance * on.transpose() + made(run.state(), error);
+            let now = on * variance * on.transpose() + made(run.state(), tolerance.max(32.0 * f64::EPSILON));
             off = now.fixed_view::<3, 3>(0, 0).trace().sqrt();
             if off.is_nan() || off >= PI {
                 return Ok(PI);
             }
-            // At rest no step errs; and what the spin was off by before decays, so that steps grow long.
+            // At rest no step errs.
             if run.state().momentum != Vector3::zeros() {
                 variance = now;
                 run.vary_anew();
@@ -110,10 +112,11 @@ impl Stepper<f64> {
         Ok(off)
     }
 
-    /// A run from now on with the motion's variations.
-    fn varied(&self, h: f64, tolerance: f64) -> Result<AdaptiveRun<f64>, Error> {
-        let h = finite(Subject::Step, h)?;
-        AdaptiveRun::new(self.system.clone(), &self.state, h, tolerance, Tracked::Variation)
+    /// A run from now on, its tolerance and its budget.
+    fn begin(&self, track: Tracked, h: f64, what: Subject) -> Result<(AdaptiveRun<f64>, f64, usize), Error> {
+        let (tolerance, budget) = self.tolerance(what)?;
+        check_square_underflow(&self.system.omega(&self.state.momentum), &finite(Subject::Step, h)?)?;
+        Ok((AdaptiveRun::new(self.system.clone(), &self.state, h, tolerance, track)?, tolerance, budget))
     }
 
     /// A matrix along the body's axes, from one along the principal axes.

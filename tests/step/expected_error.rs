@@ -1,5 +1,7 @@
 //! What an adaptive run says of its own error, against the closed forms of a pendulum and of a top.
 
+use super::spinning;
+use crate::common::refused;
 use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use std::f64::consts::{PI, TAU};
@@ -54,6 +56,20 @@ fn a_pendulum_let_go_next_to_the_upright_says_that_its_end_is_not_known() {
     }
 }
 
+#[test]
+fn damping_far_faster_than_the_motion_adds_no_error_and_is_named_where_it_takes_the_steps() {
+    let body = spinning([1.0, 2.0, 2.5], &Vector3::new(0.5, 2.0, 0.3));
+    let heavy = Torque::gravity(&Vector3::new(0.1, 0.2, 0.3), 4.0);
+    let torques = [Torque::Damping(Vector3::new(1e3, 2e3, 1.5e3)), heavy];
+    let run = |tolerance: f64| stepper(&body, tolerance, torques.to_vec());
+    let truth = UnitQuaternion::from_quaternion(run(1e-14).step(300.0).unwrap().attitude);
+    for tolerance in [1e-6, 1e-10] {
+        let [off, expected] = off_and_expected(&run(tolerance), 300.0, &truth);
+        assert!(off < 10.0 * expected && expected < 50.0 * tolerance, "{off:e} {expected:e}");
+        refused(run(tolerance).expected_error(1e4), ErrorKind::TooMany, "damping");
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
@@ -73,13 +89,15 @@ proptest! {
 
 #[test]
 fn an_error_is_expected_of_adaptive_runs_alone_and_is_at_most_half_a_turn() {
-    let inertia = Inertia::from_moments(1.0, 1.7, 2.4).unwrap();
     // A tumble next to the separatrix, at a loose tolerance.
-    let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(1e-9, 5.0, 1e-9)).unwrap();
+    let body = spinning([1.0, 1.7, 2.4], &Vector3::new(1e-9, 5.0, 1e-9));
     let loose = stepper(&body, 1e-5, vec![]);
     assert_eq!(loose.expected_error(200.0).unwrap(), PI);
     assert!(loose.expected_error(0.0).unwrap() < 1e-15 && loose.time() == 0.0);
     let fixed = Stepper::<f64>::fixed_rate(&body).unwrap();
     assert_eq!(fixed.expected_error(1.0).unwrap_err().kind(), ErrorKind::Undefined);
     assert!(loose.expected_error(f64::NAN).is_err() && loose.expected_error(f64::INFINITY).is_err());
+    // As `step`, where the square of the spin has no digits.
+    let slow = stepper(&spinning([1.0, 1.7, 2.4], &Vector3::new(1e-300, 0.0, 0.0)), 1e-9, vec![]);
+    refused(slow.expected_error(1e300), ErrorKind::Unrepresentable, "spin");
 }

@@ -124,8 +124,7 @@ impl<T: Analytic + Copy + FromPrimitive> AdaptiveRun<T> {
     /// On from where a torque begins or ends.
     fn next_piece(&mut self) -> Result<(), Error> {
         let (acting, next) = piece(&self.system, self.until, self.end);
-        let start = self.run.state.checked()?;
-        let mut run = Run::new(acting, &start, next - self.until, self.run.tolerance)?;
+        let mut run = Run::new(acting, &self.run.state.checked()?, next - self.until, self.run.tolerance)?;
         run.from = self.until;
         (run.steps, run.rejected) = (self.run.steps, self.run.rejected);
         run.variation = self.run.variation.take();
@@ -136,13 +135,15 @@ impl<T: Analytic + Copy + FromPrimitive> AdaptiveRun<T> {
         Ok(())
     }
 
-    /// Takes the next step, unless it is at the end.
-    pub(in crate::step) fn next_step(&mut self, budget: &mut usize) -> Result<bool, Error> {
+    /// Takes the next step and returns when it ends, s after the start; none at the end.
+    pub(in crate::step) fn next_step(&mut self, budget: &mut usize) -> Result<Option<f64>, Error> {
         let taken = self.run.steps;
         while self.run.steps == taken && (self.run.time != self.run.duration || self.until != self.end) {
             self.advance(self.end, budget)?;
         }
-        Ok(self.run.steps != taken)
+        let ended =
+            if self.run.time == self.run.duration { self.until } else { self.run.from + self.run.time };
+        Ok((self.run.steps != taken).then_some(ended))
     }
 
     /// The state that the steps have led to.
@@ -160,6 +161,8 @@ impl<T: Analytic + Copy + FromPrimitive> AdaptiveRun<T> {
     /// From now on the derivatives are those by the state here.
     pub(in crate::step) fn vary_anew(&mut self) {
         self.run.variation = Some(Box::new(identity()));
+        // The next steps are held back by their error again.
+        self.run.stiff = 0;
         if let Steps::Series(series) = &mut self.steps {
             series.ready = false;
         }
@@ -259,7 +262,8 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
         let (what, why) = if run.variation.is_some() {
             (Subject::Transition, "a function gives no derivatives: give the torque by its name")
         } else if run.flips.is_some() {
-            (Subject::FlipTimes, "a function has no series: name the torque, or look for changes of sign")
+            let why = "a function has no series: give the torque by its name, or look for changes of sign";
+            (Subject::FlipTimes, why)
         } else {
             return Pair::new(run).map(Self::Pair);
         };

@@ -77,7 +77,7 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
                 .iter()
                 .map(|_| GradientSeries { direction: none(), orbit: rows, turning: none() })
                 .collect(),
-            variations: varied.then(|| Box::new(Variations::new())),
+            variations: varied.then(|| Box::new(Variations::new(law.gradients.len()))),
         }
     }
 

@@ -7,6 +7,7 @@
 use super::super::smallest;
 use super::{Lanes, Law, Series};
 use crate::number::Analytic;
+use alloc::vec::Vec;
 use core::array;
 
 /// The derivatives of a vector by each of six variables.
@@ -56,16 +57,16 @@ pub(in super::super) struct Variations<T, const N: usize> {
     apart: bool,
     attitude: [Columns<T>; N],
     spin: [Columns<T>; N],
-    /// What dissipation needs of them, and a gravity gradient: as the series.
+    /// What dissipation needs of them, and each gravity gradient: as the series.
     momentum: [Columns<T>; N],
     coupling: [Columns<T>; N],
-    direction: [Columns<T>; N],
+    direction: Vec<[Columns<T>; N]>,
 }
 
 impl<T: Analytic + Copy, const N: usize> Variations<T, N> {
-    pub(super) fn new() -> Self {
-        let none = [[[T::zero(); 6]; 3]; N];
-        let (attitude, spin, momentum, coupling, direction) = (none, none, none, none, none);
+    pub(super) fn new(gradients: usize) -> Self {
+        let [attitude, spin, momentum, coupling] = [[[[T::zero(); 6]; 3]; N]; 4];
+        let direction = alloc::vec![attitude; gradients];
         Self { order: 0, sizes: [1.0; 6], apart: false, attitude, spin, momentum, coupling, direction }
     }
 
@@ -109,13 +110,9 @@ impl<T: Analytic + Copy, const N: usize> Variations<T, N> {
             let other = cross(n, &own.coupling.up, &self.momentum);
             add(&mut rate, |i, column| law.acceleration[i] * (one[i][column] - other[i][column]));
         }
-        for (own, law) in of.gradients.iter().zip(&law.gradients) {
-            // Made anew for each gradient: few laws have two.
-            let first = if of.gradients.len() > 1 { 0 } else { n };
-            for power in first..=n {
-                self.direction[power] = products::<T, N, true, 0>(power, &own.direction.up, &self.attitude);
-            }
-            let pairs = products::<T, N, false, 0>(n, &own.direction.up, &self.direction);
+        for ((own, law), direction) in of.gradients.iter().zip(&law.gradients).zip(&mut self.direction) {
+            direction[n] = products::<T, N, true, 0>(n, &own.direction.up, &self.attitude);
+            let pairs = products::<T, N, false, 0>(n, &own.direction.up, direction);
             add(&mut rate, |i, column| -(law.acceleration[i] * pairs[i][column]));
         }
         let inverse = T::one() / T::integer(n as u32 + 1);
