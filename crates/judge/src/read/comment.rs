@@ -66,11 +66,12 @@ fn seconds(text: &str, named: bool) -> Result<Option<f64>, String> {
     let (number, unit) = word.split_at(end);
     let (over, under) = number.split_once('/').unwrap_or((number, "1"));
     let (Ok(over), Ok(under)) = (over.parse::<f64>(), under.parse::<f64>()) else { return Ok(None) };
-    let unit = if unit.is_empty() { words.next().unwrap_or_default() } else { unit };
-    match units::period(over / under, unit.trim_end_matches(['.', ':'])) {
+    let next = words.next().filter(|next| unit.is_empty() && next.starts_with(char::is_alphabetic));
+    match units::period(over / under, next.unwrap_or(unit).trim_end_matches(['.', ':'])) {
         Some(step) if step.is_finite() && step > 0.0 => Ok(Some(step)),
         Some(_) => Err(format!("the step is given as {}: it must be above zero", said.trim())),
         None if named => {
+            let unit = next.unwrap_or(unit);
             Err(format!("the unit `{unit}` is not known: s, ms, us, ns, min, h, Hz, kHz and fps are"))
         }
         None => Ok(None),

@@ -101,6 +101,7 @@ fn a_tensor_may_be_written_in_six_or_nine_numbers_and_a_step_in_place_of_times()
         ("dt: 100 fps", "Some(0.01"),
         ("dt: 10ms", "Some(0.01"),
         ("dt: (0.5 s)", "Some(0.5)"),
+        ("dt: 0.5 (1/2)", "Some(0.5)"),
         ("dt: 0 Hz", "line 1: the step is given as 0 Hz: it must be above zero"),
         ("dt: 100 MHz", "line 1: the unit `MHz` is not known: s, ms"),
         (
