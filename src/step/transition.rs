@@ -17,8 +17,8 @@ impl Stepper<f64> {
     /// matrix of several steps is the product, the last on the left.
     ///
     /// It costs some six to twelve times the step: its own steps keep the error of each column below the
-    /// tolerance, relative to the column's size. Damping far faster than the motion is not solved for, as in
-    /// the step: it keeps these steps to some decay times each, at any cost.
+    /// tolerance, relative to the column's size. Unlike `step`, it does not solve for damping far faster than
+    /// the motion: its own steps are then a few decay times long, however many that takes.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3, Vector6};

@@ -47,13 +47,15 @@ pub(crate) fn decimal_comma(text: &str, at: usize) -> String {
         let pieces: Vec<_> = words.trim_end_matches(',').split(',').collect();
         let within = pieces.windows(2).all(|two| two[0].ends_with(digit) && two[1].starts_with(digit));
         let apart = pieces.iter().skip(1).rev().skip(1).all(|piece| piece.contains(' '));
-        (pieces.len() > 1 && within && apart).then(|| pieces.join("."))
+        let joined = pieces.join(".");
+        let single = joined.split_whitespace().all(|word| word.matches('.').count() < 2);
+        (pieces.len() > 1 && within && apart && single).then_some(joined)
     };
     let parts = || line.split(['"', '\'']);
     // Within quotes its unit goes along.
     let mut quoted = parts().skip(1).step_by(2).filter_map(mended).map(|words| format!("'{words}'"));
     let is_list = line.contains('[') && !line.contains(", ");
-    let words = parts().step_by(2).flat_map(|part| part.split(|c| !digit(c) && c != ',' && c != '.'));
+    let words = parts().step_by(2).flat_map(|part| part.split([' ', '=', '[', ']']));
     let found = quoted.next().or_else(|| words.filter(|_| !is_list).find_map(mended));
     found.map_or_else(String::new, |words| format!("; write {words}"))
 }

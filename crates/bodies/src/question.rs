@@ -99,7 +99,7 @@ fn dense(written: &str) -> Option<String> {
 pub(crate) fn filled(mass: f64, volume: f64, set: bool) -> Option<String> {
     let times = if set { 1.0 } else { 1e9 };
     let said = unlikely(mass / volume, times, "is the mesh in mm, `unit = 0.001`?")?;
-    Some(format!("{mass} kg in {volume:.1e} m³: {said}"))
+    Some(format!("{mass} kg in {} m³: {said}", plain(volume)))
 }
 
 /// Of a mass and a tensor: whether a body can have both. Of all bodies as dense, a ball has the least trace.

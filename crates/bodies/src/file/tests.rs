@@ -218,7 +218,7 @@ fn a_marked_mesh_has_all_its_vertices() {
     let mesh = |name| body_in(&format!("mesh = '{name}'\nmass = 1"));
     assert_eq!(mesh("marked.obj").unwrap(), mesh("corner.obj").unwrap());
     let asked = body_in("mesh = 'corner.obj'\nmass = 1.6e-5").unwrap().question.unwrap();
-    assert_eq!(asked, "0.000016 kg in 1.6e1 m³: is the mesh in mm, `unit = 0.001`?");
+    assert_eq!(asked, "0.000016 kg in 16 m³: is the mesh in mm, `unit = 0.001`?");
     for (text, words) in
         [("density = 7.8", "7.8 kg/m³: is this in g/cm3?"), ("mass = 1\nunit = 1", ": no solid is so")]
     {

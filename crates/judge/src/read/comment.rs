@@ -56,8 +56,8 @@ fn after<'a>(text: &'a str, word: &str) -> Option<&'a str> {
     Some(rest)
 }
 
-/// The first word or fraction there is a number, with its unit of time or of frequency if there is one. Where
-/// no colon stands before them, an unknown unit makes them prose.
+/// The first word or fraction there is a number, with its unit of time or of frequency if there is one. Words
+/// behind it that are no unit are a remark, or make it prose where no colon stands before it.
 fn seconds(text: &str, named: bool) -> Result<Option<f64>, String> {
     let said = text.split([',', ';']).next().unwrap_or_default();
     let mut words = said.split([' ', '\t', '(', ')', '[', ']']).filter(|word| !word.is_empty());
@@ -66,12 +66,15 @@ fn seconds(text: &str, named: bool) -> Result<Option<f64>, String> {
     let (number, unit) = word.split_at(end);
     let (over, under) = number.split_once('/').unwrap_or((number, "1"));
     let (Ok(over), Ok(under)) = (over.parse::<f64>(), under.parse::<f64>()) else { return Ok(None) };
-    let next = words.next().filter(|next| unit.is_empty() && next.starts_with(char::is_alphabetic));
-    match units::period(over / under, next.unwrap_or(unit).trim_end_matches(['.', ':'])) {
+    let next = words.next().unwrap_or_default().trim_end_matches(['.', ':']);
+    let known = !unit.is_empty() || units::period(1.0, next).is_some();
+    let frequency = !known && next.to_lowercase().ends_with("hz");
+    let unit = if unit.is_empty() && (known || frequency) { next } else { unit };
+    match units::period(over / under, unit) {
+        Some(_) if !known && (!named || ["of", "/"].contains(&next)) => Ok(None),
         Some(step) if step.is_finite() && step > 0.0 => Ok(Some(step)),
         Some(_) => Err(format!("the step is given as {}: it must be above zero", said.trim())),
-        None if named => {
-            let unit = next.unwrap_or(unit);
+        None if named && unit.starts_with(char::is_alphabetic) => {
             Err(format!("the unit `{unit}` is not known: s, ms, us, ns, min, h, Hz, kHz and fps are"))
         }
         None => Ok(None),
@@ -203,7 +206,7 @@ impl Header {
     /// A moment that a line names: that which another line has named, if it has.
     fn take(&mut self, i: usize, (moment, open): (f64, f64), line: usize) {
         let (before, _, first) = *self.named[i].get_or_insert((moment, open, line));
-        if before.total_cmp(&moment).is_ne() {
+        if (before - moment).abs() > PRODUCTS * before.abs() {
             let problem = format!("the moments differ from those in line {first}: name them once");
             self.wrong.get_or_insert((line, problem));
         }
@@ -221,17 +224,18 @@ impl Header {
     /// than their printed digits leave open, the largest is taken as the sum of the others, and a note says
     /// so.
     pub(crate) fn moments(&self, notes: &mut Vec<Note>) -> Result<Option<Vector3<f64>>, Error> {
-        let trace = self.named.iter().flatten().map(|moment| moment.0).sum::<f64>().abs();
-        let large = |product: f64| product.is_nan() || product.abs() > PRODUCTS * trace;
-        let wrong = self.products.iter().find(|(product, _)| large(*product)).map(|(product, line)| {
-            let rule = format!("more than {PRODUCTS:e} of the sum of the moments, {trace}");
-            (*line, format!("a product of inertia is {product}, {rule}: {PRINCIPAL}"))
-        });
-        if let Some((line, problem)) = self.wrong.clone().or(wrong) {
+        if let Some((line, problem)) = self.wrong.clone() {
             return Err(Error::Line { line, problem });
         }
         let [Some(x), Some(y), Some(z)] = self.named else { return Ok(None) };
         let (named, open) = (Vector3::new(x.0, y.0, z.0), x.1 + y.1 + z.1);
+        let trace = named.sum().abs();
+        let large = |product: f64| product.is_nan() || product.abs() > PRODUCTS * trace;
+        if let Some(&(product, line)) = self.products.iter().find(|(product, _)| large(*product)) {
+            let rule = format!("more than {PRODUCTS:e} of the sum of the moments, {trace}");
+            let problem = format!("a product of inertia is {product}, {rule}: {PRINCIPAL}");
+            return Err(Error::Line { line, problem });
+        }
         let largest = named.imax();
         let rest = named[(largest + 1) % 3] + named[(largest + 2) % 3];
         let missing = named[largest] - rest;

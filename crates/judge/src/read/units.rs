@@ -18,7 +18,7 @@ pub(crate) fn per_second(unit: &str) -> Option<f64> {
 /// A number of a unit of time, or a frequency in its unit, in s; `None` for a unit that is not known.
 pub(crate) fn period(number: f64, unit: &str) -> Option<f64> {
     match unit.to_lowercase().as_str() {
-        "hz" | "fps" => Some(1.0 / number),
+        "hz" | "hertz" | "fps" => Some(1.0 / number),
         "khz" => Some(1e-3 / number),
         unit => Some(number / per_second(unit)?),
     }

@@ -59,9 +59,9 @@ advices! {
          off)." in PITFALL_FLIPS;
     TIMES: "The times are not those of the steps: look for rows left out, a step taken more than once, or another step than \
          the one named.";
-    TERM_OR_TIMES: "Spins alone do not part a wrong term from wrong times. Look at the step and at rows left out, or record \
+    TERM_OR_TIMES: "Spins alone do not tell a wrong term from wrong times. Look at the step and at rows left out, or record \
          the attitude too; if the times are right, the term is not that of the body: w' = J ((I w) x w)." in PITFALL_FLIPS;
-    TURN_FIRST: "Spins alone do not part a wrong term from wrong times, and the attitude does not turn by the spin: first mend \
+    TURN_FIRST: "Spins alone do not tell a wrong term from wrong times, and the attitude does not turn by the spin: first mend \
          how the attitude turns, and judge again.";
     SIDE: "The turn of a step stands on the wrong side of the attitude: with q from body to world write q * dq where dq is \
          made of a spin in body axes, and dq * q where it is made of a spin in world axes.";

@@ -63,6 +63,7 @@ fn a_tensor_may_be_written_in_six_or_nine_numbers_and_a_step_in_place_of_times()
         Some((t, rest)) if !t.starts_with('#') => format!("{rest}\n"),
         _ => format!("{line}\n"),
     };
+    const UNTIMED: &str = "line 2: the column `t` is missing: add it, or a comment line `# dt: 1/60`";
     let untimed = text.lines().map(times).collect::<String>();
     let with = |inertia, comment: &str| {
         let text = text.replacen("# inertia: 1 2 2.5 kg m2", comment, 1);
@@ -102,12 +103,13 @@ fn a_tensor_may_be_written_in_six_or_nine_numbers_and_a_step_in_place_of_times()
         ("dt: 10ms", "Some(0.01"),
         ("dt: (0.5 s)", "Some(0.5)"),
         ("dt: 0.5 (1/2)", "Some(0.5)"),
+        ("dt: 0.5 fixed", "Some(0.5)"),
+        ("dt: 2 hertz", "Some(0.5)"),
         ("dt: 0 Hz", "line 1: the step is given as 0 Hz: it must be above zero"),
         ("dt: 100 MHz", "line 1: the unit `MHz` is not known: s, ms"),
-        (
-            "step 3 of the tutorial",
-            "line 2: the column `t` is missing: add it, or a comment line `# dt: 1/60`",
-        ),
+        ("step 3 of the tutorial", UNTIMED),
+        ("Step 1: integrate", UNTIMED),
+        ("step: 3 of 10", UNTIMED),
     ] {
         let text = untimed.replacen("2.5 kg m2", &format!("2.5; {dt}"), 1);
         let found = judge(text.as_bytes(), &Options::default()).map(|verdict| verdict.record.step);

@@ -23,7 +23,9 @@ fn quaternion([w, x, y, z]: [f64; 4]) -> UnitQuaternion<f64> {
 fn kit() -> (Vec<String>, Vec<(Story, Value)>) {
     let kit: Value = serde_json::from_str(include_str!("../../kit/stories.json")).unwrap();
     let steps = kit["steps"].as_array().unwrap().iter().map(|x| x.as_str().unwrap().to_owned()).collect();
-    (steps, Story::all().into_iter().zip(kit["stories"].as_array().unwrap().clone()).collect())
+    let (read, stories) = (Story::all(), kit["stories"].as_array().unwrap().clone());
+    assert_eq!(read.len(), stories.len());
+    (steps, read.into_iter().zip(stories).collect())
 }
 
 fn exact(story: &Story) -> FreeMotion {
@@ -47,6 +49,7 @@ fn errors(answer: &Answer, spin: &Vector3<f64>, q: &Quaternion<f64>) -> [f64; 2]
 fn the_exact_motion_gives_every_answer_of_the_kit_as_well_as_rounded_inputs_allow() {
     for (story, json) in kit().1 {
         let motion = exact(&story);
+        assert_eq!(story.answers.len(), json["answers"].as_array().unwrap().len());
         for (answer, json) in story.answers.iter().zip(json["answers"].as_array().unwrap()) {
             let now = motion.at(answer.time).unwrap();
             let q = (quaternion(story.attitude) * now.attitude).into_inner();
