@@ -1,5 +1,6 @@
-//! Regression test: a hash of many answers is the one that is committed, for every machine whose
-//! `f64` follows IEEE 754. That the answers are right is for the tests in the rooms' folders.
+//! Regression test: a hash of many answers is the one that is committed, since the bits are meant
+//! to be the same wherever `f64` follows IEEE 754. That the answers are right is for the tests in the rooms'
+//! folders.
 
 #[path = "common/same_bits.rs"]
 mod same_bits;

@@ -39,8 +39,8 @@ use num_traits::{FromPrimitive, ToPrimitive};
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 ///
-/// Bodies do not depend on each other, so many go over threads, with the same bits as one after the other:
-/// here satellites under gravity gradient, each with another start, for one orbit.
+/// Bodies do not depend on each other. They can be spread over threads, with the same bits as one after the
+/// other: here satellites under gravity gradient, each with another start, for one orbit.
 ///
 /// ```
 /// use nalgebra::{UnitQuaternion, Vector3};

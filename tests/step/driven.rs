@@ -5,7 +5,7 @@ use crate::common::refused;
 use nalgebra::{Matrix3, Matrix6, Quaternion, UnitQuaternion, Vector3};
 use serde_json::Value;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Method, State, Stepper, System, Torque};
+use tumbling::step::{State, Stepper, System, Torque};
 use tumbling::{Body, ErrorKind, Inertia, PrincipalMoments};
 
 const TABLE: &str = include_str!("../../crates/measure/data/truth.json");
@@ -228,23 +228,6 @@ fn a_torque_within_a_torque_acts_while_both_of_them_do() {
     }
 }
 
-/// The flips of a body that spins at 1 rad/s about its middle axis, with -1 rad/s² on it in these times.
-fn flips_by_pushes(times: &[[f64; 2]]) -> Vec<f64> {
-    let body = spinning([1.0, 2.0, 3.0], &Vector3::y());
-    let push = |&[start, end]: &[f64; 2]| Torque::during(start, end, Torque::InBody(Vector3::y() * -2.0));
-    let stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000).unwrap();
-    stepper.with_torques(times.iter().map(push)).unwrap().flips(4.0).unwrap()
-}
-
-#[test]
-fn a_spin_that_is_zero_where_two_steps_meet_flips_where_it_leaves_zero() {
-    assert_eq!(flips_by_pushes(&[[0.0, 1.0], [1.0, 2.0]]), [1.0]);
-    assert_eq!(flips_by_pushes(&[[0.0, 1.0], [2.0, 3.0]]), [2.0]);
-    // At the middle of a step, and not at all.
-    assert_eq!(flips_by_pushes(&[[0.0, 2.0]]), [1.0]);
-    assert!(flips_by_pushes(&[[0.0, 1.0]]).is_empty());
-}
-
 #[test]
 fn a_refused_adaptive_run_says_what_is_in_the_way() {
     let moments = PrincipalMoments::new(1.0, 2.0, 2.5).unwrap();
@@ -279,59 +262,11 @@ fn a_step_by_the_pair_may_be_as_short_as_numbers_allow() {
     }
 }
 
-fn tilted() -> Body {
+pub(super) fn tilted() -> Body {
     let inertia = Inertia::from_moments(1.0, 2.0, 2.5).unwrap();
     let inertia = inertia.turned(UnitQuaternion::from_euler_angles(0.2, 0.1, -0.3)).unwrap();
     let attitude = UnitQuaternion::from_euler_angles(1.0, 0.3, 0.2);
     Body::spinning(inertia, attitude, &Vector3::new(0.4, 1.8, -0.3)).unwrap()
-}
-
-#[test]
-fn flips_of_a_free_body_in_steps_are_those_of_the_closed_form_forth_and_back() {
-    let body = tilted();
-    let exact = FreeMotion::of(&body).unwrap();
-    for end in [40.0, -40.0] {
-        let mut stepper = Stepper::<f64>::adaptive(&body, 1e-13, 10_000).unwrap();
-        let flips = stepper.flips(end).unwrap();
-        let mut expected: Vec<f64> = exact.flips(f64::min(end, 0.0), f64::max(end, 0.0)).unwrap().collect();
-        if end < 0.0 {
-            expected.reverse();
-        }
-        assert!(expected.len() > 4 && flips.len() == expected.len(), "{flips:?} {expected:?}");
-        for (flip, expected) in flips.iter().zip(&expected) {
-            assert!((flip - expected).abs() < 1e-10, "{flip} {expected}");
-        }
-        assert_eq!(stepper.time(), end);
-    }
-    let mut fixed = Stepper::<f64>::new(&body, Method::Gauss6).unwrap();
-    assert_eq!(fixed.flips(1.0).unwrap_err().kind(), ErrorKind::Undefined);
-    assert_eq!(fixed.at(0.0).unwrap_err().kind(), ErrorKind::Undefined);
-}
-
-#[test]
-fn a_driven_swing_through_the_middle_axis_flips_where_its_pendulum_stands_still() {
-    // A compass needle with its field and its moment along x swings about z, the middle axis: the spin
-    // changes its sign where the pendulum turns back, every half period from the first quarter on.
-    let (moment, pull, angle) = (2.0_f64, 3.0_f64, 1.2_f64);
-    let inertia = Inertia::from_moments(1.5, 2.6, moment).unwrap();
-    let attitude = UnitQuaternion::identity();
-    // Through the bottom with the spin that just reaches the angle.
-    let spin = 2.0 * (pull / moment).sqrt() * (0.5 * angle).sin();
-    let body = Body::spinning(inertia, attitude, &Vector3::new(0.0, 0.0, spin)).unwrap();
-    let (mut a, mut g) = (1.0_f64, (0.5 * angle).cos());
-    for _ in 0..6 {
-        (a, g) = (0.5 * (a + g), (a * g).sqrt());
-    }
-    let period = std::f64::consts::TAU * (moment / pull).sqrt() / a;
-    let mut stepper = Stepper::<f64>::adaptive(&body, 1e-14, 1000).unwrap();
-    stepper =
-        stepper.with_torques([Torque::Aligning { arm: Vector3::x(), field: Vector3::x() * pull }]).unwrap();
-    let flips = stepper.flips(2.0 * period).unwrap();
-    let expected = [0.25, 0.75, 1.25, 1.75].map(|share| share * period);
-    assert_eq!(flips.len(), 4, "{flips:?}");
-    for (flip, expected) in flips.iter().zip(expected) {
-        assert!((flip - expected).abs() < 1e-12, "{flip} {expected}");
-    }
 }
 
 #[test]

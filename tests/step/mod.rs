@@ -7,6 +7,7 @@ mod engine_rules;
 mod expected_error;
 mod extreme;
 mod fixed_rate;
+mod flips;
 mod geometric;
 mod implicit;
 mod method;

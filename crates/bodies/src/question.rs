@@ -81,7 +81,7 @@ pub(crate) fn of(
     if words.is_empty() { none } else { Some(format!("{plain}: is this in {words}?")) }
 }
 
-/// What is said of an unlikely density that so many times as large may be of another unit.
+/// What is said of an unlikely density: `meant`, if it is a likely one once it is multiplied by `times`.
 fn unlikely(density: f64, times: f64, meant: &'static str) -> Option<&'static str> {
     let said = if SOLIDS.contains(&(times * density)) { meant } else { NONE_IS };
     (!SOLIDS.contains(&density)).then_some(said)

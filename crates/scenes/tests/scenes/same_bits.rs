@@ -1,5 +1,6 @@
-//! Regression test: a hash of many answers of scenes is the one that is committed, for every machine
-//! whose `f64` follows IEEE 754. That the answers are right is for `free.rs` and `driven.rs`.
+//! Regression test: a hash of many answers of scenes is the one that is committed, since the
+//! bits are meant to be the same wherever `f64` follows IEEE 754. That the answers are right is for `free.rs`
+//! and `driven.rs`.
 
 #[allow(dead_code, reason = "the library's own test uses the rest")]
 #[path = "../../../../tests/common/same_bits.rs"]
