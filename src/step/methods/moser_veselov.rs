@@ -202,12 +202,15 @@ impl<T: Field> Corrections<T> {
         let e2 = p(x, y) + p(y, z) + p(z, x);
         let e3 = p(&p(x, y), z);
         Self {
-            to_4: [[sum!(1 e2), sum!(-2 e1)], [sum!(-2 e3), sum!(1 e2)]],
-            to_6: [
-                [sum!(2 e2 e2, -6 e1 e3), sum!(-2 e1 e2, 8 e3), sum!(2 e1 e1, -1 e2)],
-                [sum!(-1 e2 e3), sum!(-1 e2 e2, 8 e1 e3), sum!(-1 e1 e2, -6 e3)],
-            ],
-            to_8: to_order_8([&e1, &e2, &e3]),
+            to_4: over(12, [[sum!(1 e2), sum!(-2 e1)], [sum!(-2 e3), sum!(1 e2)]]),
+            to_6: over(
+                240,
+                [
+                    [sum!(2 e2 e2, -6 e1 e3), sum!(-2 e1 e2, 8 e3), sum!(2 e1 e1, -1 e2)],
+                    [sum!(-1 e2 e3), sum!(-1 e2 e2, 8 e1 e3), sum!(-1 e1 e2, -6 e3)],
+                ],
+            ),
+            to_8: over(20_160, to_order_8([&e1, &e2, &e3])),
             ratios,
             symmetric: [e1, e2, e3],
         }
@@ -218,40 +221,48 @@ impl<T: Field> Corrections<T> {
     fn at(&self, momentum: &Vector3<T>, order: u32) -> (T, T) {
         let square = momentum.dot(momentum);
         let twice_energy = momentum.dot(&self.ratios.component_mul(momentum));
-        // sum of parts[j] square^(k - j) twice_energy^j, over `below`.
-        let joined = |below: u32, parts: &[T]| {
-            let mut power = T::one();
-            let mut total = T::zero();
-            for part in parts {
-                total = total * square.clone() + part.clone() * power.clone();
-                power *= twice_energy.clone();
+        // sum of parts[j] square^(k - j) twice_energy^j.
+        let joined = |parts: &[T]| {
+            let mut power = twice_energy.clone();
+            let (mut first, mut others) = (T::zero(), parts);
+            if let [part, more @ ..] = parts {
+                (first, others) = (part.clone(), more);
             }
-            total / T::integer(below)
+            others.iter().fold(first, |total, part| {
+                let total = total * square.clone() + part.clone() * power.clone();
+                power *= twice_energy.clone();
+                total
+            })
         };
         let [to_a, to_b] = &self.to_4;
-        let mut a = T::one() + joined(12, to_a);
-        let mut b = joined(12, to_b);
+        let mut a = T::one() + joined(to_a);
+        let mut b = joined(to_b);
         if order > 4 {
             let [to_a, to_b] = &self.to_6;
-            a += joined(240, to_a);
-            b += joined(240, to_b);
+            a += joined(to_a);
+            b += joined(to_b);
         }
         if order > 6 {
             let [to_a, to_b] = &self.to_8;
-            a += joined(20_160, to_a);
-            b += joined(20_160, to_b);
+            a += joined(to_a);
+            b += joined(to_b);
         }
         if order > 8 {
             let [e1, e2, e3] = &self.symmetric;
-            let [to_a, to_b] = to_order_10([e1, e2, e3]);
-            a += joined(725_760, &to_a);
-            b += joined(725_760, &to_b);
+            let [to_a, to_b] = over(725_760, to_order_10([e1, e2, e3]));
+            a += joined(&to_a);
+            b += joined(&to_b);
         }
         (a, b)
     }
 }
 
-/// What the order 8 adds to `a` and `b`: the parts that [`Corrections::at`] joins, over 20_160.
+/// These numbers over a whole one, once for a body: a division costs as much as many products.
+fn over<T: Field, const N: usize>(whole: u32, parts: [[T; N]; 2]) -> [[T; N]; 2] {
+    parts.map(|parts| parts.map(|part| part / T::integer(whole)))
+}
+
+/// What the order 8 adds to `a` and `b`: the parts that [`Corrections::at`] joins, times 20_160.
 fn to_order_8<T: Field>([e1, e2, e3]: [&T; 3]) -> [[T; 4]; 2] {
     [
         [
@@ -269,7 +280,7 @@ fn to_order_8<T: Field>([e1, e2, e3]: [&T; 3]) -> [[T; 4]; 2] {
     ]
 }
 
-/// What the order 10 adds to `a` and `b`: the parts that [`Corrections::at`] joins, over 725_760.
+/// What the order 10 adds to `a` and `b`: the parts that [`Corrections::at`] joins, times 725_760.
 fn to_order_10<T: Field>([e1, e2, e3]: [&T; 3]) -> [[T; 5]; 2] {
     [
         [
