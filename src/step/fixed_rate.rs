@@ -132,7 +132,10 @@ fn drifted<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<S
     } else {
         in_parts(system, start, h)?
     };
-    let inverse = inverse_root(motion.attitude.coords.dot(&motion.attitude.coords));
+    let square = motion.attitude.coords.dot(&motion.attitude.coords);
+    let inverse = inverse_root(square.clone());
     motion.attitude.coords.apply(|x| *x *= inverse.clone());
-    motion.checked()
+    // An attitude is finite where its square is, and costs no sum of its own.
+    let size = motion.momentum.iter().fold(square.size(), |sum, x| sum + x.size());
+    if size.is_finite() { Ok(motion) } else { motion.checked() }
 }
