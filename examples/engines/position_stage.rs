@@ -209,14 +209,16 @@ impl PositionStage {
         let b = three(|i| k[i] * (a[i] * (scaled[(i + 1) % 3] * sum[(i + 2) % 3])));
         let along = (c[0] * b[0] + c[1] * b[1]) + c[2] * b[2];
         let stretched = (below * below + c[0] * c[0]) + (c[1] * c[1] + c[2] * c[2]);
-        let once = 1.0 / (below * (stretched * length).sqrt());
-        let over = once * below;
+        let grown = stretched * length;
+        // The root and the division do not wait for each other.
+        let scale = 1.0 / (below * grown);
+        let over = (scale * below) * grown.sqrt();
         let change = three(|i| {
             let (j, l) = ((i + 1) % 3, (i + 2) % 3);
             below * (below * b[i] + (c[j] * b[l] - c[l] * b[j])) + c[i] * along
         });
         let back = |r: &Triple| (r[0] * change[0] + r[1] * change[1]) + r[2] * change[2];
-        let v = three(|i| spin[i] + back(&r[i]) * (once * over));
+        let v = three(|i| spin[i] + back(&r[i]) * scale);
         let (c, d) = (self.in_body(c), below);
         let [w, x, y, z] = *attitude;
         let turned = [

@@ -209,10 +209,10 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
         let [a, b, c] = tangents;
         let stretched = (below * below + a * a) + (b * b + c * c);
         // What rounding left of the attitude's length is divided out.
-        let root = (stretched * length).sqrt();
-        let once = T::one() / (below * root);
-        let factor = once * below;
-        let scale = once * factor;
+        let grown = stretched * length;
+        // The root and the division do not wait for each other.
+        let scale = T::one() / (below * grown);
+        let factor = (scale * below) * grown.sqrt();
         // The change of the spin is relative to the attitude before: small, so that a steady spin keeps its
         // digits, which turning the spin to the body and back would not.
         let [u, v, t] = change_of_spin(&turn);

@@ -117,8 +117,8 @@ static inline TUMBLING_NUMBER TUMBLING_BY(turn)(const TUMBLING_BODY *body, const
     const TUMBLING_NUMBER b[3] = {k[0] * (a[0] * (h1 * s2)), k[1] * (a[1] * (h2 * s0)), k[2] * (a[2] * (h0 * s1))};
     const TUMBLING_NUMBER along = (c[0] * b[0] + c[1] * b[1]) + c[2] * b[2];
     const TUMBLING_NUMBER stretched = (below * below + c[0] * c[0]) + (c[1] * c[1] + c[2] * c[2]);
-    const TUMBLING_NUMBER once = 1 / (below * TUMBLING_ROOT(stretched * length));
-    const TUMBLING_NUMBER over = once * below, scale = once * over;
+    const TUMBLING_NUMBER grown = stretched * length, scale = 1 / (below * grown);
+    const TUMBLING_NUMBER over = (scale * below) * TUMBLING_ROOT(grown);
     const TUMBLING_NUMBER c0 = below * (below * b[0] + (c[1] * b[2] - c[2] * b[1])) + c[0] * along;
     const TUMBLING_NUMBER c1 = below * (below * b[1] + (c[2] * b[0] - c[0] * b[2])) + c[1] * along;
     const TUMBLING_NUMBER c2 = below * (below * b[2] + (c[0] * b[1] - c[1] * b[0])) + c[2] * along;
