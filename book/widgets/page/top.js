@@ -38,7 +38,10 @@ tumblingLive.widget("top", async (stage, from) => {
     /** Where a start is shown first: with the whole of its path, or while it may still sleep. */
     const whole = () => (drag.checked ? 0.5 : UNTIL);
     /** The axis of an attitude, and how far it leans, degrees. */
-    const axisOf = ({ 0: w, 1: x, 2: y, 3: z }) => [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)];
+    const axisOf = (q, at = 0) => {
+        const [w, x, y, z] = [q[at], q[at + 1], q[at + 2], q[at + 3]];
+        return [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)];
+    };
     const leanOf = ([x, y, z]) => DEGREES * Math.atan2(Math.hypot(x, y), z);
     const between = (a, b) => DEGREES * 2 * Math.asin(Math.min(1, 0.5 * Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2])));
 
@@ -80,12 +83,12 @@ tumblingLive.widget("top", async (stage, from) => {
         while (samples.length <= count) {
             const asked = Math.min(PIECE, count + 1 - samples.length);
             const found = top.answer(3, Number(drag.checked), h, each, asked, ...now);
-            for (let i = 0; i < found[0]; i += 1) samples.push(found.subarray(8 + 5 * i, 13 + 5 * i));
+            for (let k = 8; k < 8 + 5 * found[0]; k += 5) samples.push([found[k], found[k + 1], found[k + 2], found[k + 3], found[k + 4]]);
             now = found.slice(1, 8);
             if (found[0] < asked) break;
         }
         [state.stepped, state.each] = [samples, each * h];
-        state.axes = samples.map(axisOf);
+        state.axes = samples.map((sample) => axisOf(sample));
     }
     /** The closed form, at the same instants as the finest samples. */
     function closed() {
@@ -94,7 +97,7 @@ tumblingLive.widget("top", async (stage, from) => {
         for (let i = 0; i <= count; i += INSTANTS) {
             const last = Math.min(i + INSTANTS - 1, count);
             const found = top.answer(1, ...given(), i * FINE, last * FINE, last - i + 1);
-            for (let k = 0; k + 3 < found.length; k += 4) state.exact.push(axisOf(found.subarray(k, k + 4)));
+            for (let k = 0; k + 3 < found.length; k += 4) state.exact.push(axisOf(found, k));
         }
     }
     const exactAt = (t) => top.answer(1, ...given(), t, t, 1);
