@@ -24,7 +24,7 @@ fn a_number_a_unit_a_number_word_or_a_link_that_is_altered_is_noticed() {
         ("zwei Umdrehungen pro Sekunde um", "drei Umdrehungen pro Sekunde um"),
         ("Versehen ein Zwanzigstel", "Versehen ein Zehntel"),
         ("*Quer zum Griff, in der Ebene der Saiten*", "*Den Griff entlang*"),
-        ("die dritte ist es nicht", "die zweite ist es nicht"),
+        ("Beim dritten ist es umgeklappt", "Beim zweiten ist es umgeklappt"),
         ("mit 0,02 rad Abweichung", "mit 0,2 rad Abweichung"),
         ("](../../figures/three-tosses.svg)\"\n\"*", "](../../figures/coin.svg)\"\n\"*"),
     ] {

@@ -37,10 +37,19 @@ tumblingLive.book = (stage, [, , low, , high, wide, thick]) => {
         colours.pin = style.getPropertyValue("--fig-axis-mid").trim();
     }
 
+    // Read as they change and not at each drawing: after a text was written, that would have the page laid out anew.
+    const sizes = new WeakMap();
+    const note = (canvas) => sizes.set(canvas, [canvas.clientWidth, canvas.clientHeight]);
+    const watch = new ResizeObserver((changed) => changed.forEach(({ target }) => note(target)));
+
     /** Draws it on a canvas, at this attitude of this toss, seen from `turn` around and `tilt` above. */
     function draw(canvas, { eye: hand, above }, [w, i, j, k], { turn, tilt }) {
         const pen = canvas.getContext("2d");
-        const [width, height] = [canvas.clientWidth, canvas.clientHeight];
+        if (!sizes.has(canvas)) {
+            note(canvas);
+            watch.observe(canvas);
+        }
+        const [width, height] = sizes.get(canvas);
         if (width === 0) return;
         const dots = Math.min(devicePixelRatio || 1, 2);
         // Its height may change alone: on a phone the address bar comes and goes.

@@ -9,18 +9,25 @@
 tumblingLive.meeting = (canvas, colours, half, names, { get, moved, ended }) => {
     const { dot, unit, orbit, paper, looks } = tumblingLive.bodies;
     const view = { turn: 38, tilt: 24 };
-    const by = (a, b) => a.reduce((sum, x, k) => sum + x * b[k] / half[k] ** 2, 0);
+    const [wide, high, deep] = half.map((part) => 1 / part ** 2);
+    const by = (a, b) => wide * a[0] * b[0] + high * a[1] * b[1] + deep * a[2] * b[2];
     const eyes = () => orbit([[0, 0, -1], [1, 0, 0], [0, -1, 0]], view.turn, view.tilt);
     const LIGHT = unit([-0.45, 0.75, 0.6]);
     const reach = 1.04 * Math.max(...half);
     const sheet = document.createElement("canvas");
     const kept = { key: "", at: -Infinity, coarse: false, later: 0 };
 
-    /** The ellipsoid point by point, from where it was last seen: how near each point is to the reader, and its shade. */
+    /** The ellipsoid alone, from where it was last seen: its picture, how near each point is to the reader, and the shades of the sphere over it. */
     function ellipsoid(eye, dots) {
-        const key = [view.turn, view.tilt, dots].join();
+        const key = [view.turn, view.tilt, dots, colours.bg, colours.momentum].join();
         if (kept.seen === key) return kept.ellipsoid;
-        const [near, shade] = [new Float32Array(dots * dots).fill(-Infinity), new Uint8Array(dots * dots)];
+        const [near, image] = [new Float32Array(dots * dots).fill(-Infinity), new ImageData(dots, dots)];
+        // Whole pixels in the machine's own order of bytes, so that no point of a hundred thousand makes a list.
+        const pixels = new Uint32Array(image.data.buffer);
+        const triple = (colour) => colour.match(/[\d.]+/g).map(Number);
+        const warm = triple(colours.momentum);
+        const whole = (colour) => new Uint32Array(Uint8ClampedArray.from([...colour, 255]).buffer)[0];
+        const [grey, warmed] = [0, 0.5].map((part) => Uint32Array.from(colours.plain, (shade) => whole(triple(shade).map((x, k) => x + part * (warm[k] - x)))));
         const [A, uu, uv, vv, ut, vt] = [by(eye[2], eye[2]), by(eye[0], eye[0]), by(eye[0], eye[1]), by(eye[1], eye[1]), by(eye[0], eye[2]), by(eye[1], eye[2])];
         for (let row = 0; row < dots; row += 1) {
             const v = reach * (1 - (2 * row + 1) / dots);
@@ -33,10 +40,10 @@ tumblingLive.meeting = (canvas, colours, half, names, { get, moved, ended }) => 
                 // What points outward, to the right, up and toward the reader.
                 const [x, y, out] = [u * uu + v * uv + z * ut, u * uv + v * vv + z * vt, u * ut + v * vt + z * A];
                 near[row * dots + column] = z;
-                shade[row * dots + column] = Math.round(16 + 16 * (LIGHT[0] * x + LIGHT[1] * y + LIGHT[2] * out) / Math.sqrt(x * x + y * y + out * out));
+                pixels[row * dots + column] = grey[Math.round(16 + 16 * (LIGHT[0] * x + LIGHT[1] * y + LIGHT[2] * out) / Math.sqrt(x * x + y * y + out * out))];
             }
         }
-        Object.assign(kept, { seen: key, ellipsoid: [near, shade] });
+        Object.assign(kept, { seen: key, ellipsoid: { near, image, pixels, bare: pixels.slice(), warmed } });
         return kept.ellipsoid;
     }
     /**
@@ -47,20 +54,12 @@ tumblingLive.meeting = (canvas, colours, half, names, { get, moved, ended }) => 
         const key = [length, view.turn, view.tilt, fine, colours.bg, colours.momentum].join();
         const soon = performance.now() - kept.at < 200;
         if (key === kept.key && (soon || !kept.coarse)) return;
-        const dots = soon ? Math.round(fine / 2) : fine;
+        const dots = soon ? Math.round(fine / (devicePixelRatio > 1 ? 3 : 2)) : fine;
         clearTimeout(kept.later);
         Object.assign(kept, { key, at: performance.now(), coarse: soon, later: soon ? setTimeout(() => picture.draw(), 250) : 0 });
-        [sheet.width, sheet.height] = [dots, dots];
-        const pen = sheet.getContext("2d");
-        const image = pen.createImageData(dots, dots);
-        const triple = (colour) => colour.match(/[\d.]+/g).map(Number);
-        // Whole pixels in the machine's own order of bytes, so that no point of a hundred thousand makes a list.
-        const pixels = new Uint32Array(image.data.buffer);
-        const warm = triple(colours.momentum);
-        const whole = (colour) => new Uint32Array(Uint8ClampedArray.from([...colour, 255]).buffer)[0];
-        const [grey, warmed] = [0, 0.5].map((part) => Uint32Array.from(colours.plain, (shade) => whole(triple(shade).map((x, k) => x + part * (warm[k] - x)))));
-        const [near, shade] = ellipsoid(eye, dots);
-        for (let at = 0; at < near.length; at += 1) if (near[at] > -Infinity) pixels[at] = grey[shade[at]];
+        if (sheet.width !== dots) [sheet.width, sheet.height] = [dots, dots];
+        const { near, image, pixels, bare, warmed } = ellipsoid(eye, dots);
+        pixels.set(bare);
         const [right, up, toward] = LIGHT.map((part) => 16 * part / length);
         const side = (part) => Math.max(0, Math.min(dots, Math.round(0.5 * dots * (1 + part / reach)))); // the dot at a height, or at a place across
         for (let row = side(-length); row < side(length); row += 1) {
@@ -73,7 +72,7 @@ tumblingLive.meeting = (canvas, colours, half, names, { get, moved, ended }) => 
                 if (z > near[row * dots + column]) pixels[row * dots + column] = warmed[Math.round(16 + right * u + up * v + toward * z)];
             }
         }
-        pen.putImageData(image, 0, 0);
+        sheet.getContext("2d").putImageData(image, 0, 0);
     }
 
     const picture = paper(canvas, (width) => Math.round(Math.min(0.9 * width, 330)), (pen, width, height) => {
@@ -87,10 +86,8 @@ tumblingLive.meeting = (canvas, colours, half, names, { get, moved, ended }) => 
         surfaces(Math.hypot(...at), eye, Math.round(side * Math.min(devicePixelRatio || 1, 2)));
         pen.drawImage(sheet, (width - side) / 2, (height - side) / 2, side, side);
         pen.lineWidth = 2.6;
-        const loops = [1, -1].map((sign) => curve.map((p) => {
-            const place = p.map((x) => sign * x);
-            return { to: on(place), front: faces(place) };
-        }));
+        const loop = curve.map((p) => ({ to: on(p), front: faces(p) }));
+        const loops = [loop, loop.map(({ to: [x, y], front }) => ({ to: [width - x, height - y], front: !front }))];
         pen.strokeStyle = colours.omega;
         for (const front of [false, true]) {
             pen.globalAlpha = front ? 1 : 0.22;

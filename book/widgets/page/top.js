@@ -38,9 +38,12 @@ tumblingLive.widget("top", async (stage, from) => {
     /** Where a start is shown first: with the whole of its path, or while it may still sleep. */
     const whole = () => (drag.checked ? 0.5 : UNTIL);
     /** The axis of an attitude, and how far it leans, degrees. */
-    const axisOf = ([w, x, y, z]) => [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)];
+    const axisOf = (q, at = 0) => {
+        const [w, x, y, z] = [q[at], q[at + 1], q[at + 2], q[at + 3]];
+        return [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)];
+    };
     const leanOf = ([x, y, z]) => DEGREES * Math.atan2(Math.hypot(x, y), z);
-    const between = (a, b) => DEGREES * 2 * Math.asin(Math.min(1, 0.5 * Math.hypot(...a.map((x, k) => x - b[k]))));
+    const between = (a, b) => DEGREES * 2 * Math.asin(Math.min(1, 0.5 * Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2])));
 
     /** A drum on a pin, the pin's end at 1; two quarters of the drum in another colour, so that it is seen to turn. */
     function drum([radius, low, high]) {
@@ -80,12 +83,12 @@ tumblingLive.widget("top", async (stage, from) => {
         while (samples.length <= count) {
             const asked = Math.min(PIECE, count + 1 - samples.length);
             const found = top.answer(3, Number(drag.checked), h, each, asked, ...now);
-            for (let i = 0; i < found[0]; i += 1) samples.push(Array.from(found.slice(8 + 5 * i, 13 + 5 * i)));
+            for (let k = 8; k < 8 + 5 * found[0]; k += 5) samples.push([found[k], found[k + 1], found[k + 2], found[k + 3], found[k + 4]]);
             now = found.slice(1, 8);
             if (found[0] < asked) break;
         }
         [state.stepped, state.each] = [samples, each * h];
-        state.axes = samples.map(axisOf);
+        state.axes = samples.map((sample) => axisOf(sample));
     }
     /** The closed form, at the same instants as the finest samples. */
     function closed() {
@@ -94,7 +97,7 @@ tumblingLive.widget("top", async (stage, from) => {
         for (let i = 0; i <= count; i += INSTANTS) {
             const last = Math.min(i + INSTANTS - 1, count);
             const found = top.answer(1, ...given(), i * FINE, last * FINE, last - i + 1);
-            for (let k = 0; k + 3 < found.length; k += 4) state.exact.push(axisOf(found.slice(k, k + 4)));
+            for (let k = 0; k + 3 < found.length; k += 4) state.exact.push(axisOf(found, k));
         }
     }
     const exactAt = (t) => top.answer(1, ...given(), t, t, 1);
@@ -123,34 +126,30 @@ tumblingLive.widget("top", async (stage, from) => {
         const [cx, cy] = [width / 2, low ? height / 2 : height - 0.16 * height];
         const at = (p) => [cx + scale * dot(eye[0], p), cy - scale * dot(eye[1], p)];
         const near = (p) => dot(eye[2], p) >= 0;
-        /** A line over the sphere, of it what is on this side or what is behind. */
-        const line = (points, front, colour, wide, dim) => {
-            pen.strokeStyle = colour;
-            pen.lineWidth = wide;
-            pen.globalAlpha = (front ? 1 : 0.4) * dim;
-            pen.lineJoin = "round";
-            pen.beginPath();
-            for (let i = 1; i < points.length; i += 1) {
-                if ((near(points[i]) || near(points[i - 1])) !== front) continue;
-                if (i === 1 || (near(points[i - 1]) || near(points[Math.max(0, i - 2)])) !== front) pen.moveTo(...at(points[i - 1]));
-                pen.lineTo(...at(points[i]));
-            }
-            pen.stroke();
-            pen.globalAlpha = 1;
-        };
         const now = Math.min(Math.floor(t / state.each + 1e-9), state.axes.length - 1);
         const trail = state.axes.slice(Math.max(0, now - Math.round(TRAIL / state.each)), now + 1);
+        const circle = (angle) => Array.from({ length: 73 }, (_, i) => [Math.sin(angle) * Math.cos(Math.PI * i / 36), Math.sin(angle) * Math.sin(Math.PI * i / 36), Math.cos(angle)]);
+        /** A line over the sphere: where its points are seen, and which are on this side. */
+        const over = (points, colour, wide, dim, dashes = []) => ({ places: points.map(at), sides: points.map(near), colour, wide, dim, dashes });
+        const drawn = drag.checked ? [] : [...leans.map((angle) => over(circle(angle / DEGREES), colours.fg, 1, 0.8, [5, 4])), over(state.exact, colours.faint, 6, 0.55)];
+        drawn.push(over(trail, ink(), 1.8, 1));
+        /** Of all lines what is on this side, or what is behind. */
         const lines = (front) => {
-            if (!drag.checked) {
-                pen.setLineDash([5, 4]);
-                for (const angle of leans) {
-                    const [sin, cos] = [Math.sin(angle / DEGREES), Math.cos(angle / DEGREES)];
-                    line(Array.from({ length: 73 }, (_, i) => [sin * Math.cos(Math.PI * i / 36), sin * Math.sin(Math.PI * i / 36), cos]), front, colours.fg, 1, 0.8);
+            pen.lineJoin = "round";
+            for (const { places, sides, colour, wide, dim, dashes } of drawn) {
+                [pen.strokeStyle, pen.lineWidth, pen.globalAlpha] = [colour, wide, (front ? 1 : 0.4) * dim];
+                pen.setLineDash(dashes);
+                pen.beginPath();
+                for (let i = 1, goes = false; i < places.length; i += 1) {
+                    const is = (sides[i] || sides[i - 1]) === front;
+                    if (is && !goes) pen.moveTo(...places[i - 1]);
+                    if (is) pen.lineTo(...places[i]);
+                    goes = is;
                 }
-                pen.setLineDash([]);
-                line(state.exact, front, colours.faint, 6, 0.55);
+                pen.stroke();
             }
-            line(trail, front, ink(), 1.8, 1);
+            pen.setLineDash([]);
+            pen.globalAlpha = 1;
         };
         // The stand, below the point.
         pen.strokeStyle = colours.faint;
@@ -172,7 +171,7 @@ tumblingLive.widget("top", async (stage, from) => {
     // ---- The lean over time.
     const EDGE = 8; // half a slider's thumb
     const cursor = stage.querySelector(".tumble-cursor");
-    const across = (t, width) => 44 + (t / until()) * (width - 44 - EDGE);
+    const across = (t, width, end = until()) => 44 + (t / end) * (width - 44 - EDGE);
     const curve = paper(canvas("lean"), (width) => Math.round(Math.min(0.62 * width, 260)), (pen, width, height) => {
         // The browser moves it without painting.
         cursor.style.height = `${height - 28}px`;
@@ -204,12 +203,14 @@ tumblingLive.widget("top", async (stage, from) => {
             pen.textAlign = t === until() ? "right" : "center";
             pen.fillText(`${t} s`, across(t, width), height - 5);
         }
+        const end = until();
         const draw = (leans, each, colour, wide, dim) => {
             pen.strokeStyle = colour;
             pen.lineWidth = wide;
             pen.globalAlpha = dim;
             pen.lineJoin = "round";
-            path(pen, leans.map((angle, i) => [across(i * each, width), y(angle)]));
+            pen.beginPath();
+            leans.forEach((angle, i) => pen.lineTo(across(i * each, width, end), y(angle)));
             pen.stroke();
             pen.globalAlpha = 1;
         };

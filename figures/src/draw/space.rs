@@ -5,6 +5,7 @@ use super::pen::{Fill, Pen};
 use super::point::P;
 use crate::ink::Ink;
 use nalgebra::{Matrix3, Vector3};
+use std::f64::consts::TAU;
 
 /// A view from infinitely far: where the world's centre falls, how large a metre is, and from where one
 /// looks.
@@ -49,6 +50,15 @@ impl View {
     /// This view moved so that `p` falls where the world's centre did.
     pub(crate) fn moved_back(self, p: &Vector3<f64>) -> Self {
         self.moved(&-p)
+    }
+
+    /// Where points fall that are at an angle from the vertical, all round it.
+    pub(crate) fn ring(&self, angle: f64, length: f64) -> Vec<P> {
+        let place = |i: i32| {
+            let (sin, cos) = (TAU * f64::from(i) / 96.0).sin_cos();
+            self.at(&(Vector3::new(angle.sin() * cos, angle.sin() * sin, angle.cos()) * length))
+        };
+        (0..=96).map(place).collect()
     }
 
     /// Where a point falls.

@@ -9,14 +9,6 @@ use tumbling::exact::LagrangeTop;
 const LEAN: f64 = 30.0;
 const SPIN: f64 = 200.0;
 
-/// Points at an angle from the vertical, all round it.
-fn round(angle: f64) -> impl Iterator<Item = Vector3<f64>> {
-    (0..=96).map(move |i| {
-        let (sin, cos) = (TAU * f64::from(i) / 96.0).sin_cos();
-        Vector3::new(angle.sin() * cos, angle.sin() * sin, angle.cos())
-    })
-}
-
 pub(super) fn draw() -> Drawing {
     // The top of the chapter.
     let moments = PrincipalMoments::new(2e-4, 2e-4, 5e-5)?;
@@ -28,20 +20,18 @@ pub(super) fn draw() -> Drawing {
 
     let canvas = Canvas::sized(500, 400);
     let view = View::new((240.0, 360.0), 350.0, 8.0, 30.0);
-    let place = |p: &Vector3<f64>| view.at(p);
     for angle in [highest, lowest] {
-        let ring: Vec<P> = round(angle).map(|p| place(&p)).collect();
-        canvas.path(&ring, Pen::new(Ink::Text, 1.2).dashed());
+        canvas.path(&view.ring(angle, 1.0), Pen::new(Ink::Text, 1.2).dashed());
     }
     let axis = |t: f64| top.attitude(t).map(|attitude| attitude * Vector3::z());
     // It ends on the way down, between two cusps and short of a whole round.
     let period = top.period()?.unwrap_or(seconds);
     let whole = ((seconds / period).floor() - 0.6) * period;
-    let path = (0..=600).map(|i| Ok(place(&axis(whole * f64::from(i) / 600.0)?)));
+    let path = (0..=600).map(|i| Ok(view.at(&axis(whole * f64::from(i) / 600.0)?)));
     let path = path.collect::<Result<Vec<P>, tumbling::Error>>()?;
     // The axis of its smallest moment. It ends with an arrow, so that one sees which way it goes round.
     canvas.arrow_along(&path, Pen::new(Ink::AxisMin, 2.6));
-    let (origin, tip) = (place(&Vector3::zeros()), place(&axis(0.0)?));
+    let (origin, tip) = (view.at(&Vector3::zeros()), view.at(&axis(0.0)?));
     canvas.arrow(origin, tip, Pen::new(Ink::Text, 3.4));
     canvas.disc(origin, 4.5, Fill::new(Ink::Text), None);
     canvas.label((tip.0 - 96.0, tip.1 - 12.0), &Label::new("let go here"));

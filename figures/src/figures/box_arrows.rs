@@ -62,22 +62,12 @@ fn components(canvas: &Canvas, omega: &Vector3<f64>, momentum: &Vector3<f64>) {
     canvas.line(l_tip, (centre.0, l_tip.1), guide(Ink::Momentum));
     canvas.line(w_tip, (w_tip.0, centre.1), guide(Ink::Omega));
     canvas.line(w_tip, (centre.0, w_tip.1), guide(Ink::Omega));
-    canvas.label(
-        (centre.0 - 10.0, l_tip.1 + 2.0),
-        &Label::new(format!("$L_y$ = {:.3}", momentum.y)).ink(Ink::Momentum).end(),
-    );
-    canvas.label(
-        (centre.0 - 10.0, w_tip.1 + 10.0),
-        &Label::new(format!("$ω_y$ = {:.0}", omega.y)).ink(Ink::Omega).end(),
-    );
-    canvas.label(
-        (l_tip.0 - 2.0, centre.1 + 24.0),
-        &Label::new(format!("$L_x$ = {:.3}", momentum.x)).ink(Ink::Momentum).middle(),
-    );
-    canvas.label(
-        (w_tip.0 + 26.0, centre.1 + 24.0),
-        &Label::new(format!("$ω_x$ = {:.0}", omega.x)).ink(Ink::Omega),
-    );
+    let l = |name, part| Label::new(format!("$L_{name}$ = {part:.3}")).ink(Ink::Momentum);
+    let w = |name, part| Label::new(format!("$ω_{name}$ = {part:.0}")).ink(Ink::Omega);
+    canvas.label((centre.0 - 10.0, l_tip.1 + 2.0), &l('y', momentum.y).end());
+    canvas.label((centre.0 - 10.0, w_tip.1 + 10.0), &w('y', omega.y).end());
+    canvas.label((l_tip.0 - 2.0, centre.1 + 24.0), &l('x', momentum.x).middle());
+    canvas.label((w_tip.0 + 26.0, centre.1 + 24.0), &w('x', omega.x));
 }
 
 fn arrows(canvas: &Canvas, omega: &Vector3<f64>, momentum: &Vector3<f64>, gap: f64) {

@@ -16,12 +16,9 @@ pub(super) fn draw() -> Drawing {
         let (along, moment, pen) =
             (principal.axis(axis), principal.moment(axis), Pen::new(ink_of(axis), 2.8));
         let half = along.dot(&solid.half);
-        canvas.line(
-            view.at(&Vector3::zeros()),
-            view.at(&(along * half)),
-            Pen::new(ink_of(axis), 1.4).dashed(),
-        );
-        canvas.arrow(view.at(&(along * half)), view.at(&(along * (half + REACH))), pen);
+        let edge = view.at(&(along * half));
+        canvas.line(view.at(&Vector3::zeros()), edge, Pen::new(ink_of(axis), 1.4).dashed());
+        canvas.arrow(edge, view.at(&(along * (half + REACH))), pen);
         canvas.arrow_along(&ring(&view, &principal, axis, half + 0.7 * REACH), Pen::new(ink_of(axis), 2.0));
         let tip = view.at(&(along * (half + REACH)));
         let text = Label::new(format!("$I_{{{letter}{letter}}}$ = {moment:.3} kg m²")).ink(ink_of(axis));

@@ -7,14 +7,6 @@ use tumbling::solid::{Solid, ThinDisk};
 /// Between the momentum and the plate's axis, degrees: more than a good throw has, so that it is seen.
 const TILT: f64 = 22.0;
 
-/// Points at an angle from the vertical, all round it.
-fn round(angle: f64, length: f64) -> impl Iterator<Item = Vector3<f64>> {
-    (0..=96).map(move |i| {
-        let (sin, cos) = (TAU * f64::from(i) / 96.0).sin_cos();
-        Vector3::new(angle.sin() * cos, angle.sin() * sin, angle.cos()) * length
-    })
-}
-
 pub(super) fn draw() -> Drawing {
     let moments = ThinDisk::new(1.0)?.with_mass(1.0)?.inertia().matrix().diagonal();
     let tilt = TILT.to_radians();
@@ -27,22 +19,20 @@ pub(super) fn draw() -> Drawing {
 
     let canvas = Canvas::sized(500, 400);
     let view = View::new((235.0, 300.0), 170.0, 8.0, 14.0);
-    let place = |p: &Vector3<f64>| view.at(p);
     let (u, v) = (Vector3::x(), axis.cross(&Vector3::x()));
     let rim: Vec<P> = (0..96)
         .map(|i| {
             let (sin, cos) = (TAU * f64::from(i) / 96.0).sin_cos();
-            place(&((u * cos + v * sin) * 1.05))
+            view.at(&((u * cos + v * sin) * 1.05))
         })
         .collect();
     canvas.area(&rim, Fill::new(Ink::Surface), Some(Pen::new(Ink::Text, 1.4)));
-    let origin = place(&Vector3::zeros());
+    let origin = view.at(&Vector3::zeros());
     let lengths = (1.25, 1.05, 1.6);
     for (angle, length, ink) in [(tilt, lengths.0, Ink::Text), (beyond, lengths.1, Ink::Omega)] {
-        let ring: Vec<P> = round(angle, length).map(|p| place(&p)).collect();
-        canvas.path(&ring, Pen::new(ink, 1.4).dashed());
+        canvas.path(&view.ring(angle, length), Pen::new(ink, 1.4).dashed());
     }
-    let tips = [axis * lengths.0, spin.normalize() * lengths.1, momentum * lengths.2].map(|p| place(&p));
+    let tips = [axis * lengths.0, spin.normalize() * lengths.1, momentum * lengths.2].map(|p| view.at(&p));
     canvas.arrow(origin, tips[2], Pen::new(Ink::Momentum, 3.6));
     canvas.arrow(origin, tips[0], Pen::new(Ink::Text, 3.0));
     canvas.arrow(origin, tips[1], Pen::new(Ink::Omega, 3.6));

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 use tumbling::dynamics::observe::sign_changes;
 use tumbling::exact::time_between_flips;
 
-const SPIN: f64 = 10.0;
+pub(super) const SPIN: f64 = 10.0;
 const STEP: f64 = 0.0005;
 
 pub(super) fn draw() -> Drawing {
@@ -19,9 +19,7 @@ pub(super) fn draw() -> Drawing {
         "slip, as a fraction of the spin",
     );
     plot.y_axis((0..=7).map(|n| (2.0 * f64::from(n), (2 * n).to_string())), "time between two flips (s)");
-    let time = |push: f64| -> Result<f64, Box<dyn std::error::Error>> {
-        Ok(time_between_flips(m.try_into()?, &spin(push))?.ok_or("never flips")?)
-    };
+    let time = |push| exact(&m, push);
     let curve: Result<Vec<_>, _> = (0..=240)
         .map(|i| 10_f64.powf(-12.0 + 0.05 * f64::from(i)))
         .map(|push| time(push).map(|t| (push, t)))
@@ -48,10 +46,8 @@ pub(super) fn draw() -> Drawing {
     let stair = [plot.at(near.0, near.1), plot.at(far.0, near.1), plot.at(far.0, far.1)];
     canvas.path(&stair, Pen::new(Ink::Text, 1.2).dashed());
     canvas.label((stair[1].0 - 6.0, stair[1].1 + 24.0), &Label::new("ten times smaller:").end());
-    canvas.label(
-        (stair[1].0 - 6.0, stair[1].1 + 46.0),
-        &Label::new(format!("{decade:.2} s longer")).end().bold(),
-    );
+    let longer = Label::new(format!("{decade:.2} s longer")).end().bold();
+    canvas.label((stair[1].0 - 6.0, stair[1].1 + 46.0), &longer);
     let word = plot.at(3e-9, 10.6);
     canvas.label(word, &Label::new("line: the formula; rings: simulated"));
     canvas.described(format!(
@@ -64,6 +60,12 @@ pub(super) fn draw() -> Drawing {
     ))
 }
 
-fn spin(push: f64) -> Vector3<f64> {
+/// About the middle axis, with a slip about the hardest, rad/s.
+pub(super) fn spin(push: f64) -> Vector3<f64> {
     Vector3::new(0.0, SPIN, SPIN * push)
+}
+
+/// The time between flips for a body of these moments, s.
+pub(super) fn exact(moments: &Vector3<f64>, push: f64) -> Result<f64, Box<dyn std::error::Error>> {
+    Ok(time_between_flips((*moments).try_into()?, &spin(push))?.ok_or("never flips")?)
 }

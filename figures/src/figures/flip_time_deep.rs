@@ -1,24 +1,14 @@
 //! The time between flips down to the smallest number above zero, and where a plain computation gives up.
 
+use super::flip_time::{SPIN, exact, spin};
 use super::{Drawing, document_box, in_principal_axes, power_of_ten};
 use crate::draw::{Canvas, Fill, Ink, Label, Pen, Plot};
 use nalgebra::Vector3;
 use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
-use tumbling::exact::FreeMotion;
 
-/// About the middle axis, rad/s.
-const SPIN: f64 = 10.0;
 /// The smallest number above zero that an `f64` holds.
 const LEAST: f64 = f64::from_bits(1);
-
-fn spin(push: f64) -> Vector3<f64> {
-    Vector3::new(0.0, SPIN, SPIN * push)
-}
-
-fn exact(moments: &Vector3<f64>, push: f64) -> Result<f64, Box<dyn Error>> {
-    Ok(0.5 * FreeMotion::new((*moments).try_into()?, &spin(push))?.period()?.ok_or("never flips")?)
-}
 
 /// That time by a textbook's formulas, typed in as they stand: energy and momentum, then the parameter
 /// `m`, then `1 - m` for the arithmetic-geometric mean.

@@ -1,7 +1,6 @@
 use super::Drawing;
-use crate::draw::{Canvas, Fill, Ink, Label, P, Pen, View};
+use crate::draw::{Canvas, Fill, Ink, Label, Pen, View};
 use nalgebra::Vector3;
-use std::f64::consts::TAU;
 
 /// Where the point is, m: its distance from the axis, its height, and its angle round it.
 const RADIUS: f64 = 1.0;
@@ -11,14 +10,8 @@ const ANGLE: f64 = -0.35;
 pub(super) fn draw() -> Drawing {
     let canvas = Canvas::sized(500, 360);
     let view = View::new((215.0, 255.0), 135.0, 0.0, 22.0);
-    let circle = |radius: f64, height: f64| -> Vec<P> {
-        let place = |i: i32| {
-            let (sin, cos) = (TAU * f64::from(i) / 96.0).sin_cos();
-            view.at(&Vector3::new(radius * cos, radius * sin, height))
-        };
-        (0..=96).map(place).collect()
-    };
-    canvas.area(&circle(RADIUS, HEIGHT), Fill::new(Ink::Surface), Some(Pen::new(Ink::Text, 1.2)));
+    let circle = view.ring(RADIUS.atan2(HEIGHT), RADIUS.hypot(HEIGHT));
+    canvas.area(&circle, Fill::new(Ink::Surface), Some(Pen::new(Ink::Text, 1.2)));
     let spin = Vector3::new(0.0, 0.0, 1.0);
     let place = Vector3::new(RADIUS * ANGLE.cos(), RADIUS * ANGLE.sin(), HEIGHT);
     let velocity = spin.cross(&place);
