@@ -36,7 +36,7 @@ impl Refused {
         let mut cause = Some(error);
         while let Some(one) = cause {
             if let Some(own) = one.downcast_ref::<tumbling::Error>() {
-                return Self::new(&format!("{:?}", own.kind()), own.subject().words(), error.to_string());
+                return Self::new(&format!("{:?}", own.kind()), &own.subject().to_string(), error.to_string());
             }
             cause = one.source();
         }
