@@ -26,7 +26,7 @@ macro_rules! subjects {
         impl Subject {
             /// The words of the error's sentence: "the mass", "the edge along x".
             #[must_use]
-            fn words(self) -> &'static str {
+            pub fn words(self) -> &'static str {
                 // First what holds words of its own: of the rest the compiler then makes a table.
                 if let Self::Other(words) = self {
                     return words;

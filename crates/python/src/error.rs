@@ -35,8 +35,8 @@ impl Refused {
     fn of(error: &(dyn std::error::Error + 'static), kind: &str, subject: &str) -> Self {
         let mut cause = Some(error);
         while let Some(one) = cause {
-            if let Some(e) = one.downcast_ref::<tumbling::Error>() {
-                return Self::new(&format!("{:?}", e.kind()), &e.subject().to_string(), error.to_string());
+            if let Some(own) = one.downcast_ref::<tumbling::Error>() {
+                return Self::new(&format!("{:?}", own.kind()), own.subject().words(), error.to_string());
             }
             cause = one.source();
         }
