@@ -52,7 +52,7 @@ use nutation::{Form, Nutation};
 /// assert!((highest - 0.5).abs() < 1e-12 && (lowest - 0.5947).abs() < 1e-4);
 /// // It goes round at nearly weight x arm / (moment x spin) = 3.92 rad/s, and comes back up to its lean.
 /// assert!((top.precession_rate() - 4.219).abs() < 1e-3);
-/// let lean = |t: f64| top.at(t).map(|at| (at.attitude * Vector3::z()).z.acos());
+/// let lean = |t: f64| top.attitude(t).map(|q| (q * Vector3::z()).z.acos());
 /// assert!((lean(top.period()?.unwrap())? - 0.5).abs() < 1e-12);
 /// # Ok::<(), tumbling::Error>(())
 /// ```
@@ -227,6 +227,22 @@ impl LagrangeTop {
                 Instant { omega: self.mounted.frame.in_body(omega), attitude }
             }
         })
+    }
+
+    /// Attitude at time `t`, body to world.
+    ///
+    /// # Errors
+    /// A time that is not finite.
+    pub fn attitude(&self, t: f64) -> Result<UnitQuaternion<f64>, Error> {
+        self.at(t).map(|at| at.attitude)
+    }
+
+    /// Angular velocity in body axes at time `t`, rad/s.
+    ///
+    /// # Errors
+    /// A time that is not finite.
+    pub fn omega(&self, t: f64) -> Result<Vector3<f64>, Error> {
+        self.at(t).map(|at| at.omega)
     }
 
     /// The body at time `t`, with its tensor about the fixed point.

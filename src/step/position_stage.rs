@@ -1,6 +1,7 @@
 //! The position stage of a physics engine: attitude and spin over a time step, with nothing else acting.
 
 mod coefficients;
+mod side_by_side;
 pub(crate) mod turn;
 
 use crate::attitude::product;
@@ -242,6 +243,7 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
 }
 
 /// Where a part ends, with the squares of its turn and of the attitude's length before.
+#[derive(Clone, Copy)]
 struct End<T: Scalar> {
     attitude: Quaternion<T>,
     omega: Vector3<T>,

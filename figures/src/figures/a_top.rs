@@ -33,7 +33,7 @@ pub(super) fn draw() -> Drawing {
         let ring: Vec<P> = round(angle).map(|p| place(&p)).collect();
         canvas.path(&ring, Pen::new(Ink::Text, 1.2).dashed());
     }
-    let axis = |t: f64| top.at(t).map(|at| at.attitude * Vector3::z());
+    let axis = |t: f64| top.attitude(t).map(|attitude| attitude * Vector3::z());
     // It ends on the way down, between two cusps and short of a whole round.
     let period = top.period()?.unwrap_or(seconds);
     let whole = ((seconds / period).floor() - 0.6) * period;

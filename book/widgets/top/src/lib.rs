@@ -147,7 +147,7 @@ fn exact(given: [f64; 3], [from, to, count]: [f64; 3], row: &Numbers) -> Result<
     let count = count.clamp(1.0, MOST_INSTANTS);
     let each = if count > 1.0 { (to - from) / (count - 1.0) } else { 0.0 };
     for i in 0..count as usize {
-        let q = top.at(from + i as f64 * each)?.attitude;
+        let q = top.attitude(from + i as f64 * each)?;
         for (k, part) in [q.w, q.i, q.j, q.k].into_iter().enumerate() {
             row.set(4 * i + k, part);
         }
