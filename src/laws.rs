@@ -6,5 +6,5 @@ pub use crate::exact::series::{
     ClosedForm, ComplementaryPair, ComplementarySeries, DirectPair, DirectSeries, Parts,
 };
 pub use crate::number::real::Real;
-pub use crate::solid::mesh::mesh_moments;
+pub use crate::solid::mesh::{mesh_moments, tetrahedron_moments};
 pub use crate::step::position_stage::turn::{change_of_spin, conserving_rate, conserving_turn};

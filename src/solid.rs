@@ -24,7 +24,7 @@ mod thin;
 
 pub use compound::Compound;
 pub use cuboid::{Cuboid, Ellipsoid};
-pub use mesh::{Mesh, Tetrahedron, tetrahedron_moments};
+pub use mesh::{Mesh, Tetrahedron};
 pub use properties::{MassMoments, MassProperties, combined};
 pub use round::{Ball, Capsule, Cone, Cylinder};
 pub use thin::{ThinDisk, ThinPlate, ThinRod};

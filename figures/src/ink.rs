@@ -103,35 +103,6 @@ pub(crate) fn style_of(selector: &str) -> String {
 mod tests {
     use super::*;
 
-    /// Relative luminance, as the Web Content Accessibility Guidelines 2.2 define it.
-    fn luminance(hex: &str) -> f64 {
-        let channel = |at: usize| {
-            let c = f64::from(u8::from_str_radix(&hex[at..at + 2], 16).unwrap()) / 255.0;
-            if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
-        };
-        0.2126 * channel(1) + 0.7152 * channel(3) + 0.0722 * channel(5)
-    }
-
-    fn contrast(a: &str, b: &str) -> f64 {
-        let (a, b) = (luminance(a), luminance(b));
-        (a.max(b) + 0.05) / (a.min(b) + 0.05)
-    }
-
-    #[test]
-    fn every_ink_stands_out_from_its_ground_and_letters_more_so() {
-        let paper = &SHADES[Ink::Paper.index()];
-        for shade in &SHADES {
-            if matches!(shade.ink, Ink::Paper | Ink::Surface) {
-                continue;
-            }
-            let least = if shade.ink == Ink::Text { 7.0 } else { 3.0 };
-            for (ink, ground) in [(shade.light, paper.light), (shade.dark, paper.dark)] {
-                let seen = contrast(ink, ground);
-                assert!(seen >= least, "{:?}: {ink} on {ground} has {seen:.2} : 1", shade.ink);
-            }
-        }
-    }
-
     #[test]
     fn an_ink_survives_the_way_through_plotters() {
         for shade in &SHADES {

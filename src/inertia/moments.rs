@@ -6,7 +6,7 @@ use crate::error::{Error, Subject, positive};
 use crate::number::power_of_two::ulp;
 use core::fmt;
 use core::ops::Index;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::Vector3;
 
 /// Principal moments in kg m², in the order given: finite, positive, and none above the sum of the other two
 /// by more than rounding (4 units in the last place of the largest).
@@ -43,23 +43,6 @@ impl PrincipalMoments {
     fn possible(&self) -> Result<(), Error> {
         let sorted = self.sorted();
         physically_possible(&sorted, DIAGONAL_ROUNDING_ULPS * ulp(sorted[2]))
-    }
-
-    /// The nearest moments to those whose digits were rounded, and how far they were moved, as
-    /// [`Inertia::within`] finds them for a tensor.
-    ///
-    /// ```
-    /// use tumbling::PrincipalMoments;
-    /// let (panel, moved) = PrincipalMoments::within([0.003333, 0.01333, 0.01667], 1e-3)?;
-    /// assert_eq!(format!("{panel:.6}, {moved:.1e}"), "(0.003335, 0.013332, 0.016668) kg m², 2.4e-4");
-    /// # Ok::<(), tumbling::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As [`Inertia::within`]; also a nearest moment of zero, which has no inverse.
-    pub fn within(moments: [f64; 3], relative_tolerance: f64) -> Result<(Self, f64), Error> {
-        let (nearest, moved) = Inertia::within(&Matrix3::from_diagonal(&moments.into()), relative_tolerance)?;
-        Ok((nearest.matrix().diagonal().try_into()?, moved))
     }
 
     /// Those of a tensor, which has been checked against its own rounding: only a moment of zero is refused.

@@ -218,7 +218,7 @@ fn possible(tensor: &Matrix3<Extended>, count: usize) -> Result<(), Error> {
 /// ```
 /// use nalgebra::{Matrix3, Vector3};
 /// let corner = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 4.0]].map(Vector3::from);
-/// let body = tumbling::solid::tetrahedron_moments(&5.0, &corner);
+/// let body = tumbling::laws::tetrahedron_moments(&5.0, &corner);
 /// assert_eq!(body.centre, Vector3::new(1.0, 1.0, 1.0));
 /// assert_eq!(body.inertia, Matrix3::new(6.0, 1.0, 1.0, 1.0, 6.0, 1.0, 1.0, 1.0, 6.0));
 /// ```

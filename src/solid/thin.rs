@@ -132,12 +132,5 @@ impl Shape<1> for ThinRod {
     }
 }
 
-impl Solid for ThinRod {
-    /// The length, m, so that its density is in kg/m.
-    fn measure(&self) -> Result<f64, Error> {
-        Ok(self.sizes[0])
-    }
-    fn with_mass(&self, mass: f64) -> Result<MassProperties, Error> {
-        even::<Self, _>(Vector3::zeros(), mass, self.sizes)
-    }
-}
+// The length, m, so that its density is in kg/m.
+solid!(ThinRod, Length, |[length]| length);

@@ -35,24 +35,6 @@ fn a_body_whose_spin_or_momentum_leaves_the_range_is_refused() {
 }
 
 #[test]
-fn a_turned_rod_is_a_body_though_rounding_puts_its_smallest_moment_below_zero() {
-    let mut below = 0;
-    for i in 0..400 {
-        let q = UnitQuaternion::from_euler_angles(
-            0.1 + 0.37 * f64::from(i),
-            1.3 * f64::from(i),
-            -0.7 * f64::from(i),
-        );
-        let r = q.to_rotation_matrix().into_inner();
-        let tensor = r * Matrix3::from_diagonal(&Vector3::new(1.0, 1.0, 0.0)) * r.transpose();
-        let rod = Inertia::try_from(tensor);
-        assert!(rod.is_ok(), "{i}: {rod:?}");
-        below += usize::from(rod.unwrap().principal().moments()[0] < 0.0);
-    }
-    assert!(below > 0, "no turned rod fell below zero");
-}
-
-#[test]
 fn a_needles_tensor_turned_by_half_a_turn_is_a_body_though_an_entry_is_a_rounding_below_zero() {
     let mut below = 0;
     for i in 0..400 {

@@ -1,3 +1,2 @@
-mod euler;
 mod observe;
 mod stability;

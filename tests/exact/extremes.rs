@@ -67,6 +67,9 @@ fn holds(motion: &FreeMotion, t: f64, u: f64) -> Result<(), TestCaseError> {
         prop_assert!(body.momentum_world().iter().all(|x| x.is_finite()), "{body:?}");
     }
     prop_assert!(constants(motion.regime()).iter().all(|x| x.is_finite()), "{:?}", motion.regime());
+    if let Regime::Elliptic { modulus, .. } = motion.regime() {
+        prop_assert!(modulus <= 1.0, "{modulus:?}");
+    }
     prop_assert!(motion.period().ok().flatten().is_none_or(|x| x.is_finite() && x > 0.0));
     prop_assert!(motion.twist_of_half_period().is_none_or(|x| x.is_finite() && x >= 0.0));
     for axis in Axis::ALL {

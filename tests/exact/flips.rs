@@ -126,17 +126,6 @@ fn after_a_billion_flips_the_spin_is_where_the_count_of_flips_says() {
     assert!((motion.omega(near).unwrap().x.abs() - spin.x.abs()).abs() < 1e-6);
 }
 
-#[test]
-fn the_separatrix_flips_once() {
-    let motion = motion([3.0, 4.0, 6.0], [2.0, 1.0, 1.0]);
-    assert!(matches!(motion.regime(), Regime::Separatrix { .. }));
-    assert_eq!(motion.period().unwrap(), None);
-    let times: Vec<f64> = motion.flips(-1e6, 1e6).unwrap().collect();
-    assert_eq!(times.len(), 1);
-    assert!(motion.omega(times[0]).unwrap().y.abs() < 1e-15);
-    assert_eq!(motion.next_flip(times[0]).unwrap(), None);
-}
-
 /// Counting by arithmetic, and by going through them one by one.
 #[test]
 fn flips_are_counted_without_being_visited() {

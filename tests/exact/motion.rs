@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree as _;
 use serde_json::Value;
-use tumbling::exact::{FreeMotion, Instant, Regime};
+use tumbling::exact::{FreeMotion, Instant};
 use tumbling::{Axis, Body, ErrorKind, Inertia, PrincipalMoments};
 
 fn length(v: &[f64]) -> f64 {
@@ -140,20 +140,14 @@ proptest! {
 }
 
 #[test]
-fn the_start_comes_back_to_the_bit() {
-    let omega = Vector3::new(0.1, -0.7, 0.3);
-    let at = free_motion([1.0, 2.0, 2.5], &omega).at(0.0).unwrap();
-    assert_eq!(at, Instant { omega, attitude: UnitQuaternion::identity() });
-}
-
-#[test]
 fn what_no_body_can_do_is_named() {
     let new = |m: [f64; 3], w: [f64; 3]| FreeMotion::new(m.try_into()?, &w.into());
     let error = |m: [f64; 3], w: [f64; 3]| new(m, w).unwrap_err().to_string();
     assert!(error([1.0, 1.0, 3.0], [1.0, 0.0, 0.0]).contains("triangle inequality"));
     assert!(error([0.0, 1.0, 1.0], [1.0, 0.0, 0.0]).contains("principal moment"));
     assert!(error([1.0, 1.0, 1.0], [f64::NAN, 0.0, 0.0]).contains("the spin"));
-    assert!(error([1e-120, 1.0, 1.0], [1.0, 0.0, 0.0]).contains("1e-100 of the largest moment"));
+    assert!(error([0.999e-100, 1.0, 1.0], [1.0, 0.5, 0.25]).contains("1e-100 of the largest moment"));
+    assert!(new([1.001e-100, 1.0, 1.0], [1.0, 0.5, 0.25]).is_ok());
     assert!(error([1.0, 2.0, 2.5], [5e-324, 1e300, 0.0]).contains("the complementary modulus"));
     // It swings round to w3² + (2/3.75) w2² about the third axis (mathematics), more than can be written.
     assert!(error([1.0, 2.0, 2.5], [0.0, 1.7e308, 1.7e308]).contains("the greatest spin"));
@@ -192,26 +186,6 @@ fn a_needle_given_askew_is_known_to_a_few_roundings_over_its_thinness() {
 }
 
 #[test]
-fn the_thinnest_needle_is_as_thin_as_the_documentation_says() {
-    let new =
-        |thin: f64| FreeMotion::new(PrincipalMoments::new(thin, 1.0, 1.0)?, &Vector3::new(1.0, 0.5, 0.25));
-    assert!(new(1.001e-100).is_ok());
-    assert!(new(0.999e-100).unwrap_err().to_string().contains("1e-100 of the largest moment"));
-}
-
-proptest! {
-    // Continuity: the motion is prepared so that it starts as it was given, to the few roundings that
-    // any answer may have.
-    #[test]
-    fn an_instant_after_the_start_the_spin_is_still_the_starts(m in moments(), omega in generic_spin()) {
-        let motion = free_motion(m, &omega);
-        let soon = motion.omega(1e-300).unwrap();
-        let off = (soon - omega).norm() / (omega.norm() * 0.5 * f64::EPSILON);
-        prop_assert!(off <= 8.0, "{off}");
-    }
-}
-
-#[test]
 fn a_spin_too_fast_to_be_turned_is_refused_and_none_comes_out_infinite() {
     // Along its principal axes a motion may reach the largest numbers; a turn of its axes needs room for a
     // sum of products.
@@ -228,16 +202,6 @@ fn a_spin_too_fast_to_be_turned_is_refused_and_none_comes_out_infinite() {
     let sphere = PrincipalMoments::new(1.0, 1.0, 1.0).unwrap();
     let speed = FreeMotion::new(sphere, &Vector3::new(-1.4e308, 1.5e308, 0.0));
     refused(speed, ErrorKind::Unrepresentable, "the greatest spin");
-}
-
-#[test]
-fn a_top_that_precesses_faster_than_any_number_is_refused() {
-    let moments = PrincipalMoments::new(1.0, 1.5, 1.0).unwrap();
-    let spin = Vector3::new(1.42e308, -8.1e307, 0.0);
-    refused(FreeMotion::new(moments, &spin), ErrorKind::Unrepresentable, "the greatest spin");
-    let slower = free_motion(moments, &(spin * 0.9)).regime();
-    let Regime::SymmetricTop { precession, nutation, .. } = slower else { panic!("{slower:?}") };
-    assert!(precession.is_finite() && nutation.is_finite(), "{slower:?}");
 }
 
 #[test]

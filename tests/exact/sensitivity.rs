@@ -108,13 +108,16 @@ fn the_derivatives_agree_with_differences_of_many_digits_in_every_regime() {
     }
 }
 
-/// Spins of about 1 rad/s: oblique, or near one of the axes by down to 1e-12.
+/// Spins of about 1 rad/s: oblique, or near one of the axes by down to 1e-12, or without one component, of
+/// either sign of zero: half-way round Jacobi's circle, where signs are easily confused.
 fn spin() -> impl Strategy<Value = Vector3<f64>> {
     let near = (generic_spin(), 0..3_usize, 0.0..12.0_f64).prop_map(|(spin, axis, digits)| {
         let push = 10_f64.powf(-digits);
         Vector3::from_fn(|k, _| if k == axis { spin[k] } else { push * spin[k] })
     });
-    prop_oneof![generic_spin(), near]
+    let without = (generic_spin(), 0..3_usize)
+        .prop_map(|(spin, axis)| Vector3::from_fn(|k, _| if k == axis { 0.0 * spin[k] } else { spin[k] }));
+    prop_oneof![generic_spin(), near, without]
 }
 
 /// Those of [`moments`], and bodies near spheres, tops, and needles.
@@ -222,15 +225,6 @@ fn at_the_start_the_change_is_the_one_that_is_made() {
     }
 }
 
-// By hand: a body at rest that is given a spin has it, and turns by it.
-#[test]
-fn a_body_at_rest_does_what_the_push_says() {
-    let change = derivatives(&motion([3.0, 4.0, 6.0], [0.0; 3]), 2.5).unwrap();
-    assert_eq!(change.omega_by_omega, Matrix3::identity());
-    assert_eq!(change.turn_by_omega, Matrix3::identity() * 2.5);
-    assert_eq!((change.omega_by_tensor, change.turn_by_tensor), (ByTensor::zeros(), ByTensor::zeros()));
-}
-
 #[test]
 fn derivatives_beyond_f64_are_refused() {
     let refused = |omega: [f64; 3], t: f64| {
@@ -244,38 +238,4 @@ fn derivatives_beyond_f64_are_refused() {
     // So on the separatrix.
     assert!(!refused([2.0, 1.0, 1.0], 300.0));
     assert!(refused([2.0, 1.0, 1.0], 3000.0));
-}
-
-proptest! {
-    // A component that is exactly zero at the start is half-way round Jacobi's circle, where signs are easily
-    // confused.
-    #[test]
-    fn a_spin_without_one_component_answers_to_changes_as_its_neighbour_does(m in moments(), omega in generic_spin(), axis in 0..3_usize, back in any::<bool>(), t in -6.0..6.0_f64) {
-        let with = |x: f64| {
-            let mut omega = omega;
-            omega[axis] = x;
-            derivatives(&free_motion(m, &omega), t).unwrap()
-        };
-        let (zero, near) = (with(if back { -0.0 } else { 0.0 }), with(1e-9));
-        for (a, b) in [
-            (zero.omega_by_omega, near.omega_by_omega),
-            (zero.omega_by_moments(), near.omega_by_moments()),
-            (zero.turn_by_omega, near.turn_by_omega),
-            (zero.turn_by_moments(), near.turn_by_moments()),
-        ] {
-            prop_assert!((a - b).norm() <= 1e-5 * (1.0 + b.norm() * b.norm()), "{a} {b}");
-        }
-    }
-}
-
-#[test]
-fn a_steady_spin_the_other_way_answers_as_its_mirror() {
-    // Half a turn about x takes z to -z: the same body, so R(w) with every y and z turned round.
-    let m = [1.0, 2.0, 2.6];
-    let half = Matrix3::from_diagonal(&Vector3::new(1.0, -1.0, -1.0));
-    let [there, back] = [0.8, -0.8].map(|spin| derivatives(&motion(m, [0.0, 0.0, spin]), 2.3).unwrap());
-    assert!((half * there.omega_by_omega * half - back.omega_by_omega).norm() < 1e-14);
-    assert!((half * there.omega_by_moments() - back.omega_by_moments()).norm() < 1e-14);
-    assert!((half * there.turn_by_omega * half - back.turn_by_omega).norm() < 1e-14);
-    assert!((half * there.turn_by_moments() - back.turn_by_moments()).norm() < 1e-14);
 }

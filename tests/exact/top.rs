@@ -174,7 +174,7 @@ proptest! {
     fn the_axis_comes_back_to_its_lean_after_a_period_and_has_gone_round((top, _) in any_top(), t in -9.0..9.0_f64) {
         prop_assume!(top.regime() != TopRegime::Free);
         let period = top.period().unwrap().unwrap();
-        let axis = |t: f64| top.attitude(t).unwrap() * Vector3::z();
+        let axis = |t: f64| top.at(t).unwrap().attitude * Vector3::z();
         let (here, there) = (axis(t), axis(t + period));
         prop_assert!((here.z - there.z).abs() < 1e-11);
         let round = top.precession_rate() * period;
@@ -246,7 +246,7 @@ fn next_to_a_cusp_a_top_moves_like_one_let_go_at_rest() {
             for [x, y] in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [0.6, 0.8], [-1.0, 1e-3]] {
                 let top = leaning(lean, [push * x, push * y, spin]).unwrap();
                 for t in [-3.0, 0.1, 0.7, 5.0] {
-                    let off = (top.omega(t).unwrap() - released.omega(t).unwrap()).norm();
+                    let off = (top.at(t).unwrap().omega - released.at(t).unwrap().omega).norm();
                     assert!(off < 1e3 * push + 3e-14, "{spin} {lean} {push} {x} {y} {t}: {off}");
                 }
                 assert!(
@@ -269,7 +269,7 @@ proptest! {
         let top = LagrangeTop::of(&body, &arm, 2.0).unwrap();
         prop_assert_eq!(top.regime(), TopRegime::Cusped);
         let plain = LagrangeTop::new(PrincipalMoments::new(1.0, 1.0, polar).unwrap(), start, &omega, &arm, 2.0);
-        prop_assert!((top.omega(t).unwrap() - plain.unwrap().omega(t).unwrap()).norm() < 1e-11);
+        prop_assert!((top.at(t).unwrap().omega - plain.unwrap().at(t).unwrap().omega).norm() < 1e-11);
     }
 }
 
@@ -359,7 +359,7 @@ fn an_axis_that_passes_exactly_through_the_vertical_has_neither_cusps_nor_loops(
         // The mean of that rate over a period, by sums that converge as powers do.
         let (n, period) = (0.7 * spin, top.period().unwrap().unwrap());
         let rate = |k: i32| {
-            let axis = (top.attitude(period * f64::from(k) / 4000.0).unwrap() * Vector3::z()).z;
+            let axis = (top.at(period * f64::from(k) / 4000.0).unwrap().attitude * Vector3::z()).z;
             if upright { n / (1.0 + axis) } else { -n / (1.0 - axis) }
         };
         let mean = (0..4000).map(rate).sum::<f64>() / 4000.0;

@@ -86,9 +86,9 @@ fn a_leaning_tensor_is_moved_along_its_own_principal_axes_and_no_farther_than_it
         let tensor = axes * Matrix3::from_diagonal(&moments) * axes.transpose();
         (tensor + tensor.transpose()) * 0.5
     };
-    let (along, along_by) = tumbling::PrincipalMoments::within(printed, 1e-3).unwrap();
+    let (along, along_by) = Inertia::within(&Matrix3::from_diagonal(&printed.into()), 1e-3).unwrap();
     let (nearest, distance) = Inertia::within(&leaning(printed.into()), 1e-3).unwrap();
-    let off = (nearest.matrix() - leaning(along.vector())).amax();
+    let off = (nearest.matrix() - leaning(along.matrix().diagonal())).amax();
     assert!(off < 1e-15, "{off:e}");
     assert!((distance - along_by).abs() < 1e-13, "{} {}", distance, along_by);
 }

@@ -1,39 +1,12 @@
 //! Solids bounded by triangles: the divergence theorem against closed forms, to rounding at every size.
 
 use super::cloud::{assert_same, moved, size, together, vector};
-use super::surface::{Surface, both, brick, inside_out, solid, turned_and_carried};
+use super::surface::{both, brick, inside_out, solid, turned_and_carried};
 use crate::common::{number_after, refused};
 use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::ErrorKind;
 use tumbling::solid::*;
-
-/// A regular icosahedron with corners on the unit sphere.
-fn icosahedron() -> Surface {
-    let golden = (1.0 + 5.0_f64.sqrt()) / 2.0;
-    let mut corners = Vec::new();
-    for (s, t) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
-        corners.push(Vector3::new(0.0, s, t * golden).normalize());
-        corners.push(Vector3::new(s, t * golden, 0.0).normalize());
-        corners.push(Vector3::new(t * golden, 0.0, s).normalize());
-    }
-    let edge = 2.0 / (1.0 + golden * golden).sqrt();
-    let near = |a: &Vector3<f64>, b: &Vector3<f64>| ((a - b).norm() - edge).abs() < 1e-9;
-    let mut faces = Vec::new();
-    for i in 0..12 {
-        for j in i + 1..12 {
-            for k in j + 1..12 {
-                let (a, b, c) = (corners[i], corners[j], corners[k]);
-                if near(&a, &b) && near(&b, &c) && near(&c, &a) {
-                    let outward = a.dot(&b.cross(&c)) > 0.0;
-                    faces.push(if outward { [i, j, k] } else { [i, k, j] });
-                }
-            }
-        }
-    }
-    assert_eq!(faces.len(), 20);
-    (corners, faces)
-}
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
@@ -75,19 +48,6 @@ proptest! {
         let parts = [hollow.with_density(3.0).unwrap(), filling.with_density(3.0).unwrap()];
         assert_same("filled", &together(&parts).unwrap(), &full, 1e-13, 3.0);
     }
-}
-
-// A regular icosahedron with edge s has m s^2 phi^2 / 10 about every axis, and volume 5/12 (3 + sqrt 5) s^3.
-#[test]
-fn an_icosahedron_has_its_textbook_moment() {
-    let golden = (1.0 + 5.0_f64.sqrt()) / 2.0;
-    let edge = 2.0 / (1.0 + golden * golden).sqrt();
-    let mesh = solid(&icosahedron()).unwrap();
-    let volume = 5.0 / 12.0 * (3.0 + 5.0_f64.sqrt()) * edge.powi(3);
-    assert!((mesh.measure().unwrap() - volume).abs() < 1e-14);
-    let tensor = mesh.with_mass(10.0).unwrap().inertia().matrix();
-    let expected = nalgebra::Matrix3::from_diagonal_element((edge * golden).powi(2));
-    assert!((tensor - expected).amax() < 1e-14, "{tensor}");
 }
 
 #[test]
@@ -147,25 +107,27 @@ fn a_surface_through_itself_is_refused_where_no_body_has_such_a_tensor() {
 // A wedge so thin that its volume is a known number of its own rounding bounds: the bound is half a unit for
 // each of eight roundings a face and one addition each, on the sum of all terms taken positive.
 #[test]
-fn a_mesh_is_flat_when_its_volume_is_within_its_own_rounding_and_only_then() {
+fn a_mesh_and_a_tetrahedron_are_flat_when_their_volume_is_within_its_own_rounding_and_only_then() {
     let tilted = |x: f64, y: f64, up: f64| Vector3::new(x, y, 0.1 * x + 0.3 * y + up);
     let faces = [[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]];
-    let wedge = |up: f64| {
-        let corners =
-            [tilted(0.0, 0.1, 0.0), tilted(1.0, 0.2, 0.0), tilted(0.3, 1.0, 0.0), tilted(0.7, 0.9, up)];
-        Mesh::new(&corners, &faces).map(|mesh| mesh.measure().unwrap())
+    let wedge =
+        |up: f64| [tilted(0.0, 0.1, 0.0), tilted(1.0, 0.2, 0.0), tilted(0.3, 1.0, 0.0), tilted(0.7, 0.9, up)];
+    let both = |up: f64| {
+        let mesh = Mesh::new(&wedge(up), &faces).map(|mesh| mesh.measure().unwrap());
+        [mesh, Tetrahedron::new(wedge(up)).map(|solid| solid.measure().unwrap())]
     };
     // Each coordinate is up to 1, off by up to half a unit, and the base is about half a square metre: at
     // 1e-17 nothing is left of the height, at 1e-13 three digits of it are.
-    for up in [0.0, 1e-17, 5e-17, -1e-16] {
-        let error = refused(wedge(up), ErrorKind::BadMesh, "not above zero by more than rounding");
+    for volume in [0.0, 1e-17, 5e-17, -1e-16].into_iter().flat_map(both) {
+        let error = refused(volume, ErrorKind::BadMesh, "not above zero by more than rounding");
         let (volume, tolerance) = (number_after(&error, "comes out as "), number_after(&error, "rounding ("));
         assert!(volume.abs() <= 1.05 * tolerance && tolerance > 1e-17 && tolerance < 1e-15, "{error}");
     }
     for up in [1e-14, 1e-13] {
         let base = 0.5 * (1.0 * 0.9 - 0.3 * 0.1);
-        let volume = wedge(up).unwrap();
-        assert!((volume - base * up / 3.0).abs() < 1e-16, "{volume:e}");
+        for volume in both(up) {
+            assert!((volume.clone().unwrap() - base * up / 3.0).abs() < 1e-16, "{volume:?}");
+        }
     }
 }
 

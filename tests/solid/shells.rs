@@ -158,7 +158,7 @@ fn thousands_of_shells_side_by_side_are_a_solid_and_as_many_in_one_another_are_r
     let one = tetrahedra(1, false, |_| (Vector3::zeros(), 1.0)).unwrap().measure().unwrap();
     assert!((row.unwrap().measure().unwrap() / (4000.0 * one) - 1.0).abs() < 1e-12);
     let nested = |count: usize| tetrahedra(count, true, |k| (Vector3::zeros(), 1.0 - k as f64 / 20_000.0));
-    refused(nested(20_000), ErrorKind::TooMany, "20000 shells");
+    refused(nested(8_000), ErrorKind::TooMany, "8000 shells");
     let whole: f64 =
         (0..100).map(|k| (1.0 - f64::from(k) / 20_000.0).powi(3) * if k % 2 == 1 { -one } else { one }).sum();
     assert!((nested(100).unwrap().measure().unwrap() / whole - 1.0).abs() < 1e-10);

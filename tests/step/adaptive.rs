@@ -56,23 +56,6 @@ fn an_adaptive_run_is_finite_or_refused_and_soon() {
     // it.
     let wound = adaptive(&lossy(Torque::Damping(moments * 1e9)), &slow, -1.0, 1e-6, &mut 20_000);
     assert_eq!(wound.unwrap_err().kind(), ErrorKind::TooMany);
-    // A stiff run that the budget allows is finished all the same; so is one that is over at once, however
-    // stiff: to rest.
-    for (rate, tolerance) in [(1e3, 1e-6), (1e9, 1e-6), (1e9, 1e-12)] {
-        let mut budget = 1_000_000;
-        let end =
-            adaptive(&lossy(Torque::Damping(moments * rate)), &slow, 1.0, tolerance, &mut budget).unwrap();
-        assert!(end.momentum.norm() < 1e-290 && budget < 999_800, "{end:?} {budget}");
-        // The spin has turned the body by its integral over the time, spin over rate, about its own axis.
-        let turn = UnitQuaternion::from_quaternion(end.attitude).scaled_axis() * rate;
-        let off = (turn - Vector3::new(1.0, 1.0, 1.2)).norm();
-        assert!(off < 2.0 / rate + 1e-3 * f64::min(1.0, 1e-4 * rate) + 1e-15 * rate, "{rate} {off}");
-    }
-    // And a budget is kept.
-    let mut budget = 100;
-    let refused = adaptive(&free, &slow, 1e4, 1e-9, &mut budget).unwrap_err();
-    assert!(refused.to_string().contains("100 steps"), "{refused}");
-    assert_eq!(budget, 0);
 }
 
 #[test]

@@ -4,35 +4,6 @@ use super::{adaptive, changes, free, free_motion, start};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::step::{Method, State, System};
 
-/// Errors of spin (relative) and attitude at `t`.
-fn error(method: Method, moments: &Vector3<f64>, omega: &Vector3<f64>, t: f64, count: usize) -> f64 {
-    let system = free(*moments);
-    let end = run(method, &system, &start(&system, omega), t / count as f64, count);
-    let truth = free_motion(*moments, omega).at(t).unwrap();
-    let spin = (system.omega(&end.momentum) - truth.omega).norm() / omega.norm();
-    let q = truth.attitude.coords;
-    spin.max((end.attitude.coords - q).norm().min((end.attitude.coords + q).norm()))
-}
-
-#[test]
-fn errors_against_the_exact_motion_fall_by_the_order_of_each_method() {
-    let (moments, omega) = (Vector3::new(1.0, 2.0, 2.6), Vector3::new(0.9, 1.1, -0.7));
-    for &method in Method::ALL {
-        let order = method.info().order;
-        if order == 0 {
-            // It does not converge to the true motion.
-            assert!(error(method, &moments, &omega, 2.0, 4096) > 0.1, "{method:?}");
-            continue;
-        }
-        // Fine enough that the leading term leads, coarse enough that rounding does not count: 16 to 512
-        // steps.
-        let count = 8 << (9 / order).min(6);
-        let errors = [1, 2].map(|finer| error(method, &moments, &omega, 2.0, count * finer));
-        let seen = (errors[0] / errors[1]).log2();
-        assert!((seen - f64::from(order)).abs() < 0.35, "{method:?}: {seen} for {order}, errors {errors:?}");
-    }
-}
-
 #[test]
 fn what_a_method_is_said_to_keep_it_keeps_to_rounding_and_the_rest_it_loses() {
     // Steps of a fifth of a radian and more, ten thousand of them, of a body that flips.

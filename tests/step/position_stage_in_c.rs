@@ -159,15 +159,9 @@ fn the_header_in_c_has_the_bits_of_the_library() {
 #[test]
 fn options_for_other_bits_have_no_effect_in_clang() {
     let bits = sum::<f64>();
-    for option in [
-        "-funsafe-math-optimizations",
-        "-fassociative-math",
-        "-freciprocal-math",
-        "-fno-signed-zeros",
-        "-fno-honor-nans",
-        "-fno-honor-infinities",
-        "-fapprox-func",
-    ] {
+    // The first has in it those for associative and reciprocal arithmetic, zeros without signs, and functions
+    // that only come near.
+    for option in ["-funsafe-math-optimizations", "-fno-honor-nans", "-fno-honor-infinities"] {
         if compilers().contains(&"clang") && std::arch::is_x86_feature_detected!("fma") {
             assert_eq!(printed("clang", &["-mfma", option], &example("compare.c")), bits, "{option}");
         }
@@ -238,7 +232,7 @@ fn the_header_compiles_without_a_warning_in_every_c_and_cpp() {
         "-Wshadow",
     ];
     for compiler in compilers() {
-        for standard in ["c99", "c11", "c17", "c2x", "c++11", "c++14", "c++17", "c++20"] {
+        for standard in ["c99", "c2x", "c++11", "c++20"] {
             let language = if standard.contains('+') { "c++" } else { "c" };
             let standard = format!("-std={standard}");
             let options = [&strict[..], &["-x", language, &standard]].concat();

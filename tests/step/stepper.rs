@@ -198,26 +198,13 @@ fn a_kick_by_a_law_without_the_spin_leaves_a_reversible_method_reversible() {
 }
 
 #[test]
-fn damping_by_axis_of_a_body_with_products_of_inertia_is_refused_and_bad_torques_by_name() {
+fn damping_by_axis_of_a_body_with_products_of_inertia_is_refused() {
     let axes = UnitQuaternion::from_euler_angles(0.3, 0.8, -0.4);
     let body = Body::spinning(in_axes(Vector3::new(1.0, 2.0, 2.5), &axes), axes, &Vector3::x()).unwrap();
     let stepper = Stepper::<f64>::new(&body, Method::Buss).unwrap();
-    let refused = stepper.clone().with_torques([Torque::Damping(Vector3::new(0.1, 0.2, 0.3))]);
-    let error = refused.unwrap_err();
-    assert!(
-        error.to_string().contains("damping") && error.kind() == tumbling::ErrorKind::Undefined,
-        "{error}"
-    );
-    assert!(stepper.clone().with_torques([Torque::Damping(Vector3::repeat(0.1))]).is_ok());
-    assert!(
-        stepper
-            .clone()
-            .with_torques([Torque::Dissipation(-1.0)])
-            .unwrap_err()
-            .to_string()
-            .contains("dissipation")
-    );
-    assert!(stepper.with_torques([Torque::InBody(Vector3::x() * f64::NAN)]).is_err());
+    let by_axis = stepper.clone().with_torques([Torque::Damping(Vector3::new(0.1, 0.2, 0.3))]);
+    refused(by_axis, ErrorKind::Undefined, "damping");
+    assert!(stepper.with_torques([Torque::Damping(Vector3::repeat(0.1))]).is_ok());
 }
 
 /// A coin, whose two equal moments leave its axes open, has those that it was given along.
@@ -256,60 +243,6 @@ fn a_torque_that_is_not_a_number_is_named_as_the_cause_by_every_method() {
         assert_eq!(error.kind(), ErrorKind::NotFinite, "{method:?}: {error}");
         assert_eq!(error.subject(), Subject::Torque, "{method:?}");
         assert!(stepper.time() < 0.35 && finite(&stepper.state()), "{method:?}");
-    }
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(512))]
-
-    /// Extreme moments, spins, steps, times and torques, by all methods.
-    #[test]
-    fn no_numbers_make_a_stepper_panic_or_answer_with_what_is_no_number(
-        moments in any_vector(),
-        [momentum, torque, field] in [any_vector(), any_vector(), any_vector()],
-        axes in attitude(),
-        h in anything(),
-        tolerance in anything(),
-        leaning in any::<bool>(),
-    ) {
-        let inertia = if leaning {
-            let turn = axes.to_rotation_matrix();
-            Inertia::try_from(turn * Matrix3::from_diagonal(&moments) * turn.transpose())
-        } else {
-            Inertia::from_moments(moments.x, moments.y, moments.z)
-        };
-        let inertia = inertia.unwrap_or(Inertia::from_moments(1.0, 2.0, 2.5).unwrap());
-        let Ok(body) = Body::new(inertia, axes, &momentum) else { return Ok(()) };
-        let kinds = [
-            Torque::InBody(torque),
-            Torque::InWorld(torque),
-            Torque::Aligning { arm: torque, field },
-            Torque::Damping(Vector3::repeat(torque.x.abs())),
-            Torque::Dissipation(torque.y.abs()),
-            Torque::function(move |time: f64, rotation, omega| rotation.tr_mul(&field) * time - omega.component_mul(&torque)),
-        ];
-        for torque in kinds {
-            for method in steppers() {
-                let stepper = method.map_or_else(|| Stepper::fixed_rate(&body), |method| Stepper::new(&body, method));
-                let Ok(mut stepper) = stepper.and_then(|stepper| stepper.with_torques([torque.clone()])) else { continue };
-                for state in stepper.run(h, 2) {
-                    prop_assert!(state.as_ref().map_or(true, finite), "{method:?} {torque:?}: {state:?}");
-                }
-                let _ = stepper.body();
-                let single = method.map_or_else(|| Stepper::<f32>::fixed_rate(&body), |method| Stepper::new(&body, method));
-                if let Ok(mut single) = single {
-                    for state in single.run(h as f32, 2).flatten() {
-                        prop_assert!(state.momentum.iter().all(|x| x.is_finite()), "{method:?}");
-                    }
-                }
-            }
-            let adaptive = Stepper::adaptive(&body, tolerance.abs(), 300);
-            if let Ok(mut stepper) = adaptive.and_then(|stepper| stepper.with_torques([torque.clone()])) {
-                for state in stepper.run(h, 2) {
-                    prop_assert!(state.as_ref().map_or(true, finite), "{torque:?}: {state:?}");
-                }
-            }
-        }
     }
 }
 

@@ -1,58 +1,12 @@
 //! Bodies under torques, against motions that are known exactly.
 
-use super::{apart, free, under};
+use super::{free, under};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use tumbling::PrincipalMoments;
 use tumbling::step::{Method, State, Stepper, System, Torque};
 
 /// A torque of this size, from two vectors.
 type Kind = fn(f64, Vector3<f64>, Vector3<f64>) -> Torque<f64>;
-
-/// Every method that goes to the truth.
-fn methods() -> impl Iterator<Item = Method> {
-    Method::ALL.iter().copied().filter(|method| method.info().order > 0)
-}
-
-fn run(method: Method, system: &System<f64>, from: &State<f64>, t: f64, count: usize) -> State<f64> {
-    (0..count).fold(*from, |motion, _| method.step(system, &motion, t / count as f64).unwrap())
-}
-
-/// That every stepper goes to the truth: close at a fine step, and closer at a finer one.
-fn go_to(truth: &State<f64>, system: &System<f64>, from: &State<f64>, t: f64) {
-    for method in methods() {
-        let errors = [1000, 2000, 4000].map(|count| apart(&run(method, system, from, t, count), truth));
-        // With a torque a method of higher order may fall to the second, never to the first.
-        let near = if method.info().order == 1 { 0.1 } else { 1e-4 };
-        assert!(errors[2] < near, "{method}: {errors:?}");
-        for pair in errors.windows(2) {
-            assert!(pair[1] < 0.6 * pair[0] || pair[1] < 1e-11, "{method}: {errors:?}");
-        }
-    }
-}
-
-#[test]
-fn a_heavy_top_precesses_steadily_where_weight_and_spin_balance() {
-    // Tilt theta, precession P about the vertical, spin s about the axis: (C - A) P^2 cos theta + C s P =
-    // weight times arm.
-    let (a, c, tilt, precession, spin, t) = (2.0, 1.0, 0.6_f64, 1.3, 5.0, 3.0);
-    let pull = (c - a) * precession * precession * tilt.cos() + c * spin * precession;
-    let arm = 0.25;
-    let moments = Vector3::new(a, a, c);
-    let gravity = Torque::gravity(&Vector3::new(0.0, 0.0, arm), pull / arm);
-    let system = under(moments, vec![gravity]);
-    let tilted = |turn: f64| {
-        UnitQuaternion::from_axis_angle(&Vector3::z_axis(), precession * turn)
-            * UnitQuaternion::from_axis_angle(&Vector3::x_axis(), tilt)
-            * UnitQuaternion::from_axis_angle(&Vector3::z_axis(), spin * turn)
-    };
-    let motion = |turn: f64| {
-        let attitude = tilted(turn);
-        let vertical = attitude.inverse() * Vector3::z();
-        let omega = vertical * precession + Vector3::z() * spin;
-        State { attitude: attitude.into_inner(), momentum: system.momentum(&omega) }
-    };
-    go_to(&motion(t), &system, &motion(0.0), t);
-}
 
 /// At 1 s, where a step ends and the next begins, one of two torques acts: the first has ended.
 #[test]
@@ -80,6 +34,7 @@ fn bad_torques_are_refused_by_name() {
         (Torque::Dissipation(-1.0), "dissipation"),
         (Torque::InBody(Vector3::new(f64::NAN, 0.0, 0.0)), "torque"),
         (Torque::gravity(&Vector3::new(f64::INFINITY, 0.0, 0.0), 1.0), "arm"),
+        (Torque::during(f64::NAN, 1.0, Torque::InBody(Vector3::y())), "the start of a torque"),
         (Torque::Periodic { amplitude: Vector3::y(), rate: f64::NAN, phase: 0.0 }, "of a periodic torque"),
         (
             Torque::Periodic { amplitude: Vector3::y(), rate: 1.0, phase: f64::INFINITY },

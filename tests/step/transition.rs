@@ -56,7 +56,7 @@ fn the_state_transition_is_the_limit_of_differences_at_an_equilibrium_too() {
         // Back to before the weight acts: from there on the attitude matters no more, but has mattered.
         (x + z, vec![Torque::during(-1.0, 1.0, Torque::gravity(&x, 4.0)), Torque::Dissipation(0.1)], -3.0),
     ];
-    let [every_kind, _] = super::driven::all_torques(Vector3::from(MOMENTS));
+    let [every_kind, _] = super::driven::all_torques(Vector3::from(MOMENTS), 0);
     let driven = (Vector3::new(0.5, 1.9, -0.2), every_kind, 2.0);
     for (omega, torques, h) in cases.into_iter().chain([driven]) {
         let expected = differences(omega, &torques, h);

@@ -246,14 +246,6 @@ fn the_relations_are_constant_under_their_own_derivations() {
     assert!(hyperbolic.reduce_fraction(&Derivation::hyperbolic(&Fraction::one()).of(&constant)).is_zero());
 }
 
-#[test]
-fn exact_arithmetic_passes_what_no_machine_word_holds() {
-    let big = Rational::from(i64::MAX).value().cloned().unwrap().pow(40);
-    let p = Polynomial::from(big.clone()) * Polynomial::variable("x");
-    let back = Fraction::from(p) / Fraction::from(Polynomial::from(big));
-    assert_eq!(back, Fraction::variable("x"));
-}
-
 /// The sum of what is added to the rate under the three roots, without signs, and the largest of the bends,
 /// at the longest time for which the position stage takes a single part.
 fn at_the_longest_part(moments: Vector3<f64>, spin: Vector3<f64>) -> (f64, f64) {

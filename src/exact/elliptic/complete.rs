@@ -81,13 +81,4 @@ mod tests {
         assert!(next * next / 4.0 < f64::EPSILON * f64::EPSILON / 8.0);
         const { assert!(NEAR * NEAR / 16.0 < f64::EPSILON / 8.0) };
     }
-
-    /// Next to the separatrix `K` is `ln(4/k')`, to terms of the order of `k'²`.
-    #[test]
-    fn the_quarter_period_comes_through_from_the_smallest_complements() {
-        for complement in [1e-10, 1e-100, 1e-300, 5e-324] {
-            let law = 4_f64.ln() - f64::ln(complement);
-            assert!((quarter_period(complement) / law - 1.0).abs() < 1e-15, "{complement:e}");
-        }
-    }
 }

@@ -10,9 +10,9 @@ use integrals::{
 };
 use nalgebra::Vector3;
 use num_traits::Zero;
+use tumbling::laws::tetrahedron_moments;
 use tumbling::solid::{
     Ball, Capsule, Cone, Cuboid, Cylinder, Ellipsoid, MassMoments, Shape, ThinDisk, ThinPlate, ThinRod,
-    tetrahedron_moments,
 };
 
 /// The law of a shape as a function of its mass and each of its sizes.

@@ -33,21 +33,6 @@ proptest! {
     }
 }
 
-/// Damping ten thousand times faster than anything else, against its own law: `w = w0 exp(-c t / I)` about a
-/// principal axis.
-#[test]
-fn stiff_damping_takes_few_steps_and_is_right() {
-    let body = InitialState::spinning(Vector3::new(1.0, 2.0, 2.5), Vector3::new(0.0, 1.0, 0.0));
-    let torque = Torque::Damping(Vector3::new(1e4, 2e4, 2e4));
-    let scene = one(body, vec![torque], Times::Given(vec![1e-4, 1.0]), BOTH, 1e-4);
-    let plan = scene.plan(0).unwrap();
-    // It fades to nothing at once, in steps that decay keeps short.
-    assert!(plan.driven().unwrap().steps() < 1000, "{}", plan.explain());
-    let states = states(&plan);
-    assert!((states[0].spin.unwrap().y - (-1.0_f64).exp()).abs() < 1e-4);
-    assert!(states[1].spin.unwrap().norm() < 1e-6);
-}
-
 /// Damping creeps for all of the run, or fades within a hundredth of it.
 #[test]
 fn fast_damping_against_a_field_or_a_push_is_as_right_as_requested() {

@@ -4,7 +4,6 @@ use crate::common::{ALL, BOTH, SPIN, one, states};
 use nalgebra::{UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::exact::FreeMotion;
-use tumbling::step::Torque;
 use tumbling::{Body, Inertia};
 use tumbling_scenes::{Error, InitialState, Outputs, Scene, Start, Strategy, Times};
 
@@ -121,19 +120,6 @@ proptest! {
             }
         }
     }
-}
-
-#[test]
-fn a_torque_of_nothing_is_no_torque() {
-    let body = InitialState::spinning(Vector3::new(1.0, 2.0, 2.5), Vector3::new(0.1, 1.0, 0.2));
-    let nothing = vec![
-        Torque::InBody(Vector3::zeros()),
-        Torque::gravity(&Vector3::new(0.0, 0.0, 1.0), 0.0),
-        Torque::Damping(Vector3::zeros()),
-        Torque::Dissipation(0.0),
-    ];
-    let scene = one(body, nothing, Times::every(1.0, 5.0), BOTH, 1e-9);
-    assert_eq!(scene.plan(0).unwrap().strategy(), Strategy::Elliptic);
 }
 
 /// A tensor with products is turned to its principal axes, and that rounds a thin body's least moment to the

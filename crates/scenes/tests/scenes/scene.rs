@@ -1,6 +1,6 @@
 //! What a scene refuses, counts and explains.
 
-use crate::common::{ALL, BOTH, SPIN, one, states};
+use crate::common::{ALL, BOTH, one, states};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use tumbling::step::Torque;
 use tumbling_scenes::{Error, Field, InitialState, Outputs, Scene, Times};
@@ -48,12 +48,9 @@ fn refusals_are_plain_sentences() {
     let message = refused(fast, vec![], 1e9, 1e-9);
     assert!(message.starts_with("body 0: the angle turned up to the last time is inf"), "{message}");
     let push = Torque::InBody(Vector3::new(0.1, 0.0, 0.0));
-    let message = refused(slow, vec![push.clone()], 10.0, 1e-15);
+    let message = refused(slow, vec![push], 10.0, 1e-15);
     let share: f64 = message.rsplit(' ').next().unwrap().parse().unwrap();
     assert!((1e-14..1e-10).contains(&share), "{message}");
-    // What is offered can be had.
-    let scene = one(slow, vec![push], Times::Given(vec![10.0]), ALL, 1.1 * share);
-    assert!(scene.plan(0).is_ok(), "{message}");
 }
 
 #[test]
@@ -115,38 +112,19 @@ fn a_span_of_zero_answers_the_start() {
     }
 }
 
-/// Each kind of plan says what it leaves out.
+/// The other kinds of plan say what they leave out in the chapter `only-what-you-need`.
 #[test]
 fn a_plan_explains_itself_in_words() {
-    let reason = |moments: [f64; 3], omega: [f64; 3], torques, outputs| {
-        let body = InitialState::spinning(moments.into(), omega.into());
-        one(body, torques, Times::every(0.5, 5.0), outputs, 1e-6).plan(0).unwrap().explain()
-    };
-    for (text, words) in [
-        (reason([1.0; 3], [1.0, 2.0, 3.0], vec![], SPIN), "all three moments are equal"),
-        (reason([1.0, 2.0, 2.5], [0.0, 1.0, 0.0], vec![], BOTH), "along a principal axis"),
-        (reason([2.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![], BOTH), "two moments are equal"),
-        (reason([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![], SPIN), "the attitude, which is not requested"),
-        (reason([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![], BOTH), "no torque acts"),
-        (
-            reason([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![Torque::InBody(Vector3::x())], BOTH),
-            "since a torque acts",
-        ),
-        (
-            reason([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![Torque::Damping(Vector3::repeat(8.0))], BOTH),
-            "since damping acts",
-        ),
-        (
-            reason([1.0, 2.0, 2.5], [0.1, 1.0, 0.5], vec![], Outputs::NOTHING),
-            "nothing that moves is requested",
-        ),
+    for (omega, torques, words) in [
+        ([0.0, 1.0, 0.0], vec![], "along a principal axis"),
+        ([0.1, 1.0, 0.5], vec![Torque::InBody(Vector3::x())], "since a torque acts"),
+        ([0.1, 1.0, 0.5], vec![Torque::Damping(Vector3::repeat(8.0))], "since damping acts"),
     ] {
+        let body = InitialState::spinning(Vector3::new(1.0, 2.0, 2.5), omega.into());
+        let scene = one(body, torques, Times::every(0.5, 5.0), BOTH, 1e-6);
+        let text = scene.plan(0).unwrap().explain();
         assert!(text.contains(words), "{text}");
-        assert_eq!(text.lines().count(), 4, "{text}");
-        assert!(
-            text.lines()
-                .zip(["chosen: ", "left out: ", "accuracy: ", "cost: "])
-                .all(|(line, head)| line.starts_with(head))
-        );
+        let heads = text.lines().zip(["chosen: ", "left out: ", "accuracy: ", "cost: "]);
+        assert!(text.lines().count() == 4 && heads.into_iter().all(|(line, head)| line.starts_with(head)));
     }
 }

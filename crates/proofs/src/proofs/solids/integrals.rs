@@ -13,7 +13,7 @@ use nalgebra::Vector3;
 use num_traits::{One, Zero};
 use tumbling::inertia::point_mass;
 use tumbling::laws::mesh_moments;
-use tumbling::solid::{MassMoments, tetrahedron_moments};
+use tumbling::{laws::tetrahedron_moments, solid::MassMoments};
 
 fn symbol(name: &str) -> Polynomial {
     Polynomial::variable(name)

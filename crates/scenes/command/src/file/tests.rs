@@ -216,22 +216,6 @@ fn many_bodies_are_read_each_with_its_own_line() {
     }
 }
 
-#[test]
-fn the_files_of_the_books_stories_are_scenes() {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../files");
-    let mut count = 0;
-    for entry in std::fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        let file = read(&std::fs::read_to_string(&path).unwrap())
-            .unwrap_or_else(|wrong| panic!("{path:?}: {wrong}"));
-        for index in 0..file.scene.bodies().len() {
-            file.scene.plan(index).unwrap_or_else(|error| panic!("{path:?}: {error}"));
-        }
-        count += 1;
-    }
-    assert_eq!(count, 10);
-}
-
 /// By its name, from its file, as a solid, as parts, by a link: whatever a file of a body holds.
 #[test]
 fn a_body_of_a_scene_is_what_the_crate_of_bodies_reads() {
