@@ -114,12 +114,12 @@ impl<T: Lane> DoubleDouble<T> {
         Self { hi: T::select(mask, yes.hi, no.hi), lo: T::select(mask, yes.lo, no.lo) }
     }
 
-    /// The nearest integer, one below 2^50 that differs from it by a multiple of four, and what is left: at
-    /// most a half.
+    /// The nearest integer, which beyond 2^53 may take both parts; one below 2^50 that differs from it by a
+    /// multiple of four; and what is left: at most a half.
     ///
     /// Of a number too large to have a fraction, or that is not finite, nothing is left.
     #[inline(always)]
-    pub(crate) fn whole_and_rest(self) -> (T, T, Self) {
+    pub(crate) fn whole_and_rest(self) -> (Self, T, Self) {
         // NaN too is not within.
         let beyond = T::select(self.hi.abs().lt(splat(LARGE)), T::zero(), T::one());
         if T::any(T::zero().lt(beyond)) {
@@ -129,12 +129,13 @@ impl<T: Lane> DoubleDouble<T> {
         // The low part can carry it just past the half.
         let rest = quick_two_sum(near, self.lo);
         let [more, left] = rest.hi.whole_and_left();
-        (whole + more, whole + more, Self { hi: left, lo: rest.lo })
+        let whole = whole + more;
+        (Self::from(whole), whole, Self { hi: left, lo: rest.lo })
     }
 
     #[cold]
     #[inline(never)]
-    fn far_whole_and_rest(self) -> (T, T, Self) {
+    fn far_whole_and_rest(self) -> (Self, T, Self) {
         let whole = self.hi.round_ties_even();
         let rest = quick_two_sum(self.hi - whole, self.lo);
         let more = rest.hi.round_ties_even();
@@ -143,15 +144,14 @@ impl<T: Lane> DoubleDouble<T> {
         let [whole, more] = [whole, more].map(|x| T::select(finite, x, zero));
         let below_four = |x: T| x - (x * 0.25).round_ties_even() * 4.0;
         let rest = Self { hi: T::select(finite, left, zero), lo: T::select(finite, rest.lo, zero) };
-        // Their sum may be rounded.
-        (whole + more, below_four(whole) + below_four(more), rest)
+        (Self::sum(whole, more), below_four(whole) + below_four(more), rest)
     }
 
     /// [`whole_and_rest`](Self::whole_and_rest) with what is left in one number that has all its digits.
     #[inline(always)]
     pub(crate) fn split(self) -> (T, T) {
         let (whole, _, rest) = self.whole_and_rest();
-        (whole, rest.hi())
+        (whole.hi, rest.hi())
     }
 }
 

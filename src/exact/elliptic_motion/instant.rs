@@ -101,7 +101,7 @@ impl<T: Lane> Kernel<T> for ComplementarySpin<T> {
         argument: &ReducedArgument<T>,
         time: T,
     ) -> Quaternion<T> {
-        let steps = DoubleDouble::product(argument.halves, attitude.step);
+        let steps = argument.halves * attitude.step;
         let turned = argument.pair(&attitude.pair).turned(phase_factor((attitude.drift * time).plus(steps)));
         self.axes.turn(turned.since(&attitude.start))
     }

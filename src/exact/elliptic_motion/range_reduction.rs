@@ -38,7 +38,7 @@ pub(crate) struct ReducedArgument<T: Lane = f64> {
     /// The sign of `cn`.
     turn: T,
     /// Half periods since the start.
-    pub(super) halves: T,
+    pub(super) halves: DoubleDouble<T>,
 }
 
 impl<T: Real> Reduction<T> {
@@ -82,7 +82,10 @@ impl<T: Real> Reduction<T> {
         // large will do.
         let (run, beyond) = (self.rate * time, splat::<T>(1e300));
         let end = DoubleDouble::from(beyond * self.rate.hi().sign() * time.sign());
-        self.reduced([T::zero(); 2], if run.hi().abs().lt(beyond) { run.plus(self.start) } else { end })
+        self.reduced(
+            (DoubleDouble::from(T::zero()), T::zero()),
+            if run.hi().abs().lt(beyond) { run.plus(self.start) } else { end },
+        )
     }
 }
 
@@ -92,11 +95,11 @@ impl<T: Lane> Reduction<T> {
     pub(crate) fn at(&self, time: T) -> ReducedArgument<T> {
         // (C35)
         let (halves, by_four, rest) = (self.rate * time).plus(self.start).whole_and_rest();
-        self.reduced([halves, by_four], self.half * rest)
+        self.reduced((halves, by_four), self.half * rest)
     }
 
     #[inline(always)]
-    fn reduced(&self, [halves, by_four]: [T; 2], u: DoubleDouble<T>) -> ReducedArgument<T> {
+    fn reduced(&self, (halves, by_four): (DoubleDouble<T>, T), u: DoubleDouble<T>) -> ReducedArgument<T> {
         let sign = u.hi().sign();
         let from_flip = u.times_exact(sign);
         let near_saddle = (self.quarter.hi() * 0.5).lt(from_flip.hi());
@@ -128,7 +131,7 @@ pub(crate) struct Exponentials {
     pub(crate) sign: f64,
     pub(crate) turn: f64,
     /// Half periods since the start.
-    pub(crate) halves: f64,
+    pub(crate) halves: DoubleDouble,
 }
 
 impl Exponentials {
@@ -140,7 +143,7 @@ impl Exponentials {
             short_of_one: [0.0, 1.0 - nome],
             sign: 1.0,
             turn: 1.0,
-            halves: 0.0,
+            halves: DoubleDouble::ZERO,
         }
     }
 

@@ -220,7 +220,7 @@ impl EllipticMotion {
             }
             Form::Complementary { spin, .. } => {
                 let argument = spin.reduction.argument(time);
-                (argument.values(&spin.series), argument.halves)
+                (argument.values(&spin.series), argument.halves.hi())
             }
         };
         let down = self.down();

@@ -69,8 +69,8 @@ pub(super) struct Carrier {
 
 impl Carrier {
     #[inline(always)]
-    fn at(&self, time: f64, halves: f64) -> [f64; 2] {
-        times(self.start, phase_factor(self.drift * time + DoubleDouble::product(halves, self.step)))
+    fn at(&self, time: f64, halves: DoubleDouble) -> [f64; 2] {
+        times(self.start, phase_factor(self.drift * time + halves * self.step))
     }
 }
 
@@ -214,7 +214,7 @@ impl Direct {
     /// Times `theta_4`.
     #[inline(always)]
     pub(super) fn at(&self, phase: [f64; 2], time: f64) -> [f64; 2] {
-        times(self.carrier.at(time, 0.0), self.raw(phase))
+        times(self.carrier.at(time, DoubleDouble::ZERO), self.raw(phase))
     }
 }
 
