@@ -3,7 +3,7 @@
 
 use crate::lattice::{Pairs, THETA_1, THETA_2, THETA_3, THETA_4, Theta};
 use crate::number::Fraction;
-use crate::proof::{Outcome, Residue, same};
+use crate::proof::Residue;
 use crate::symbols::variables;
 use crate::tex::{Scope, Value};
 
@@ -23,8 +23,7 @@ proofs! {
             r"For every nome and any two arguments $P_{22} = S_{23} + S_{32}$, $P_{11} = S_{32} - S_{23}$ and $P_{21} = S_{14} - S_{41}$: products of the theta functions of these numbers, on the left of the sum and of the difference of the arguments, on the right of twice each argument in the square of the nome.";
             but "the theta of the direct series": products([THETA_1, THETA_4, THETA_3, THETA_4]),
         "half-periods": half_periods([THETA_4, THETA_1], [THETA_2, THETA_1]),
-            "By the terms of the sums: where the argument moves by half a turn, the fourth theta function stays and the first changes its sign; where it moves by a quasi-period, the second stays and the first \
-            changes its sign, but for one factor of both; by half of that, the first becomes the fourth and the second the third, but for such a factor.";
+            r"By the terms of the sums: where the argument moves by half a turn, the fourth theta function is multiplied by $h_1 = 1$ and the first by $h_2 = -1$; where it moves by a quasi-period, the second by $q_1 = 1$ and the first by $q_2 = -1$, but for one factor of both; by half of that, the first becomes the fourth and the second the third, but for such a factor.";
             but "the second without alternating signs": half_periods([THETA_4, THETA_2], [THETA_2, THETA_2]),
     }
 }
@@ -78,16 +77,12 @@ fn jacobi(sign: i64, above: Theta) -> Result<Scope, Residue> {
     Ok(scope.with("k", Value::Root(z2.pow(2) / z3.pow(2))))
 }
 
-fn half_periods(direct: [Theta; 2], complementary: [Theta; 2]) -> Outcome {
-    let signs = |claim: &str, [a, b]: [i64; 2]| {
-        same(&format!("{claim}, a"), &Fraction::from(a), &Fraction::from(1))?;
-        same(&format!("{claim}, b"), &Fraction::from(b), &Fraction::from(-1))
-    };
-    signs("half a period", direct.map(Theta::over_a_period))?;
-    signs("the same, complementary", complementary.map(Theta::over_a_quasi_period))?;
+fn half_periods(direct: [Theta; 2], complementary: [Theta; 2]) -> Result<Scope, Residue> {
     let exchanged = |claim: &str, f: Theta, g: Theta| {
         Pairs::same(claim, &Pairs::product(f.after_half_a_quasi_period(), f), &Pairs::product(g, f))
     };
     exchanged("theta1 and theta4", THETA_1, THETA_4)?;
-    exchanged("theta2 and theta3", THETA_2, THETA_3)
+    exchanged("theta2 and theta3", THETA_2, THETA_3)?;
+    let scope = Scope::default().with_each("h", &direct.map(|f| Fraction::from(f.over_a_period())));
+    Ok(scope.with_each("q", &complementary.map(|f| Fraction::from(f.over_a_quasi_period()))))
 }
