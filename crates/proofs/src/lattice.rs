@@ -92,17 +92,6 @@ impl Pairs {
         self.0[r.rem_euclid(PERIOD) as usize][s.rem_euclid(PERIOD) as usize]
     }
 
-    /// The sum of this and a multiple of the other.
-    pub(crate) fn plus(&self, times: i64, other: &Self) -> Self {
-        Self(std::array::from_fn(|r| std::array::from_fn(|s| self.0[r][s] + times * other.0[r][s])))
-    }
-
-    /// That two sums are the same in every term; or how many of the 64 are not.
-    pub(crate) fn same(claim: &str, a: &Self, b: &Self) -> Outcome {
-        let unequal = a.0.iter().flatten().zip(b.0.iter().flatten()).filter(|(a, b)| a != b).count();
-        same(&format!("{claim}: unequal terms of 64"), &Fraction::from(unequal as i64), &Fraction::zero())
-    }
-
     /// With a symbol for each of the 64 terms.
     pub(crate) fn in_symbols(&self) -> Fraction {
         let terms = self.0.iter().flatten().enumerate();
@@ -121,8 +110,8 @@ impl Pairs {
 
     /// That `f' g - f g'` is a constant times `h k`, where the products are `f(z + w) g(z - w)` and the like:
     /// by `w` at zero the first is differentiated.
-    pub(crate) fn differ_by_a_constant(claim: &str, derived: &Self, plain: &Self) -> Outcome {
-        let (a, b) = (derived.at_zero(true), plain.at_zero(false));
+    pub(crate) fn differ_by_a_constant(claim: &str, [f, g]: [Theta; 2], [h, k]: [Theta; 2]) -> Outcome {
+        let (a, b) = (Self::product(f, g).at_zero(true), Self::product(h, k).at_zero(false));
         let some = |rows: &[[i64; 5]], r: usize| rows[r].iter().any(|x| *x != 0);
         let Some(first) = (0..a.len()).find(|r| some(&a, *r) && some(&b, *r)) else {
             return Err(Residue::Missing { claim: claim.to_owned() });

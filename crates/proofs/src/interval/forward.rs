@@ -24,7 +24,7 @@ use tumbling::laws::ClosedForm;
 ///
 /// ```
 /// use tumbling_proofs::interval::{forward, motion::of_floats};
-/// let [spin, attitude] = forward::bound_of_all([1.0, 2.0, 3.0], [0.5, 1.0, 2.0], 1.0).unwrap();
+/// let [spin, attitude] = forward::bound_of_all([1.0, 2.0, 3.0], [0.5, 1.0, 2.0], 1e-12, 1.0).unwrap();
 /// assert!(spin < 2e-14 && attitude < 1e-13);
 /// ```
 ///
@@ -54,23 +54,25 @@ pub fn bound(moments: &Vector3<Interval>, omega: &Vector3<Interval>, t: Interval
     Ok(most)
 }
 
-/// By which share of itself each number of [`bound_of_all`] may differ.
-pub const SHARE: f64 = 1e-12;
+/// By which share of itself each number may differ in [`table`], by its rows: in much wider boxes too many
+/// of the code's comparisons stay open.
+pub const SHARES: [f64; 5] = [1e-10, 1e-10, 1e-11, 1e-10, 1e-12];
 
-/// [`bound`] for all bodies and spins that differ from these by [`SHARE`] at most in each number, at all
-/// times from 0 to `flips` times the time between flips of the body given.
+/// [`bound`] for all bodies and spins that differ from these by `share` at most in each number, at all times
+/// from 0 to `flips` times the time between flips of the body given.
 ///
 /// # Errors
 /// As [`bound`].
-pub fn bound_of_all(moments: [f64; 3], omega: [f64; 3], flips: f64) -> Result<[f64; 2], Open> {
-    let near_one = Interval { low: (1.0 - SHARE).next_down(), high: (1.0 + SHARE).next_up() };
+pub fn bound_of_all(moments: [f64; 3], omega: [f64; 3], share: f64, flips: f64) -> Result<[f64; 2], Open> {
+    let near_one = Interval { low: (1.0 - share).next_down(), high: (1.0 + share).next_up() };
     let around = |x: [f64; 3]| Vector3::from(x.map(|x| Interval { low: x, high: x } * near_one));
     let (_, late) = motion::of_floats(moments, omega, flips)?;
     bound(&around(moments), &around(omega), Interval { low: 0.0, high: late })
 }
 
-/// A row of the book's table for each body but that next to the separatrix: the bounds of the spin, for its
-/// largest component at the start, and of the attitude until one flip and until a billion; rounded up.
+/// A row of the book's table for each body but that next to the separatrix: its share, and the bounds of the
+/// spin, for its largest component at the start, and of the attitude until one flip and until a billion;
+/// rounded up.
 ///
 /// # Errors
 /// As [`bound`].
@@ -80,13 +82,13 @@ pub fn table() -> Result<Vec<String>, Open> {
         format!("{:.0e}", (x / unit).ceil() * unit)
     };
     let moving = motion::BODIES.into_iter().filter(|(.., omega)| !omega.contains(&0.0));
-    let row = |(name, moments, omega): motion::Body| {
+    let row = |((name, moments, omega), share): (motion::Body, f64)| {
         let size = omega.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
-        let [_, first] = bound_of_all(moments, omega, 1.0)?;
-        let [spin, last] = bound_of_all(moments, omega, 1e9)?;
-        Ok(format!("| {name} | {} | {} | {} |", up(spin / size), up(first), up(last)))
+        let [_, first] = bound_of_all(moments, omega, share, 1.0)?;
+        let [spin, last] = bound_of_all(moments, omega, share, 1e9)?;
+        Ok(format!("| {name} | {share:.0e} | {} | {} | {} |", up(spin / size), up(first), up(last)))
     };
-    moving.map(row).collect()
+    moving.zip(SHARES).map(row).collect()
 }
 
 /// Of each of [`motion::BODIES`] moments and spin, four times, and spin and attitude then, to 40 digits.
@@ -154,7 +156,7 @@ mod tests {
 
     #[test]
     fn no_bound_is_given_where_the_motion_or_a_sign_is_open() {
-        assert!(bound_of_all([1.0, 2.0, 2.0 + 1e-13], [1.0, 2.0, 3.0], 1.0).is_err());
-        assert!(bound_of_all([1.0, 2.0, 3.0], [1.0, 0.0, 3.0], 1.0).is_err());
+        assert!(bound_of_all([1.0, 2.0, 2.0 + 1e-13], [1.0, 2.0, 3.0], 1e-12, 1.0).is_err());
+        assert!(bound_of_all([1.0, 2.0, 3.0], [1.0, 0.0, 3.0], 1e-12, 1.0).is_err());
     }
 }

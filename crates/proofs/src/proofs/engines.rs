@@ -1,8 +1,9 @@
 //! The engines, right and wrong: which laws of motion each keeps, and what is left over of those it breaks.
 
 use crate::number::{Derivation, Fraction, Relations};
-use crate::proof::{Outcome, Residue, breaks, same_entries_under, vanishes};
+use crate::proof::{Outcome, Residue, same_entries_under, vanishes};
 use crate::symbols::{Matrix, Vector, attitude, changing, diagonal, inverse_diagonal, turning, vector};
+use crate::tex::Scope;
 use nalgebra::Quaternion;
 use num_rational::BigRational;
 use num_traits::Zero;
@@ -38,27 +39,22 @@ impl Kept {
         [Self::Momentum, Self::LengthOfMomentum, Self::Energy, Self::Euler, Self::SpinFromMomentum];
 }
 
-use Kept::{Energy, Euler, LengthOfMomentum, Momentum};
-
 proofs! {
     "step" {
-        "right-engine": turns(Engine::Turned).and_then(|()| keeps_only(Engine::Turned, &Kept::ALL)),
-            "The law of the right engine keeps all: momentum, its length, energy, Euler's equations, and the spin belongs to its momentum; and the attitude turns at that spin.";
-            but "the frozen tensor in its place": keeps_only(Engine::Frozen, &Kept::ALL),
-        "frozen-tensor": keeps_only(Engine::Frozen, &[]),
-            "With the tensor frozen in the world (pitfall 1), the rates of momentum, its length and energy, and what is left of Euler's equations, are not zero for all bodies, spins and attitudes: all \
-            four laws break.";
-            but "said to keep the energy": keeps_only(Engine::Frozen, &[Energy]),
-            but "the right engine in its place": keeps_only(Engine::Turned, &[]),
-        "momentum-for-spin": keeps_only(Engine::MomentumForSpin, &[Energy, LengthOfMomentum]),
-            "With momentum taken for spin (pitfall 2) energy and the length of momentum stay, but the body's own momentum turns away, is not the one carried, and Euler's equations break.";
-            but "said to keep momentum": keeps_only(Engine::MomentumForSpin, &[Energy, LengthOfMomentum, Momentum]),
-            but "said to break the energy": keeps_only(Engine::MomentumForSpin, &[LengthOfMomentum]),
-        "no-gyroscopic-term": keeps_only(Engine::NoGyroscopicTerm, &[Energy, LengthOfMomentum]),
-            "With constant spin (pitfall 3) energy and the length of momentum stay, which is why it looks right, but momentum itself does not, and Euler's equations break.";
-            but "said to keep Euler's equations": keeps_only(Engine::NoGyroscopicTerm, &[Energy, LengthOfMomentum, Euler]),
+        "right-engine": turns(Engine::Turned).and_then(|()| laws(Engine::Turned)),
+            r"The law of the right engine keeps the momentum, its length, energy and Euler's equations, $P = M = E = F = 1$, the spin belongs to its momentum, $S = 1$, and the attitude turns at that spin.";
+            but "the frozen tensor in its place": laws(Engine::Frozen),
+        "frozen-tensor": laws(Engine::Frozen),
+            r"With the tensor frozen in the world (pitfall 1), what is left over of momentum, its length, energy and Euler's equations is not zero for all bodies, spins and attitudes: all four laws break, $P = M = E = F = 0$.";
+            but "the right engine in its place": laws(Engine::Turned),
+        "momentum-for-spin": laws(Engine::MomentumForSpin),
+            r"With momentum taken for spin (pitfall 2) energy and the length of momentum stay, $E = M = 1$, but the body's own momentum turns away, is not the one carried, and Euler's equations break, $P = S = F = 0$.";
+            but "the frozen tensor in its place": laws(Engine::Frozen),
+        "no-gyroscopic-term": laws(Engine::NoGyroscopicTerm),
+            r"With constant spin (pitfall 3) energy and the length of momentum stay, $E = M = 1$, which is why it looks right, but momentum itself does not, and Euler's equations break, $P = F = 0$.";
+            but "the frozen tensor in its place": laws(Engine::Frozen),
         "wrong-engines-are-right-for-a-ball": ball(&[0, 0, 0]),
-            "For a body with three equal moments the law of every engine, right or wrong, keeps every law that applies to it.";
+            r"For a body with three equal moments the law of every engine, right or wrong, keeps every law that applies to it, $P = M = E = F = 1$ and $S = 1$.";
             but "one moment larger": ball(&[0, 1, 0]),
     }
 }
@@ -123,27 +119,18 @@ fn turns(engine: Engine) -> Outcome {
     same_entries_under(&run.unit, "the attitude's rate", &moved, &rate(&q, &spin).coords)
 }
 
-/// Checks that an engine keeps a law, for every body, attitude and spin.
+/// Whether a law is kept for every attitude and spin.
 ///
 /// # Errors
-/// If it does not, what is left over after a quarter turn about z if anything is then, else at any attitude.
+/// If it is not, what is left over after a quarter turn about z if anything is then, else at any attitude.
 /// There `v` is the vector that the engine carries, along the world's axes.
-fn keeps(engine: Engine, law: Kept) -> Outcome {
-    keeps_with(engine, law, &vector("I"))
-}
-
-fn keeps_with(engine: Engine, law: Kept, moments: &Vector) -> Outcome {
-    if !law.applies_to(engine) {
-        return Err(Residue::Missing { claim: format!("{engine:?} carries no momentum") });
-    }
-    let run = Run::new(engine, moments);
-    let left = run.left_over(law);
-    let claim = format!("{engine:?}, {law:?}");
+fn keeps(run: &Run, law: Kept) -> Outcome {
     // Reduced, it is made of even powers of w, x, y, z; after a quarter turn about z, w and z are both the
     // root of one half.
     let half = Relations::new(vec![("w", BigRational::new(1.into(), 2.into()).into())]).unwrap_or_default();
     let w = Fraction::variable("w");
     let quarter_turn = [("x", Fraction::zero()), ("y", Fraction::zero()), ("z", w)];
+    let (claim, left) = (format!("{law:?}"), run.left_over(law));
     for x in &left {
         let there =
             quarter_turn.iter().fold(x.clone(), |x, (name, value)| x.substitute(&(*name).into(), value));
@@ -152,27 +139,27 @@ fn keeps_with(engine: Engine, law: Kept, moments: &Vector) -> Outcome {
     same_entries_under(&run.unit, &claim, &left, &Vector::zeros())
 }
 
-/// That an engine keeps these laws and breaks the others.
-fn keeps_only(engine: Engine, kept: &[Kept]) -> Outcome {
-    for law in Kept::ALL.into_iter().filter(|law| law.applies_to(engine)) {
-        let outcome = keeps(engine, law);
-        if kept.contains(&law) {
-            outcome?;
-        } else {
-            breaks(&format!("{engine:?} breaks {law:?}"), outcome)?;
+/// Of each law that applies to the engine, 1 where it is kept and 0 where something is left over.
+fn laws_with(engine: Engine, moments: &Vector) -> Result<Scope, Residue> {
+    let run = Run::new(engine, moments);
+    let named = Kept::ALL.into_iter().zip(["P", "M", "E", "F", "S"]);
+    named.filter(|(law, _)| law.applies_to(engine)).try_fold(Scope::default(), |scope, (law, name)| {
+        match keeps(&run, law) {
+            Ok(()) => Ok(scope.with(name, Fraction::from(1))),
+            Err(Residue::NotZero { .. }) => Ok(scope.with(name, Fraction::zero())),
+            Err(residue) => Err(residue),
         }
-    }
-    Ok(())
+    })
 }
 
-/// That every engine keeps every law if the moments are one and the same, but for what is added to each.
-fn ball(added: &[i64; 3]) -> Outcome {
+/// For every body.
+fn laws(engine: Engine) -> Result<Scope, Residue> {
+    laws_with(engine, &vector("I"))
+}
+
+/// Of every engine, if the moments are one and the same, but for what is added to each.
+fn ball(added: &[i64; 3]) -> Result<Vec<Scope>, Residue> {
     let moment = Fraction::variable("I");
     let moments = Vector::from_fn(|i, _| &moment + Fraction::from(added[i]));
-    for engine in Engine::ALL {
-        for law in Kept::ALL.into_iter().filter(|law| law.applies_to(engine)) {
-            keeps_with(engine, law, &moments)?;
-        }
-    }
-    Ok(())
+    Engine::ALL.into_iter().map(|engine| laws_with(engine, &moments)).collect()
 }

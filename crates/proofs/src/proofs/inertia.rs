@@ -1,7 +1,6 @@
 //! The tensor itself: what it is for one point, and how it moves with the point it is taken about.
 
 use crate::number::Fraction;
-use crate::proof::{Outcome, same_entries};
 use crate::symbols::{Matrix, Vector, scalar, variables, vector};
 use crate::tex::Scope;
 use tumbling::inertia::point_mass;
@@ -16,10 +15,10 @@ proofs! {
             r"For one point and every direction, with the trace $s$, $\tfrac{1}{2} s n\cdot n - n\cdot (I n) = m (n\cdot r)^2$, which is never below zero. Tensors of points add, so that no body of points has a moment above the sum of the others; the sum is no part of this check.";
             but "the products without their minus": triangle(|m, r| Matrix::from_fn(|i, j| sign(i == j) * point_mass(m, r)[(i, j)].clone())),
         "parallel-axes": parallel_axes(1),
-            "The tensor of any three points, about a point away from their centre, is that about the centre plus that of one point with all their mass.";
+            r"The tensor of any three points, about a point away from their centre, is that about the centre and that of one point with all their mass: $A n = I n + m s\times (n\times s)$.";
             but "subtracted, not added": parallel_axes(-1),
         "parts-of-a-body": parts(combined),
-            "Three points put together in steps, counted from any point, make the same body as at once; two turn as one with their reduced mass; a part alone stays what it is.";
+            r"Three points put together in steps, counted from any point, make the same body as at once, $C = c$ and $A n = B n$; two turn as one with their reduced mass, $T n = \frac{u v}{u + v} s\times (n\times s)$; a part alone stays what it is, $I n = m n$.";
             but "the parts' tensors added without their distances": {
                 parts(|parts, reference| {
                     let sum = parts.iter().fold(Matrix::zeros(), |sum, part| sum + &part.inertia);
@@ -54,29 +53,27 @@ fn points() -> Vec<MassMoments<Fraction>> {
     ["r", "s", "t"].map(point).into()
 }
 
-fn parallel_axes(factor: i64) -> Outcome {
+fn parallel_axes(factor: i64) -> Scope {
     let (points, away) = (points(), vector("d"));
     let body = combined(&points, &Vector::zeros());
     let from = |position: &Vector| position - &away;
     let about = points.iter().fold(Matrix::zeros(), |sum, p| sum + point_mass(&p.mass, &from(&p.centre)));
-    let shift = point_mass(&body.mass, &from(&body.centre)).map(|x| x * Fraction::from(factor));
-    same_entries("the tensor about d", &about, &(body.inertia + shift))
+    let scope = Scope::default().with("A", about).with("I", body.inertia).with("n", vector("n"));
+    scope.with("s", from(&body.centre)).with("m", body.mass * Fraction::from(factor))
 }
 
-fn parts(law: impl Fn(&[MassMoments<Fraction>], &Vector) -> MassMoments<Fraction>) -> Outcome {
+fn parts(law: impl Fn(&[MassMoments<Fraction>], &Vector) -> MassMoments<Fraction>) -> Scope {
     let all = points();
     let together = law(&all, &vector("d"));
     let pair = law(&all[1..], &Vector::zeros());
-    let in_steps = law(&[pair, all[0].clone()], &Vector::zeros());
-    same_entries("centre", &together.centre, &in_steps.centre)?;
-    same_entries("inertia", &together.inertia, &in_steps.inertia)?;
-    // Two points turn about their centre as one with their reduced mass at their distance.
-    let (light, heavy) = (&all[1], &all[2]);
-    let reduced = &light.mass * &heavy.mass / (&light.mass + &heavy.mass);
-    let dumbbell = law(&all[1..], &Vector::zeros()).inertia;
-    same_entries("two points", &dumbbell, &point_mass(&reduced, &(&light.centre - &heavy.centre)))?;
-    // And one part alone stays what it is.
+    let (dumbbell, in_steps) = (pair.inertia.clone(), law(&[pair, all[0].clone()], &Vector::zeros()));
     let [m] = variables(["m"]);
     let alone = MassMoments { mass: m.clone(), centre: vector("r"), inertia: scalar(&m) };
-    same_entries("one part alone", &law(&[alone], &vector("d")).inertia, &scalar(&m))
+    let scope = Scope::default().with("I", law(&[alone], &vector("d")).inertia).with("m", m);
+    let scope = scope.with("C", together.centre).with("c", in_steps.centre).with("T", dumbbell);
+    let scope = scope.with("A", together.inertia).with("B", in_steps.inertia).with("n", vector("n"));
+    let (one, other) = (&all[1], &all[2]);
+    scope
+        .with_all([("u", one.mass.clone()), ("v", other.mass.clone())])
+        .with("s", &one.centre - &other.centre)
 }

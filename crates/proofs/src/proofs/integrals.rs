@@ -6,10 +6,10 @@
 //! squares or by their derivatives.
 
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
-use crate::proof::{Outcome, Residue, same_under, vanishes};
+use crate::proof::Residue;
 use crate::proofs::klein::{Change, Motion, motion};
 use crate::symbols::{square, variables};
-use crate::tex::Scope;
+use crate::tex::{Scope, Value};
 use num_traits::One;
 
 proofs! {
@@ -25,8 +25,7 @@ proofs! {
             but "a product of roots the other way": duplication(-1, 3),
             but "another term taken off": duplication(1, 2),
         "legendre-by-carlson": legendre(1),
-            "By a change of variable Legendre's integrand becomes that of Carlson's first integral, and its derivative by the parameter that of the second; the functions of what is left to the quarter period obey the \
-            laws of Jacobi's three; and the squares of the theta zero's functions are tied by the complementary modulus. The limits are no part of it.";
+            r"By $t = (s^2 - y^2)/y^2$, which falls from infinity as the sine $y$ rises, with $c$ for the cosine, the roots of Carlson's integrals become $t + 1 - s^2 = (s c/y)^2$, $t + 1 - k^2 s^2 = (s r/y)^2$ and $t + 1 = (s/y)^2$, where $r^2 = 1 - k^2 y^2$; with their product $P$, Legendre's integrand is that of the first, $\frac{s t'}{2 P} = \frac{1}{r}$, and its derivative by the square of $k$ that of the second, $\frac{s^3 t'}{4 P (s r/y)^2} = \frac{y^2}{2 r^3}$. Jacobi's functions $S$, $C$ and $D$ of what is left to the quarter period have $C^2 + S^2 = 1$, $D^2 + k^2 S^2 = 1$ and $S' = -C D$, and those of the theta zero $\beta^2 + \gamma^2 = 1$ and $\delta^2 + k'^2\beta^2 = 1$. The limits are no part of it.";
             but "the parameter's sign": legendre(-1),
     }
 }
@@ -75,10 +74,10 @@ fn duplication(sign: i64, thrice: i64) -> Scope {
         .with_all([("X", x), ("Y", y), ("Z", z), ("t", t)])
 }
 
-fn legendre(sign: i64) -> Outcome {
+fn legendre(sign: i64) -> Result<Vec<Scope>, Residue> {
     let [s, m, sin, cos, rate] = variables(["s", "m", "sin", "cos", "Delta"]);
-    let (one, two) = (Fraction::one(), Fraction::from(2));
-    let parameter = Polynomial::variable("m");
+    let (one, parameter) = (Fraction::one(), Polynomial::variable("m"));
+    let k = |sign: i64| Value::Root(&m * Fraction::from(sign));
     let relations = Relations::new(vec![
         ("cos", Polynomial::one() - square("sin")),
         ("Delta", Polynomial::one() - &parameter * square("sin")),
@@ -86,17 +85,9 @@ fn legendre(sign: i64) -> Outcome {
     // From t = 0 at the angle with the sine s on to infinity at the angle zero.
     let t = s.pow(2) / sin.pow(2) - &one;
     let falls = -Derivation::new([("sin", cos.clone())]).of(&t);
-    let under = [&one - s.pow(2), &one - &m * s.pow(2) * Fraction::from(sign), one.clone()];
-    let roots = [&s * &cos / &sin, &s * &rate / &sin, &s / &sin];
-    for ((under, root), of) in under.iter().zip(&roots).zip(["x", "y", "z"]) {
-        same_under(&relations, &format!("t + {of}"), &(&t + under), &root.pow(2))?;
-    }
-    let product = &roots[0] * &roots[1] * &roots[2];
-    let first = &s * &falls / (&two * &product);
-    same_under(&relations, "the argument", &first, &(&one / &rate))?;
-    let second = s.pow(3) * Fraction::ratio(1, 4) * &falls / (roots[1].pow(2) * &product);
-    let by_parameter = Derivation::new([("Delta", -(sin.pow(2) / (&two * &rate)))]);
-    same_under(&relations, "its derivative", &second, &by_parameter.of(&(&one / &rate)))?;
+    let product = s.pow(3) * &cos * &rate / sin.pow(3);
+    let integrand = Scope::default().with_all([("s", s), ("t", t), ("t'", falls), ("P", product)]);
+    let integrand = integrand.with_all([("y", sin), ("c", cos), ("r", rate)]).with("k", k(sign));
     // What is left to the quarter period: cn/dn, k' sn/dn and k'/dn are its three functions.
     let [sn, cn, dn, kp] = variables(["sn", "cn", "dn", "kp"]);
     let jacobi = Relations::new(vec![
@@ -104,14 +95,11 @@ fn legendre(sign: i64) -> Outcome {
         ("dn", Polynomial::one() - &parameter * square("sn")),
         ("kp", Polynomial::one() - parameter),
     ])?;
-    let (far, fall) = (&cn / &dn, [&kp * &sn / &dn, &kp / &dn]);
-    same_under(&jacobi, "the cosine of what is left", &fall[0].pow(2), &(&one - far.pow(2)))?;
-    same_under(&jacobi, "its dn", &fall[1].pow(2), &(&one - &m * far.pow(2)))?;
-    let by_argument = Derivation::elliptic(&one);
-    same_under(&jacobi, "its rate", &by_argument.of(&far), &-(&fall[0] * &fall[1]))?;
-    // The theta zero.
-    let Motion { relations, zero: [beta, gamma, delta], .. } = motion(1, Change::None)?;
-    let complement = beta.pow(2) * Fraction::variable("kp").pow(2);
-    vanishes("the zero's cosine", &(beta.pow(2) + gamma.pow(2) - &one), &relations)?;
-    vanishes("the zero's dn", &(delta.pow(2) + complement - one), &relations)
+    let far = &cn / &dn;
+    let left = Scope::default().with("S'", Derivation::elliptic(&one).of(&far)).with("k", k(1));
+    let left = left.with_all([("S", far), ("C", &kp * &sn / &dn), ("D", &kp / &dn)]).under(jacobi);
+    let Motion { relations: of_motion, zero: [beta, gamma, delta], .. } = motion(1, Change::None)?;
+    let zero =
+        Scope::default().with_all([(r"\beta", beta), (r"\gamma", gamma), (r"\delta", delta), ("k'", kp)]);
+    Ok(vec![integrand.under(relations), left, zero.under(of_motion)])
 }

@@ -12,7 +12,7 @@
 //! change.
 
 use crate::number::{Fraction, Relations};
-use crate::proof::{Outcome, Residue, same_entries_under, same_under};
+use crate::proof::{Residue, same_entries_under};
 use crate::symbols::{Matrix, variables, vector};
 use crate::tex::Scope;
 use nalgebra::Quaternion;
@@ -22,10 +22,10 @@ use tumbling::attitude::{product, rotation_matrix};
 proofs! {
     "step" {
         "a-turn-keeps-the-momentum": turned(|r| r.transpose()),
-            "A step that turns the attitude by any unit quaternion, and the momentum in body axes by its inverse, keeps the attitude's length, the momentum's and the momentum in the world.";
+            r"A step that turns the attitude by any unit quaternion, and the momentum in body axes by its inverse, keeps the square of the attitude's length, $l' = l$, that of the momentum's, $M'\cdot M' = M\cdot M$, and the momentum in the world, $R' M' = R M$.";
             but "the momentum turned by the turn itself": turned(Clone::clone),
         "a-turn-about-an-axis-is-undone": undone(2),
-            "A turn about the third axis leaves the momentum along it alone, and the turn by the opposite angle undoes it.";
+            r"A turn about the third axis leaves the momentum along it alone, $m' = m$, and the turn by the opposite angle undoes it, $P = (1, (0, 0, 0))$.";
             but "the momentum along another axis": undone(1),
         "cayley-turn-keeps-energy": cayley(&Fraction::one()),
             r"With $c = (g_1 M_1, g_2 M_2, g_3 M_3)$ the turn by half-angle tangents takes $B = M + c\times M$ to $A = M - c\times M$, up to a factor: $R B = (1 + c\cdot c) A$. Both have the same length, $A\cdot A = B\cdot B$, and the same energy, $g_1 A_1^2 + g_2 A_2^2 + g_3 A_3^2 = g_1 B_1^2 + g_2 B_2^2 + g_3 B_3^2$.";
@@ -40,27 +40,23 @@ fn quaternion([w, x, y, z]: [Fraction; 4]) -> Quaternion<Fraction> {
     Quaternion::new(w, x, y, z)
 }
 
-fn turned(back: impl Fn(&Matrix) -> Matrix) -> Outcome {
+fn turned(back: impl Fn(&Matrix) -> Matrix) -> Scope {
     let names = ["t0", "t1", "t2", "t3"];
     let (q, t) = (quaternion(variables(["w", "x", "y", "z"])), quaternion(variables(names)));
-    let unit = Relations::unit_quaternion(names);
-    let (before, after) = (vector("L"), back(&rotation_matrix(&t)) * vector("L"));
-    let end = product(&q, &t);
-    same_under(&unit, "the attitude's length", &end.coords.dot(&end.coords), &q.coords.dot(&q.coords))?;
-    same_under(&unit, "the momentum's length", &after.dot(&after), &before.dot(&before))?;
-    let world = [rotation_matrix(&end) * after, rotation_matrix(&q) * before];
-    same_entries_under(&unit, "the momentum in the world", &world[0], &world[1])
+    let (before, end) = (vector("L"), product(&q, &t));
+    let [length, other] = [&q, &end].map(|q| q.coords.dot(&q.coords));
+    let scope = Scope::default().with_all([("l", length), ("l'", other)]).with("R", rotation_matrix(&q));
+    let scope = scope.with("R'", rotation_matrix(&end)).with("M'", back(&rotation_matrix(&t)) * &before);
+    scope.with("M", before).under(Relations::unit_quaternion(names))
 }
 
-fn undone(axis: usize) -> Outcome {
+fn undone(axis: usize) -> Scope {
     let ([c, s], o) = (variables(["c", "s"]), Fraction::zero());
-    let unit = Relations::circle("c", "s");
     let turn = |s: Fraction| quaternion([c.clone(), o.clone(), o.clone(), s]);
     let (turn, back) = (turn(s.clone()), turn(-s));
     let (before, after) = (vector("L"), rotation_matrix(&back) * vector("L"));
-    same_under(&unit, "the momentum along the axis", &after[axis], &before[axis])?;
-    let none = quaternion([Fraction::one(), o.clone(), o.clone(), o]);
-    same_entries_under(&unit, "both turns", &product(&turn, &back).coords, &none.coords)
+    let scope = Scope::default().with("m", before[axis].clone()).with("m'", after[axis].clone());
+    scope.with("P", product(&turn, &back)).under(Relations::circle("c", "s"))
 }
 
 fn cayley(share: &Fraction) -> Scope {

@@ -6,7 +6,7 @@
 
 use crate::equations::of_motion;
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
-use crate::proof::{Cases, Outcome, Residue, same_entries_under, same_under, vanishes};
+use crate::proof::{Cases, Residue, same_entries_under, same_under, vanishes};
 use crate::symbols::{Vector, diagonal, pure, quaternion, square, variables, vector};
 use crate::tex::{Scope, Value};
 use nalgebra::Quaternion;
@@ -37,7 +37,7 @@ proofs! {
             r"With modulus one the last two functions change at one rate, the momentum is $L^2 = 2 E I_2$, and at the saddle the turn about it has the rate $\psi' = \sigma L/I_2$.";
             but "the last two functions opposite": separatrix(-1),
         "limit-steady": both(|order| steady(order, Change::None)),
-            "With no wobble the second number is zero, and the turn about the momentum has the rate of the spin about the circled axis.";
+            r"With no wobble the second number times the conjugate of the first is $b_1 = b_2 = 0$, and the turn about the momentum has the rate of the spin about the circled axis, $\dot{\psi} = \omega_3$.";
             but "the spin the other way": both(|order| steady(order, Change::Spin)),
     }
 }
@@ -231,16 +231,15 @@ fn separatrix(sign: i64) -> Result<Scope, Residue> {
     Ok(scope.under(motion.relations))
 }
 
-fn steady(order: i64, change: Change) -> Outcome {
+fn steady(order: i64, change: Change) -> Result<Scope, Residue> {
     let motion = motion(order, change)?;
     let sense = if change == Change::None { 1 } else { -1 };
     let values = [("h", Fraction::zero()), ("dn", Fraction::one()), ("e", Fraction::variable("x3"))];
     let limit = |x: &Fraction| put(x, &values);
-    for part in motion.product.each_ref() {
-        vanishes("conj(a) b", &limit(part), &motion.relations)?;
-    }
+    let scope = Scope::default().with_each("b", &motion.product.each_ref().map(limit));
+    let scope = scope.with(r"\dot{\psi}", limit(&motion.turning));
     let spin = limit(&motion.omega[2]) * Fraction::from(sense);
-    same_under(&motion.relations, "the turn", &limit(&motion.turning), &spin)
+    Ok(scope.with(r"\omega_3", spin).under(motion.relations))
 }
 
 fn sides(sign: i64) -> Scope {

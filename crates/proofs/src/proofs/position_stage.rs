@@ -2,8 +2,8 @@
 //! and its divisor is not zero; and the work of an impulse.
 
 use crate::number::{Fraction, Relations};
-use crate::proof::{Outcome, Residue, positive, same, same_entries, same_entries_under, vanishes};
-use crate::symbols::{Matrix, Vector, diagonal, quaternion, scalar, symmetric, variables, vector};
+use crate::proof::{Residue, same};
+use crate::symbols::{Matrix, Vector, diagonal, quaternion, symmetric, variables, vector};
 use crate::tex::Scope;
 use num_traits::One;
 use tumbling::attitude::rotation_matrix;
@@ -13,20 +13,18 @@ use tumbling::laws::{change_of_spin, conserving_rate, conserving_turn};
 proofs! {
     "step" {
         "position-stage-keeps-energy": energy(0, 0),
-            "The turn of the position stage leaves the energy as it was, for every body, spin, time step, rate and weight for which its three roots are real and its divisor is not zero.";
+            r"The turn of the position stage leaves the energy as it was, for every body, spin, time step, rate and weight for which its three roots are real and its divisor $d$ is not zero: with the spins before and after times $d$, $(I_1 v_1, I_2 v_2, I_3 v_3)\cdot v = (I_1 w_1, I_2 w_2, I_3 w_3)\cdot w$.";
             but "one moment larger in the energy": energy(1, 0),
             but "a root of another rate": energy(0, 1),
         "position-stage-keeps-momentum": momentum(0, 0),
-            "The turn of the position stage takes the momentum along the axes before it to that along the axes after it: in the world the momentum stays, for every body, spin, time step, rate and weight \
-            for which the three roots are real and the divisor is not zero.";
+            r"The turn of the position stage takes the momentum along the axes before it to that along the axes after it, for every body, spin, time step, rate and weight for which the three roots are real and the divisor is not zero: $d M' + c\times M' = d M - c\times M$. Of any two vectors and $s = d v + c\times v - d w + c\times w$ it is true that $d s + c\times s + \frac{c\cdot s}{d} c = R v - (d^2 + c\cdot c) w$, with the matrix of the turn whose half-angle tangents are $c$ over $d$, up to a factor: so in the world the momentum stays.";
             but "another weight about one axis": momentum(1, 0),
             but "a root of another rate": momentum(0, 1),
         "position-stage-spin-belongs-to-its-momentum": spin(change_of_spin),
-            "The change of the spin that the position stage adds in the world is that of the body's own spin, turned with it.";
+            r"The change of the spin that the position stage adds in the world is that of the body's own spin, turned with it: up to a factor, $C = d (R v - (d^2 + c\cdot c) w)$.";
             but "the change left as the slip": spin(|(_, [_, slip])| slip.clone()),
         "position-stage-roots-are-real": real([51, 51]),
-            "Where the numbers that are added to the rate under the three roots come to at most the square of 0.51 without their signs, the rate is at least 0.9 and each number under a root at least 0.8; with such \
-            roots, and bends of at most 0.51, what the turn is divided by is at least 2. That a part of a step, a turn of at most half a radian, bounds them so is no part of it.";
+            r"Where the numbers that are added to the rate under the three roots come to at most the square of 0.51 without their signs, the rate is $X > \tfrac{9}{10}$ and each number under a root $X + u > \tfrac{4}{5}$; with such roots, and bends of at most 0.51, what the turn is divided by is $d > 2$. That a part of a step, a turn of at most half a radian, bounds them so is no part of it.";
             but "turns of up to two radians": real([200, 51]),
             but "bends of up to two": real([51, 200]),
         "energy-gained-is-work-done": work(1),
@@ -75,42 +73,45 @@ fn turned(uneven: i64, faster: i64) -> Result<Turned, Residue> {
 }
 
 /// With one moment of the body whose energy is kept off by `added`.
-fn energy(added: i64, faster: i64) -> Outcome {
-    let t = turned(0, faster)?;
-    let mut moments = t.moments;
-    moments.z = &moments.z + Fraction::from(added);
-    let momentum = |w: &Vector| moments.component_mul(w);
-    let after = t.omega.map(|x| x * &t.below) + &t.change;
-    // The difference of two squares: energy after less energy before, times the square of `below`.
-    let gained = observe::energy(&t.change, &momentum(&(after + t.omega.map(|x| x * &t.below))));
-    vanishes("the energy gained", &gained, &t.roots)
+fn energy(added: i64, faster: i64) -> Result<Scope, Residue> {
+    let mut t = turned(0, faster)?;
+    t.moments.z += Fraction::from(added);
+    let before = t.omega.map(|x| x * &t.below);
+    let after = &before + &t.change;
+    let scope = Scope::default().with_each("I", &t.moments).with_each("w", &before).with_each("v", &after);
+    Ok(scope.with("w", before).with("v", after).with("d", t.below).under(t.roots))
 }
 
-fn momentum(uneven: i64, faster: i64) -> Outcome {
+fn momentum(uneven: i64, faster: i64) -> Result<Vec<Scope>, Residue> {
     let t = turned(uneven, faster)?;
     let before = t.moments.component_mul(&t.omega.map(|x| x * &t.below));
     let after = &before + t.moments.component_mul(&t.change);
-    // A turn by the tangents c takes y, along the axes after it, to x with (1 - c x) x = (1 + c x) y.
-    let scaled = |v: &Vector| v.map(|x| x * &t.below);
-    let (after, before) =
-        (scaled(&after) + t.tangents.cross(&after), scaled(&before) - t.tangents.cross(&before));
-    same_entries_under(&t.roots, "the momentum", &after, &before)
+    let scope = Scope::default().with("M", before).with("M'", after).with("c", t.tangents);
+    Ok(vec![scope.with("d", t.below).under(t.roots), between(&vector("v"), &vector("w")).0])
 }
 
-fn spin(change: impl Fn(&(Fraction, [[Fraction; 3]; 2])) -> [Fraction; 3]) -> Outcome {
-    let (c, before, after) = (vector("c"), vector("w"), vector("v"));
-    let below = Fraction::variable("d");
-    let scaled = |v: &Vector| v.map(|x| x * &below);
-    let slip = (scaled(&after) + c.cross(&after)) - (scaled(&before) - c.cross(&before));
-    let stretched = &below * &below + c.dot(&c);
-    let turned = rotation_matrix(&quaternion(below.clone(), &c)) * &after;
-    let expected = scaled(&(turned - scalar(&stretched) * &before));
-    let turn = (below, [c.into(), slip.into()]);
-    same_entries("the change of the spin", &Vector::from(change(&turn)), &expected)
+/// A turn by tangents, and how far it does not take one vector to the other.
+fn between(after: &Vector, before: &Vector) -> (Scope, Vector) {
+    let (c, d) = (vector("c"), Fraction::variable("d"));
+    let scaled = |v: &Vector| v.map(|x| x * &d);
+    let slip = scaled(after) + c.cross(after) - (scaled(before) - c.cross(before));
+    let scope = Scope::default().with("R", rotation_matrix(&quaternion(d.clone(), &c))).with("c", c);
+    (scope.with("d", d).with("v", after.clone()).with("w", before.clone()).with("s", slip.clone()), slip)
 }
+
+fn spin(change: impl Fn(&(Fraction, [[Fraction; 3]; 2])) -> [Fraction; 3]) -> Scope {
+    let (scope, slip) = between(&vector("v"), &vector("w"));
+    let turn = (Fraction::variable("d"), [vector("c").into(), slip.into()]);
+    scope.with("C", Vector::from(change(&turn)))
+}
+
+/// The letters of these bounds.
+const POSITIVE: [&str; 17] =
+    ["x1", "x2", "x3", "x4", "p", "r1", "r2", "r3", "y1", "y2", "y3", "z1", "z2", "z3", "b1", "b2", "b3"];
 
 /// With the longest turn and the largest bend in hundredths: each is reached where a share of it is all.
-fn real([turn, bend]: [i64; 2]) -> Outcome {
+fn real([turn, bend]: [i64; 2]) -> Result<Vec<Scope>, Residue> {
+    let (mut cases, known) = (Vec::new(), |name, x| Scope::default().with(name, x).positive(POSITIVE));
     let hundredths = |n: i64| Fraction::ratio(n, 100);
     let [x, y, z, rest] = variables(["x1", "x2", "x3", "x4"]);
     let (all, limit) = (&x + &y + &z + rest, hundredths(turn).pow(2));
@@ -123,8 +124,7 @@ fn real([turn, bend]: [i64; 2]) -> Outcome {
     for signs in [[1, 1, 1], [1, 1, -1], [1, -1, -1], [-1, 1, 1], [-1, 1, -1], [-1, -1, -1]] {
         let added = [0, 1, 2].map(|i| [&x, &y, &z][i] * &limit * Fraction::from(signs[i]) / &all);
         let rate = rate_of(added.clone());
-        positive("the rate less 9/10", &(&rate - hundredths(90)))?;
-        positive("what is under a root less 4/5", &(rate + &added[0] - hundredths(80)))?;
+        cases.push(known("X", rate).with("u", added[0].clone()));
     }
     // Only the product of the three bends counts, of either sign.
     for sign in [1, -1] {
@@ -143,9 +143,9 @@ fn real([turn, bend]: [i64; 2]) -> Outcome {
         };
         let (b, h) = (vector("b"), Fraction::one());
         let (below, _) = conserving_turn(coupling.as_ref(), b.as_ref(), &omega, &h, &rate, root);
-        positive("the divisor less 2", &(below - Fraction::from(2)))?;
+        cases.push(known("d", below));
     }
-    Ok(())
+    Ok(cases)
 }
 
 /// With the end's spin that of the start and this number of times its change.

@@ -3,7 +3,7 @@
 
 use crate::equations::variation;
 use crate::number::{Derivation, Fraction, Relations};
-use crate::proof::{Outcome, Residue, same, same_entries, same_entries_under, same_under};
+use crate::proof::{Residue, same, same_entries};
 use crate::proofs::klein::{Change, both, motion};
 use crate::symbols::{Matrix, Vector, changing, diagonal, pure, symmetric, variables, vector};
 use crate::tex::Scope;
@@ -18,18 +18,16 @@ proofs! {
             r"Euler's equations to first order are (C44). For three axes in cyclic order, a change of the last moment adds at a fixed spin $F_a = -\omega_b\omega_c/I_a$, $F_b = \omega_c\omega_a/I_b$ and $F_c = -(I_a - I_b)\omega_a\omega_b/I_c^2$, and a product of inertia of the first two $G_a = (I_a + I_b - I_c)\omega_c\omega_a/(I_a I_b)$, $G_b = -(I_a + I_b - I_c)\omega_b\omega_c/(I_a I_b)$ and $G_c = (\omega_b^2 - \omega_a^2)/I_c$. For every body.";
             but "what is added with the other sign": variations(-1),
         "sensitivity-of-the-spin": both(|sense| columns(sense, 1)),
-            "The closed form's derivatives by its two constants and by the moments, with the rate stated here of the derivative of Jacobi's argument at a fixed angle, obey Euler's equations to first \
-            order. For every body, about either axis, in either sense.";
+            r"The closed form's derivatives by its two constants and by the moments obey Euler's equations to first order: each has the rate $\dot{W} = F$ that the library's law gives, where that of Jacobi's argument at a fixed angle grows at the rate $J' = \eta\operatorname{sn}^2/(2\operatorname{dn}^2)$. For every body, about either axis, in either sense.";
             but "that derivative growing the other way": both(|sense| columns(sense, -1)),
         "sensitivity-at-the-start": at_the_start(1),
-            "At the start those derivatives, put together for the three components of the spin and for a moment by the formulas stated here, are one for a component by itself and zero for all else.";
+            r"At the start those derivatives, put together for the three components of the spin and for a moment by the formulas in the code, are $d = 1$ for a component by itself and $n = 0$ for all else.";
             but "the phase shifted the other way": at_the_start(-1),
         "sensitivity-of-the-attitude": attitude(1),
             r"A small turn of the attitude changes as $e' = w - \omega\times e$ with the change of the spin; so this turn crossed with the momentum, and the momentum's change, turn with the room together, the turn's part along the momentum has the rate $r = w\cdot M$, and with the change of the energy both give the turn.";
             but "e carried along the other way": attitude(-1),
         "sensitivity-by-products": products(1),
-            "A product of inertia turns two principal axes about the third by itself over the difference of their moments: the spin turned so obeys Euler's equations with the changed tensor to first \
-            order.";
+            r"A product of inertia turns two principal axes about the third by $n$, itself over the difference of their moments: the change of the spin turned so, $W = n\times\omega$, has by Euler's equations with the changed tensor, to first order, the rate $\dot{W} = n\times\dot{\omega}$.";
             but "turned the other way": products(-1),
     }
 }
@@ -95,25 +93,27 @@ fn by_parameter(name: &str, rate: &Fraction) -> Derivation {
         .and("dn", -(&m * &sn * &cn * &shift) - at_fixed_angle)
 }
 
-fn columns(sense: i64, sign: i64) -> Outcome {
+fn columns(sense: i64, sign: i64) -> Result<Vec<Scope>, Residue> {
     let motion = motion(sense, Change::None)?;
     let [sn, dn] = variables(["sn", "dn"]);
     let grows = &motion.rate * sn.pow(2) / (Fraction::from(2) * dn.pow(2)) * Fraction::from(sign);
-    let time = motion.time.clone().and("t", Fraction::one()).and("J", grows);
+    let time = motion.time.clone().and("t", Fraction::one()).and("J", grows.clone());
     let omega = motion.arranged(&motion.omega, sense);
     let expected = free(&motion.arranged(&motion.moments, sense), &omega);
-    for name in ["Q", "h", "x1", "p", "q"] {
+    let by = |name: &str| {
         let by = by_parameter(name, &motion.rate);
-        let (moved, law) = (omega.map(|x| time.of(&by.of(&x))), expected.map(|x| by.of(&x)));
-        same_entries_under(&motion.relations, &format!("by {name}"), &moved, &law)?;
-    }
-    Ok(())
+        let scope = Scope::default().with(r"\dot{W}", omega.map(|x| time.of(&by.of(&x))));
+        let scope = scope.with("F", expected.map(|x| by.of(&x))).with("J'", grows.clone());
+        let scope = scope.with(r"\eta", motion.rate.clone()).with_functions(&["sn", "dn"], "");
+        scope.under(motion.relations.clone())
+    };
+    Ok(["Q", "h", "x1", "p", "q"].map(by).into())
 }
 
 /// The derivatives at the start as the library puts them together: amplitudes, the shift of the phase, and
 /// what goes to the separatrix. `r` and `t` are the logarithmic derivatives by a moment of the quotients of
 /// the amplitudes squared, `R` and `T`; that of `S`, which is their product, is the sum.
-fn at_the_start(sign: i64) -> Outcome {
+fn at_the_start(sign: i64) -> Vec<Scope> {
     let [a_x, a_m, a_c, sn, cn, dn, m, kp2] = variables(["AX", "AM", "AC", "sn", "cn", "dn", "m", "kp2"]);
     let [log_r, log_t] = variables(["r", "t"]);
     let [zero, half, two] = [Fraction::zero(), Fraction::ratio(1, 2), Fraction::from(2)];
@@ -140,6 +140,7 @@ fn at_the_start(sign: i64) -> Outcome {
             &half * &sn * &cn * &log_r,
         ],
     ];
+    let mut all = Vec::new();
     for (column, [across, middle, around, to_separatrix, phase]) in inputs.iter().enumerate() {
         let shift = phase * Fraction::from(sign);
         let change = [
@@ -148,11 +149,11 @@ fn at_the_start(sign: i64) -> Outcome {
             around * &dn + &a_c * &sn * (&sn * to_separatrix / (&two * &dn) - &m * &cn / &dn * &shift),
         ];
         for (row, change) in change.iter().enumerate() {
-            let expected = Fraction::from(i64::from(row == column));
-            same_under(&jacobi, &format!("row {}, column {}", row + 1, column + 1), &put(change), &expected)?;
+            let name = if row == column { "d" } else { "n" };
+            all.push(Scope::default().with(name, put(change)).under(jacobi.clone()));
         }
     }
-    Ok(())
+    all
 }
 
 fn attitude(sign: i64) -> Result<Scope, Residue> {
@@ -195,16 +196,16 @@ fn moved_rate_of_spin(moments: &Vector, change: &Matrix, omega: &Vector, w: &Vec
     by_spin + forced(moments, omega, change).component_div(moments)
 }
 
-fn products(sign: i64) -> Outcome {
+fn products(sign: i64) -> Vec<Scope> {
     let (moments, omega) = (vector("I"), vector("omega"));
-    for k in 0..3 {
+    let about = |k: usize| {
         let (i, j) = ((k + 1) % 3, (k + 2) % 3);
         let mut axis = Vector::zeros();
         axis[k] = Fraction::from(sign) / (&moments[i] - &moments[j]);
         let turned = axis.cross(&omega);
-        let moved = axis.cross(&free(&moments, &omega));
         let law = moved_rate_of_spin(&moments, &entry(k, true), &omega, &turned);
-        same_entries("w'", &moved, &law)?;
-    }
-    Ok(())
+        let scope = Scope::default().with("n", axis).with("W", turned).with(r"\dot{W}", law);
+        scope.with(r"\omega", omega.clone()).with(r"\dot{\omega}", free(&moments, &omega))
+    };
+    [0, 1, 2].map(about).into()
 }

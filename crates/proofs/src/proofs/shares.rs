@@ -6,10 +6,11 @@
 //! together: where it rests, `F` is zero.
 
 use crate::number::{Fraction, Rational};
-use crate::proof::{Outcome, Residue, same};
+use crate::proof::{Outcome, Residue};
 use crate::proofs::methods::{alike, cases, step};
 use crate::proofs::order::{Number, components, constant};
 use crate::symbols::variables;
+use crate::tex::Scope;
 use crate::{Interval, given};
 use nalgebra::{Matrix4, Vector4};
 use num_traits::{One, Zero};
@@ -28,14 +29,12 @@ const NAMES: [&str; 4] = ["b", "c", "d", "e"];
 proofs! {
     "step" {
         "exact-shares-of-order-6": shares(5),
-            "Nine of the library's steps of order 2 with five decimal shares, and these backwards, make its splitting of order 6, through the power 7 of the step from a start in exact fractions. \
-            Within a septillionth of the last four shares there are exact ones that with the first have the sum 1, third and fifth powers with the sum 0, and also third powers, each times the square of the sum of \
-            the shares before it and half of its own, with the sum 0. That these conditions give order 6 is no part of it.";
+            r"Nine of the library's steps of order 2 with five decimal shares, and these backwards, make its splitting of order 6, through the power 7 of the step from a start in exact fractions. Within a septillionth of the last $n = 4$ shares there are exact ones that with the first have the sum 1, third and fifth powers with the sum 0, and also third powers, each times the square of the sum of the shares before it and half of its own, with the sum 0. That these conditions give order 6 is no part of it.";
             but "fourth powers for the fifth": shares(4),
     }
 }
 
-fn shares(power: u32) -> Outcome {
+fn shares(power: u32) -> Result<Scope, Residue> {
     let shares = SHARES.map(Rational::of_literal);
     made_of(&shares).and_then(|()| nearby(&shares, power))
 }
@@ -52,7 +51,7 @@ fn made_of(shares: &[Rational; 5]) -> Outcome {
     alike("the splitting", Method::RotationSplitting2, &whole, &components(&parts), 0..=LAST)
 }
 
-fn nearby(shares: &[Rational; 5], power: u32) -> Outcome {
+fn nearby(shares: &[Rational; 5], power: u32) -> Result<Scope, Residue> {
     let ([b, c, d, e], a) = (variables(NAMES), Fraction::from(shares[0].clone()));
     let mut left = [-Fraction::one(), Fraction::zero(), Fraction::zero(), Fraction::zero()];
     let mut before = Fraction::zero();
@@ -81,6 +80,5 @@ fn nearby(shares: &[Rational; 5], power: u32) -> Outcome {
         let drawn = rest.row(*i).iter().fold(Interval::zero(), |sum, x| sum + x.abs());
         moved[*i].abs() < (one - drawn) * ball
     };
-    let beyond = 4 - (0..4).filter(stays).count() as i64;
-    same("shares of which none is known to be near", &Fraction::from(beyond), &Fraction::zero())
+    Ok(Scope::default().with("n", Fraction::from((0..4).filter(stays).count() as i64)))
 }

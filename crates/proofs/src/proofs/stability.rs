@@ -2,7 +2,7 @@
 
 use crate::equations::in_order;
 use crate::number::Fraction;
-use crate::proof::{Outcome, positive, same, same_entries};
+use crate::proof::{Residue, same};
 use crate::symbols::{Vector, ordered_moments, variables, vector};
 use crate::tex::{Scope, Value};
 use nalgebra::Quaternion;
@@ -15,7 +15,7 @@ use tumbling::inertia::point_mass;
 proofs! {
     "stability" {
         "steady-spins": steady(angular_acceleration),
-            "Without torque Euler's equations leave a spin about a principal axis as it is, for every body and every axis.";
+            r"Without torque Euler's equations leave a spin about a principal axis as it is, for every body and every axis: with every vector $\dot{\omega}\cdot v = 0$.";
             but "w1 w1 for w2 w3 in the second equation": {
                 steady(|i, w, t| {
                     let mut rate = angular_acceleration(i, w, t);
@@ -24,15 +24,14 @@ proofs! {
                 })
             },
         "rates-of-the-wobble": linearised(rate_squared),
-            "Linearised about each axis, Euler's equations leave the spin itself alone and drive the two small components by each other, so that their second rate is the library's rate squared times \
-            themselves.";
+            r"Linearised about each axis, Euler's equations leave the spin itself alone and drive the two small components by each other, at slopes of which the product is the library's rate squared, $p q = \lambda^2$; the other seven slopes vanish.";
             but "the sign": linearised(|w, i, a, b| -rate_squared(w, i, a, b)),
         "the-middle-axis": middle(rate_squared, 0),
             r"For every three different moments, $I_2 = I_1 + a$ and $I_3 = I_1 + a + b$ with positive letters, the library's rate squared of the linearised wobble has one sign: $r_1 < 0$, $r_2 > 0$, $r_3 < 0$.";
             but "the sign": middle(|w, i, a, b| -rate_squared(w, i, a, b), 0),
             but "the smallest axis taken for the middle one": middle(rate_squared, 2),
         "equal-moments": equal(rate_squared),
-            "About either of two axes with equal moments the rate is zero: neither growth nor swing; about the third it swings.";
+            r"About either of two axes with equal moments the square of the rate is $r_1 = r_2 = 0$, neither growth nor swing; about the third it is $r_3 < 0$, a swing.";
             but "the spin's square added": equal(|w, i, a, b| rate_squared(w, i, a, b) + w.pow(2)),
         "pulls-outward": outward(1),
             r"In a frame that turns with the body the centrifugal force on a point, $F = -m\omega\times (\omega\times r)$, twists it by $r\times F = A$, where $A = (I\omega)\times\omega$ is the right-hand side of the library's law, for every point and spin. That twists and tensors add is no part of it.";
@@ -49,18 +48,17 @@ fn spin_about(axis: usize) -> Vector {
     Vector::from_fn(|i, _| if i == axis { Fraction::variable("Omega") } else { Fraction::zero() })
 }
 
-fn steady(law: impl Fn(&Vector, &Vector, &Vector) -> Vector) -> Outcome {
-    for axis in 0..3 {
-        let rate = law(&vector("I"), &spin_about(axis), &Vector::zeros());
-        same_entries(&format!("w' about axis {}", axis + 1), &rate, &Vector::zeros())?;
-    }
-    Ok(())
+fn steady(law: impl Fn(&Vector, &Vector, &Vector) -> Vector) -> Vec<Scope> {
+    let rate = |axis| law(&vector("I"), &spin_about(axis), &Vector::zeros());
+    [0, 1, 2].map(|axis| Scope::default().with(r"\dot{\omega}", rate(axis)).with("v", vector("v"))).into()
 }
 
-fn linearised(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Fraction) -> Outcome {
+fn linearised(
+    law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Fraction,
+) -> Result<Vec<Scope>, Residue> {
     let (moments, omega) = (vector("I"), vector("omega"));
     let rate = angular_acceleration(&moments, &omega, &Vector::zeros());
-    for axis in 0..3 {
+    let about = |axis: usize| {
         let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
         let steady = spin_about(axis);
         // The derivative of component `row` of the rate by component `column` of the spin, at the steady
@@ -73,9 +71,10 @@ fn linearised(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Fracti
             same("a slope that should vanish", &slope(row, column), &Fraction::zero())?;
         }
         let squared = law(&Fraction::variable("Omega"), &moments[axis], &moments[j], &moments[k]);
-        same(&format!("the rate squared about axis {}", axis + 1), &(slope(j, k) * slope(k, j)), &squared)?;
-    }
-    Ok(())
+        let scope = Scope::default().with_all([("p", slope(j, k)), ("q", slope(k, j))]);
+        Ok(scope.with(r"\lambda", Value::Root(squared)))
+    };
+    (0..3).map(about).collect()
 }
 
 /// The square of the rate about an axis.
@@ -90,16 +89,14 @@ fn middle(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Fraction, 
     in_order().with_each("r", &rates).positive(["I1", "a", "b", "Omega"])
 }
 
-fn equal(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Fraction) -> Outcome {
-    let [i, a] = ["I1", "a"].map(Fraction::variable);
-    for (pair, lone) in [(i.clone(), &i + &a), (&i + &a, i.clone())] {
-        let moments = Vector::new(pair.clone(), pair, lone);
-        for axis in [0, 1] {
-            same("the rate squared of an equal pair", &rate_about(&law, &moments, axis), &Fraction::zero())?;
-        }
-        positive("the swing about the lone axis", &-rate_about(&law, &moments, 2))?;
-    }
-    Ok(())
+fn equal(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Fraction) -> Vec<Scope> {
+    let [i, a] = variables(["I1", "a"]);
+    let case = |pair: &Fraction, lone: &Fraction| {
+        let rates =
+            [0, 1, 2].map(|axis| rate_about(&law, &[pair, pair, lone].map(Fraction::clone).into(), axis));
+        Scope::default().with_each("r", &rates).positive(["I1", "a", "Omega"])
+    };
+    vec![case(&i, &(&i + &a)), case(&(&i + &a), &i)]
 }
 
 /// The twist of the force that points away from the axis, or, with `sign` -1, toward it.

@@ -1,7 +1,7 @@
 //! Attitudes, and what turning a body does to its tensor.
 
-use crate::number::{Fraction, Relations};
-use crate::proof::{Outcome, Residue, same_entries_under, same_under};
+use crate::number::Fraction;
+use crate::proof::{Residue, same_under};
 use crate::symbols::{Matrix, Vector, adjugate, attitude, symmetric, turning, vector};
 use crate::tex::Scope;
 use nalgebra::Quaternion;
@@ -17,7 +17,7 @@ proofs! {
             but "one entry's sign changed": rotation(|q| { let mut r = rotation_matrix(q); r[(0, 1)] *= -Fraction::one(); r }),
             but "mirrored": rotation(|q| -rotation_matrix(q)),
         "attitudes-multiply-as-rotations": products(product),
-            "The matrix of a product of quaternions is the product of their matrices, in the same order.";
+            r"The matrix of a product of quaternions is the product of their matrices, in the same order, $R = A B$.";
             but "the factors swapped": products(|p, q| product(q, p)),
         "attitude-rate": attitude_rate(rate),
             r"With $q' = \tfrac{1}{2} q (0, \omega)$ the body turns at this spin, $R' v = R (\omega\times v)$ for every vector, and the length of the quaternion stays, $l' = 0$ for its square.";
@@ -55,12 +55,12 @@ fn rotation(law: impl Fn(&Quaternion<Fraction>) -> Matrix) -> Scope {
     Scope::default().with("d", adjugate(&r).1).with("R", r).with("v", vector("v")).under(unit)
 }
 
-fn products(law: impl Fn(&Quaternion<Fraction>, &Quaternion<Fraction>) -> Quaternion<Fraction>) -> Outcome {
+fn products(law: impl Fn(&Quaternion<Fraction>, &Quaternion<Fraction>) -> Quaternion<Fraction>) -> Scope {
     let (q, _) = attitude();
     let [w, x, y, z] = ["w2", "x2", "y2", "z2"].map(Fraction::variable);
     let p = Quaternion::new(w, x, y, z);
-    let both = rotation_matrix(&law(&p, &q));
-    same_entries_under(&Relations::none(), "R(p q)", &both, &(rotation_matrix(&p) * rotation_matrix(&q)))
+    let scope = Scope::default().with("A", rotation_matrix(&p)).with("B", rotation_matrix(&q));
+    scope.with("R", rotation_matrix(&law(&p, &q)))
 }
 
 fn attitude_rate(law: impl Fn(&Quaternion<Fraction>, &Vector) -> Quaternion<Fraction>) -> Scope {

@@ -30,6 +30,12 @@ impl Scope {
         names.into_iter().fold(self, |scope, (name, x)| scope.with(name, x))
     }
 
+    /// With variables, each under its own name.
+    #[must_use]
+    pub fn with_letters<const N: usize>(self, names: [&str; N]) -> Self {
+        self.with_all(names.map(|name| (name, Fraction::variable(name))))
+    }
+
     /// With the components of a vector, each under the name with its number from one on.
     #[must_use]
     pub fn with_each<'a>(self, name: &str, values: impl IntoIterator<Item = &'a Fraction>) -> Self {

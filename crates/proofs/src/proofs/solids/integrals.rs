@@ -5,9 +5,9 @@ use super::{
     hollow_sphere_moments, plate_moments, rod_moments, tube_moments,
 };
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
-use crate::proof::{Outcome, Residue, positive, same, same_entries};
+use crate::proof::{Residue, positive, same_entries};
 use crate::region::{Region, Sums};
-use crate::symbols::{Matrix, Vector, diagonal, square, variables};
+use crate::symbols::{Matrix, Vector, diagonal, square, variables, vector};
 use crate::tex::Scope;
 use nalgebra::Vector3;
 use num_traits::{One, Zero};
@@ -23,12 +23,14 @@ fn half(p: &Polynomial) -> Polynomial {
     p.exact_quotient(&Polynomial::from(2)).unwrap_or_default()
 }
 
-/// That a body evenly filled with mass `m` has this mass, centre and inertia.
-fn has_moments(solid: &Sums, body: &MassMoments<Fraction>) -> Outcome {
+/// That a body evenly filled with mass `m` has this mass, centre and inertia; and these.
+fn has_moments(solid: &Sums, body: &MassMoments<Fraction>) -> Result<Scope, Residue> {
     let density = &body.mass / &solid.volume;
     same_entries("centre", &body.centre, &solid.first.map(|x| x / solid.volume.clone()))?;
     let about_origin = &body.inertia + point_mass(&body.mass, &body.centre);
-    same_entries("inertia", &about_origin, &solid.inertia.map(|x| x * density.clone()))
+    same_entries("inertia", &about_origin, &solid.inertia.map(|x| x * density.clone()))?;
+    let scope = Scope::default().with_letters(["m", "a", "b", "c", "i", "o", "r", "h", "l"]);
+    Ok(scope.with_each("I", &body.inertia.diagonal()).with("C", body.centre.clone()))
 }
 
 fn centred(mass: &Fraction, moments: &Vector) -> MassMoments<Fraction> {
@@ -44,7 +46,9 @@ fn box_sums() -> Result<Sums, Residue> {
     region.sums()
 }
 
-pub(super) fn cuboid(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector) -> Outcome {
+pub(super) fn cuboid(
+    law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector,
+) -> Result<Scope, Residue> {
     let [m, a, b, c] = variables(["m", "a", "b", "c"]);
     has_moments(&box_sums()?, &centred(&m, &law(&m, &a, &b, &c)))
 }
@@ -70,13 +74,15 @@ fn ball_sums(radius: &Fraction) -> Result<Sums, Residue> {
     ellipsoid_part(&Vector::repeat(radius.clone()), &Fraction::zero(), -1, 1)
 }
 
-pub(super) fn ellipsoid(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector) -> Outcome {
+pub(super) fn ellipsoid(
+    law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector,
+) -> Result<Scope, Residue> {
     let [m, a, b, c] = variables(["m", "a", "b", "c"]);
     let moments = law(&m, &a, &b, &c);
     has_moments(&ellipsoid_part(&Vector3::new(a, b, c), &Fraction::zero(), -1, 1)?, &centred(&m, &moments))
 }
 
-pub(super) fn ball(law: impl Fn(&Fraction, &Fraction) -> Vector) -> Outcome {
+pub(super) fn ball(law: impl Fn(&Fraction, &Fraction) -> Vector) -> Result<Scope, Residue> {
     let [m, r] = variables(["m", "r"]);
     has_moments(&ball_sums(&r)?, &centred(&m, &law(&m, &r)))
 }
@@ -86,8 +92,8 @@ pub(super) fn hollow_sphere(
 ) -> Result<Scope, Residue> {
     let [m, i, o] = variables(["m", "i", "o"]);
     let solid = ball_sums(&o)?.without(&ball_sums(&i)?);
-    has_moments(&solid, &centred(&m, &law(&m, &i, &o)))?;
-    Ok(Scope::default().with_all([("I", law(&m, &o, &o).x.clone()), ("m", m), ("r", o)]))
+    let whole = has_moments(&solid, &centred(&m, &law(&m, &i, &o)))?;
+    Ok(whole.with("I", law(&m, &i, &i).x.clone()))
 }
 
 /// A cylinder of the given radius about z, between two heights.
@@ -105,19 +111,24 @@ fn cylinder_sums(radius: &str, height: &str) -> Result<Sums, Residue> {
     cylinder_part(radius, &-half.clone(), &half)
 }
 
-pub(super) fn cylinder(law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector) -> Outcome {
+pub(super) fn cylinder(law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector) -> Result<Scope, Residue> {
     let [m, r, h] = variables(["m", "r", "h"]);
     has_moments(&cylinder_sums("r", "h")?, &centred(&m, &law(&m, &r, &h)))
 }
 
-pub(super) fn tube(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector) -> Outcome {
+pub(super) fn tube(
+    law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector,
+) -> Result<Scope, Residue> {
     let [m, i, o, h] = variables(["m", "i", "o", "h"]);
     let solid = cylinder_sums("o", "h")?.without(&cylinder_sums("i", "h")?);
     has_moments(&solid, &centred(&m, &law(&m, &i, &o, &h)))
 }
 
 /// A cone whose centre is one `part`-th of the way up.
-pub(super) fn cone(law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector, part: i64) -> Outcome {
+pub(super) fn cone(
+    law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector,
+    part: i64,
+) -> Result<Scope, Residue> {
     let [m, r, h, rho, cos, sin, t] = variables(["m", "r", "h", "rho", "cos", "sin", "t"]);
     let across = rho * &r * (Fraction::one() - &t);
     let position = Vector3::new(&across * &cos, across * sin, &h * &t);
@@ -130,7 +141,7 @@ pub(super) fn cone(law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector, part
     has_moments(&solid, &MassMoments { centre, ..centred(&m, &law(&m, &r, &h)) })
 }
 
-pub(super) fn capsule(law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector) -> Outcome {
+pub(super) fn capsule(law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector) -> Result<Scope, Residue> {
     let [m, r, l] = variables(["m", "r", "l"]);
     let end = &l / &Fraction::from(2);
     let round = Vector::repeat(r.clone());
@@ -150,12 +161,14 @@ pub(super) fn thin(
     rod: impl Fn(&Fraction, &Fraction) -> Vector,
     plate: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector,
     disk: impl Fn(&Fraction, &Fraction) -> Vector,
-) -> Outcome {
-    let [m, a, b, c, r] = variables(["m", "a", "b", "c", "r"]);
-    let cuboid = box_sums()?;
-    same_entries("rod", &diagonal(&rod(&m, &c)), &limit(&cuboid, &["a", "b"]))?;
-    same_entries("plate", &diagonal(&plate(&m, &a, &b)), &limit(&cuboid, &["c"]))?;
-    same_entries("disk", &diagonal(&disk(&m, &r)), &limit(&cylinder_sums("r", "h")?, &["h"]))
+) -> Result<Scope, Residue> {
+    let names = ["m", "a", "b", "c", "r"];
+    let ([m, a, b, c, r], cuboid) = (variables(names), box_sums()?);
+    let [rod, plate, disk] = [rod(&m, &c), plate(&m, &a, &b), disk(&m, &r)];
+    same_entries("rod", &diagonal(&rod), &limit(&cuboid, &["a", "b"]))?;
+    same_entries("plate", &diagonal(&plate), &limit(&cuboid, &["c"]))?;
+    same_entries("disk", &diagonal(&disk), &limit(&cylinder_sums("r", "h")?, &["h"]))?;
+    Ok(Scope::default().with("S", rod).with("P", plate).with("D", disk).with_letters(names))
 }
 
 /// Four corners, the first at the origin or anywhere.
@@ -163,7 +176,9 @@ fn corners() -> [Vector; 4] {
     [1, 2, 3, 4].map(|n| Vector::from(["x", "y", "z"].map(|axis| Fraction::variable(&format!("{axis}{n}")))))
 }
 
-pub(super) fn tetrahedron(law: impl Fn(&Fraction, &[Vector; 4]) -> MassMoments<Fraction>) -> Outcome {
+pub(super) fn tetrahedron(
+    law: impl Fn(&Fraction, &[Vector; 4]) -> MassMoments<Fraction>,
+) -> Result<Scope, Residue> {
     let corners = corners();
     let [m, u, v, w] = variables(["m", "u", "v", "w"]);
     let edge = |n: usize, along: &Fraction| (&corners[n] - &corners[0]).map(|x| x * along.clone());
@@ -175,7 +190,11 @@ pub(super) fn tetrahedron(law: impl Fn(&Fraction, &[Vector; 4]) -> MassMoments<F
         .between("v", &Polynomial::zero(), &rest)
         .between("w", &Polynomial::zero(), &(rest - v))
         .sums()?;
-    has_moments(&solid, &law(&m, &corners))
+    let body = law(&m, &corners);
+    let scope = has_moments(&solid, &body)?.with("I", body.inertia).with("n", vector("n"));
+    Ok((1..).zip(corners).fold(scope, |scope, (n, corner)| {
+        scope.with(&format!("r_{n}"), &corner - &body.centre).with(&format!("p_{n}"), corner)
+    }))
 }
 
 /// A box of edges a, b, c with one corner anywhere, cut into triangles, all seen counter-clockwise from
@@ -183,7 +202,7 @@ pub(super) fn tetrahedron(law: impl Fn(&Fraction, &[Vector; 4]) -> MassMoments<F
 pub(super) fn mesh_of_a_box(
     inside_out: bool,
     law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector,
-) -> Outcome {
+) -> Result<Scope, Residue> {
     let [a, b, c] = variables(["a", "b", "c"]);
     let at = Vector::from(variables(["x", "y", "z"]));
     let edges = [&a, &b, &c];
@@ -203,14 +222,12 @@ pub(super) fn mesh_of_a_box(
     }
     let reference = Vector::from(variables(["u", "v", "w"]));
     let found = mesh_moments(triangles, &reference);
-    let volume = &a * &b * &c;
-    same("volume", &found.mass, &volume)?;
-    let middle = Vector::from_fn(|i, _| &at[i] + &(edges[i] / &Fraction::from(2)));
-    same_entries("centre", &found.centre, &middle)?;
-    same_entries("inertia", &found.inertia, &diagonal(&law(&volume, &a, &b, &c)))
+    same_entries("inertia", &found.inertia, &diagonal(&law(&(&a * &b * &c), &a, &b, &c)))?;
+    let scope = Scope::default().with("V", found.mass).with("C", found.centre).with("p", at);
+    Ok(scope.with_each("I", &found.inertia.diagonal()).with_letters(["a", "b", "c"]))
 }
 
-pub(super) fn mesh_of_a_tetrahedron(base: [usize; 3]) -> Outcome {
+pub(super) fn mesh_of_a_tetrahedron(base: [usize; 3]) -> Result<Scope, Residue> {
     // One corner at the origin, and the point that the formula counts from anywhere: only their distance
     // matters.
     let mut corners = corners();
@@ -220,10 +237,10 @@ pub(super) fn mesh_of_a_tetrahedron(base: [usize; 3]) -> Outcome {
     let found = mesh_moments(triangles, &reference);
     // At density one its mass is its volume, a sixth of the box on its edges.
     let volume = corners[1].cross(&corners[2]).dot(&corners[3]) / Fraction::from(6);
-    same("mass", &found.mass, &volume)?;
     let expected = tetrahedron_moments(&volume, &corners);
-    same_entries("centre", &found.centre, &expected.centre)?;
-    same_entries("inertia", &found.inertia, &expected.inertia)
+    same_entries("inertia", &found.inertia, &expected.inertia)?;
+    let scope = Scope::default().with("V", found.mass).with("C", found.centre);
+    Ok((0..).zip(corners).fold(scope, |scope, (n, corner)| scope.with(&format!("p_{n}"), corner)))
 }
 
 pub(super) fn triangle_inequality(
