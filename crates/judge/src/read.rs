@@ -28,7 +28,7 @@ pub(crate) use fit::{fitted_start, least, normal, slopes};
 pub(crate) use grid::Grid;
 pub(crate) use known::{Known, Said, Stopped};
 pub use note::Note;
-pub(crate) use pace::{by_how_much, simplest, times_the_turn};
+pub(crate) use pace::{by_how_much, is_limited, simplest, times_the_turn, to_four_places};
 pub use reading::FileMistake;
 pub(crate) use reading::Reading;
 pub(crate) use rounding::{Floor, of_attitudes, rounding};

@@ -31,6 +31,7 @@ pub struct Header {
 /// Words that may stand between a name and its numbers.
 const BETWEEN: [&str; 6] = ["size", "length", "is", "of", "tensor", "principal"];
 
+const DIAGONAL: [&str; 3] = ["ixx", "iyy", "izz"];
 const OFF_DIAGONAL: [&str; 6] = ["ixy", "iyx", "ixz", "izx", "iyz", "izy"];
 
 /// Words before a name that say that there is none of it.
@@ -60,6 +61,11 @@ fn after<'a>(text: &'a str, word: &str) -> Option<&'a str> {
 /// behind it that are no unit are a remark, or make it prose where no colon stands before it.
 fn seconds(text: &str, named: bool) -> Result<Option<f64>, String> {
     let said = text.split([',', ';']).next().unwrap_or_default();
+    let digits = |c: char| c.is_ascii_digit();
+    // A fraction may stand with blanks about its stroke.
+    let parts = said.split_once('/').map(|(over, under)| (over.trim_end(), under.trim_start()));
+    let is_one = |(over, under): &(&str, &str)| over.ends_with(digits) && under.starts_with(digits);
+    let said = parts.filter(is_one).map_or_else(|| said.into(), |(over, under)| format!("{over}/{under}"));
     let mut words = said.split([' ', '\t', '(', ')', '[', ']']).filter(|word| !word.is_empty());
     let word = words.next().unwrap_or_default();
     let end = word.rfind(|c: char| c.is_ascii_digit() || c == '.').map_or(word.len(), |at| at + 1);
@@ -70,7 +76,9 @@ fn seconds(text: &str, named: bool) -> Result<Option<f64>, String> {
     let known = !unit.is_empty() || units::period(1.0, next).is_some();
     let frequency = !known && next.to_lowercase().ends_with("hz");
     let unit = if unit.is_empty() && (known || frequency) { next } else { unit };
-    match units::period(over / under, unit) {
+    // 1/60 Hz is 1/(60 Hz).
+    let is_rate = number.contains('/') && units::period(2.0, unit) < units::period(1.0, unit);
+    match units::period(if is_rate { under / over } else { over / under }, unit) {
         Some(_) if !known && (!named || ["of", "/"].contains(&next)) => Ok(None),
         Some(step) if step.is_finite() && step > 0.0 => Ok(Some(step)),
         Some(_) => Err(format!("the step is given as {}: it must be above zero", said.trim())),
@@ -111,8 +119,7 @@ fn unit(text: &str) -> Result<f64, String> {
     Ok(known.unwrap_or(1.0))
 }
 
-const PRINCIPAL: &str =
-    "give the three principal moments, and write spin and attitude about the principal axes";
+const PRINCIPAL: &str = "give the three principal moments, before other words, and write spin and attitude about the principal axes";
 
 /// Moments and products of inertia, each with how far its printed digits leave it open.
 type Parts = [Vec<(f64, f64)>; 2];
@@ -173,14 +180,21 @@ impl Header {
                 Err(problem) => self.wrong = self.wrong.take().or(Some((line, problem))),
             }
         }
+        let texts = DIAGONAL.into_iter().chain(OFF_DIAGONAL).filter_map(|word| after(comment, word));
+        if texts.clone().any(|text| has_decimal_comma(text, 1)) {
+            self.wrong.get_or_insert((line, DECIMAL_COMMA.into()));
+        }
         let one = |word: &str| after(comment, word).and_then(|text| numbers(text).first().copied());
-        for (i, word) in ["ixx", "iyy", "izz"].into_iter().enumerate() {
+        for (i, word) in DIAGONAL.into_iter().enumerate() {
             one(word).into_iter().for_each(|moment| self.take(i, moment, line));
         }
         self.products.extend(OFF_DIAGONAL.into_iter().filter_map(one).map(|product| (product.0, line)));
         if self.torque.is_none()
             && let Some(text) = after(comment, "torque")
         {
+            if has_decimal_comma(text, 3) {
+                return Err(wrong(DECIMAL_COMMA.into()));
+            }
             self.torque = numbers(text).get(..3).map(|three| Vector3::from_fn(|i, _| three[i].0));
             unread = unread.or(self.torque.is_none().then_some("torque"));
         }

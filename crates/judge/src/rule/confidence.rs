@@ -87,7 +87,8 @@ pub(super) fn confidence_in(
     let fitted = usize::from(has_fitted_number(&best.rule, known.clock.per_row));
     let much = |above: f64| explains_much(subject, pairs, best, floor, above);
     let clear = is_exact || much(ERROR_ABOVE[fitted]);
-    let jumps = if closely { jumps(subject, pairs, &best.rule, floor) } else { None };
+    let most = floor.limits()[1];
+    let jumps = if closely { jumps(subject, pairs, &best.rule, most) } else { None };
     // An exact spin alone says nothing of what turned the attitude.
     let of_spin = best.rule == Base::Exact.but(Alteration::Turned(Turn::Otherwise));
     let confidence = if are_repeated(pairs) {
@@ -97,7 +98,7 @@ pub(super) fn confidence_in(
     } else if of_spin {
         Confidence::NoneFits
     } else if (closely || best.fits(floor)) && !clear {
-        Confidence::SmallErrors
+        return (Confidence::SmallErrors, jumps.unwrap_or_default());
     } else if let Some(jumps) = jumps.filter(|jumps| best.fits(floor) || !jumps.is_empty()) {
         return (if jumps.is_empty() { Confidence::ToRounding } else { Confidence::MostSteps }, jumps);
     } else if best.median < NEAR && !is_exact && ratio >= NEAR_RATIO && much(ERROR_ABOVE[1]) {

@@ -315,9 +315,15 @@ pub(crate) fn diagnose(
     if confidence == Confidence::NoneFits && !sought {
         (ranked, confidence, error) = unnamed(subject, pairs, &found, ranked, whole.fails, floor);
     }
+    if confidence == Confidence::NoneFits {
+        // A push is as far from the motion as no step of a rule that is not known.
+        let exact = found.iter().find(|x| x.rule == Rule::EXACT).filter(|x| x.percentile_95 < NEAR);
+        let most = exact.map(|x| JUMP_IN_LIMITS * x.percentile_95.max(floor.limits()[1]));
+        jumps = most.and_then(|most| self::jumps(subject, pairs, &Rule::EXACT, most)).unwrap_or_default();
+    }
     if confidence == Confidence::ToRounding {
         (ranked, confidence) = settled(subject, pairs, ranked, whole, floor);
-    } else if !jumps.is_empty() {
+    } else if confidence == Confidence::MostSteps && !jumps.is_empty() {
         let is_own = |pair: &&Pair| jumps.iter().all(|jump| jump.line != pair.to.line);
         let own: Vec<Pair> = pairs.iter().filter(is_own).copied().collect();
         if is_biased(subject, &own, &ranked.best.rule, floor) {
@@ -354,8 +360,7 @@ pub(crate) fn diagnose(
 
 /// The steps that are not the rule's: a push is rare, far larger than the errors of the steps, and not the
 /// end of another; all other steps are the rule's. `None` where that is not so.
-pub(super) fn jumps(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> Option<Vec<Jump>> {
-    let most = floor.limits()[1];
+pub(super) fn jumps(subject: &Subject, pairs: &[Pair], rule: &Rule, most: f64) -> Option<Vec<Jump>> {
     let jump = |pair: &Pair| {
         let size = subject.residual(rule, pair);
         (size > most).then_some(Jump { line: pair.to.line, time: pair.to.t, size })

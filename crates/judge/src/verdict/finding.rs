@@ -61,7 +61,9 @@ impl Diagnosis {
                 format!("Too few digits to name the rule: they fit {} rules alike", 1 + self.alike.len())
             }
             _ if self.is_open() => self.words().into(),
-            (_, 0) => format!("{}: {}", self.words(), names.join("; or, with the same steps here: ")),
+            (Confidence::NoneFits | Confidence::SmallErrors, _) | (_, 0) => {
+                format!("{}: {}", self.words(), names.join("; or, with the same steps here: "))
+            }
             (_, 1) => format!("Every step but one, a jump, is made by: {}", names[0]),
             (_, count) => format!("Every step but {count}, which are jumps, is made by: {}", names[0]),
         };

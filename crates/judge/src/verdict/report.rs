@@ -58,7 +58,16 @@ impl Verdict {
 
     /// What is seen of the laws that are broken by a rule that is not known.
     fn seen(&self) -> Option<String> {
-        self.diagnosis.as_ref().filter(|found| found.confidence == Confidence::NoneFits && found.fails)?;
+        let open = |found: &&Diagnosis| found.fails && !found.confidence.names_a_rule();
+        let found = self.diagnosis.as_ref().filter(open)?;
+        if let [first, ..] = &found.jumps[..] {
+            let count =
+                if found.jumps.len() == 1 { "once".into() } else { format!("{} times", found.jumps.len()) };
+            return Some(format!("what is seen: the body jumps {count}, first at t = {:.4} s", first.time));
+        }
+        if found.confidence != Confidence::NoneFits {
+            return None;
+        }
         let each = self.broken().map(|law| format!("{}, {}", law.name.words(), law.plain()));
         let turned =
             self.complaints.iter().filter(|x| matches!(x, Complaint::Otherwise { seen: Some(_), .. }));
