@@ -34,7 +34,7 @@ pub use law::LawName;
 pub use laws::{Complaint, FlipCount, Gaps, Growth, Law, Point, Reset, Seen};
 pub use memory::{Description, Precision, Row, judge_described, judge_in_memory};
 pub use options::Options;
-pub use read::{FileMistake, Fit, Kind, Note};
+pub use read::{FileMistake, Kind, Note};
 pub use rule::{
     Advice, Alteration, Base, Confidence, Diagnosis, Explanation, Jump, Limits, PHYSICS_ENGINES,
     PhysicsEngine, Rule, Steps, Turn, When,

@@ -23,9 +23,6 @@ struct Arguments {
     /// Largest error allowed, of every law or of LAW (0.01 if not given)
     #[arg(long, value_name = "[LAW=]X", value_delimiter = ',', value_parser = limit, allow_hyphen_values = true)]
     threshold: Vec<Limit>,
-    /// Start from the spin that fits the first N rows best (64 if not given), where the record has few digits
-    #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "64", value_parser = rows)]
-    fit: Option<usize>,
     /// Print the verdict as one JSON object
     #[arg(long)]
     json: bool,
@@ -63,17 +60,9 @@ fn limit(text: &str) -> Result<Limit, String> {
     }
 }
 
-/// The rows of `--fit N`.
-fn rows(text: &str) -> Result<usize, String> {
-    match text.parse() {
-        Ok(rows) if rows >= 2 => Ok(rows),
-        _ => Err("it takes a number of rows, at least two; the record goes before `--fit`".into()),
-    }
-}
-
 impl Arguments {
     fn options(&self) -> Options {
-        let start = Options { inertia: self.inertia, fit: self.fit, ..Options::default() };
+        let start = Options { inertia: self.inertia, ..Options::default() };
         self.threshold.iter().fold(start, |options, limit| match limit.law {
             None => Options { threshold: limit.value, ..options },
             Some(law) => options.with(law, limit.value),
@@ -124,7 +113,6 @@ fn main() -> ExitCode {
 const fn option_for(wrong: &Error) -> &'static str {
     match wrong {
         Error::NoMoments => " (--inertia A,B,C)",
-        Error::Fit { .. } => " (--fit N)",
         _ => "",
     }
 }
@@ -156,18 +144,10 @@ mod tests {
     }
 
     #[test]
-    fn limits_moments_and_rows_are_read() {
+    fn limits_and_moments_are_read() {
         assert_eq!(options("judge run.csv"), Ok(Options::default()));
         let given = options("judge - --inertia 1,2,2.5 --threshold=1e-6 --json").unwrap();
         assert_eq!((given.inertia, given.threshold), (Some(Vector3::new(1.0, 2.0, 2.5)), 1e-6));
-        for (words, rows) in [
-            ("judge run.csv --fit", 64),
-            ("judge --fit --json run.csv", 64),
-            ("judge --fit 9 run.csv", 9),
-            ("judge --fit=9 run.csv", 9),
-        ] {
-            assert_eq!(options(words).unwrap().fit, Some(rows), "{words}");
-        }
         let given = options("judge x --threshold 0.5,energy=1e-6,phase=2").unwrap();
         let allowed = [LawName::Energy, LawName::Momentum, LawName::Phase].map(|law| given.allowed(law));
         assert_eq!(allowed, [Some(1e-6), Some(0.5), Some(2.0)]);
@@ -182,8 +162,6 @@ mod tests {
             ("judge a --threshold -1", "above zero"),
             ("judge a --threshold energy=", "above zero"),
             ("judge a --threshold enrgy=1", "the laws are energy, "),
-            ("judge a --fit 1", "at least two"),
-            ("judge --fit a", "the record goes before `--fit`"),
         ] {
             let error = options(words).unwrap_err();
             assert!(error.contains(answer), "{words}: {error}");

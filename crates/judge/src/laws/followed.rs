@@ -93,12 +93,7 @@ fn circled(motion: &FreeMotion, moments: &Vector3<f64>) -> Option<usize> {
 
 impl Laws {
     /// From the first row.
-    pub(crate) fn new(
-        moments: &Vector3<f64>,
-        first: &Row,
-        direction: Option<Vector3<f64>>,
-        floor: Floor,
-    ) -> Result<Self, tumbling::Error> {
+    pub(crate) fn new(moments: &Vector3<f64>, first: &Row, floor: Floor) -> Result<Self, tumbling::Error> {
         let exact = FreeMotion::new((*moments).try_into()?, &first.omega)?;
         let middle = matches!(exact.regime(), Regime::Elliptic { .. } | Regime::Separatrix { .. })
             .then(|| ordered(moments)[1]);
@@ -112,7 +107,7 @@ impl Laws {
             row: *first,
             energy: observe::energy(&first.omega, &angular),
             momentum: angular.norm(),
-            direction: direction.or_else(|| first.attitude.map(|q| in_world(&q, &angular))),
+            direction: first.attitude.map(|q| in_world(&q, &angular)),
         };
         let seen = Seen {
             last: *first,

@@ -5,7 +5,6 @@ use crate::laws::{Errors, Jumps, Laws, Reset, Stretch, Stretches};
 use crate::read::{Known, Pair, Row};
 use crate::rule::Subject;
 use crate::thresholds::*;
-use nalgebra::Vector3;
 use serde::Serialize;
 
 /// Steps that have no row.
@@ -48,16 +47,11 @@ pub(crate) struct Trial {
 }
 
 impl Trial {
-    pub(crate) fn new(
-        subject: &Subject,
-        first: Row,
-        direction: Option<Vector3<f64>>,
-        known: Known,
-    ) -> Result<Self, Error> {
+    pub(crate) fn new(subject: &Subject, first: Row, known: Known) -> Result<Self, Error> {
         let (has_spin, floor, errors) = (known.has_spin(), known.floor.size, Errors::default());
         let Subject { moments, torque, .. } = *subject;
         Ok(Self {
-            laws: Laws::new(&moments, &first, direction, known.floor)?,
+            laws: Laws::new(&moments, &first, known.floor)?,
             first,
             sample: Stretches::new(TRIED_STEPS),
             steps: 0,

@@ -302,8 +302,8 @@ impl Reading {
         };
         let near = ways.iter().filter(|way| way.1 <= TURNS_AGREE && way.1 <= NEARER_READING * plain);
         let best = near.min_by(|a, b| worth(a).total_cmp(&worth(b))).map_or(self, |way| way.0);
-        let other = Self { frame: !self.frame, ..self };
-        let off_side = off(&other);
+        let asides = self.pairs(pairs, moments).map(|pair| pair.aside(self.kind.in_world()));
+        let off_side = median(asides.filter_map(|pair| pair.inconsistency()));
         let on_other_side = off_side < TURNS_AGREE
             && (off_side < NEARER_READING * off(&best) || self.goes_by_law_unlike(&best, pairs, moments));
         if free && on_other_side { self } else { best }

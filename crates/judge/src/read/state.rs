@@ -46,6 +46,15 @@ impl Pair {
         Some(if sine > 0.0 { q.imag() * (2.0 * half / sine) } else { Vector3::zeros() })
     }
 
+    /// With spins in world axes that are taken for the body's, or in the body's for the world's.
+    pub(crate) fn aside(self, in_world: bool) -> Self {
+        let aside = |row: Row| {
+            let rotation = attitude::rotation_matrix(&row.start()) / row.start().norm_squared();
+            Row { omega: if in_world { rotation } else { rotation.transpose() } * row.omega, ..row }
+        };
+        Self { from: aside(self.from), to: aside(self.to), ..self }
+    }
+
     /// The sine between the axes of a short turn and of the spin: the one before, after, or their mean,
     /// whichever is the nearest.
     pub(crate) fn across(&self) -> Option<f64> {

@@ -316,10 +316,7 @@ pub(crate) fn diagnose(
         (ranked, confidence, error) = unnamed(subject, pairs, &found, ranked, whole.fails, floor);
     }
     if confidence == Confidence::NoneFits {
-        // A push is as far from the motion as no step of a rule that is not known.
-        let exact = found.iter().find(|x| x.rule == Rule::EXACT).filter(|x| x.percentile_95 < NEAR);
-        let most = exact.map(|x| JUMP_IN_LIMITS * x.percentile_95.max(floor.limits()[1]));
-        jumps = most.and_then(|most| self::jumps(subject, pairs, &Rule::EXACT, most)).unwrap_or_default();
+        jumps = pushes(subject, pairs, &found, floor);
     }
     if confidence == Confidence::ToRounding {
         (ranked, confidence) = settled(subject, pairs, ranked, whole, floor);
@@ -358,6 +355,13 @@ pub(crate) fn diagnose(
     })
 }
 
+/// The steps that are as far from the motion as no step of a rule that is not known: pushes.
+fn pushes(subject: &Subject, pairs: &[Pair], found: &[Explanation], floor: Floor) -> Vec<Jump> {
+    let exact = found.iter().find(|x| x.rule == Rule::EXACT).filter(|x| x.percentile_95 < NEAR);
+    let most = exact.map(|x| JUMP_IN_LIMITS * x.percentile_95.max(floor.limits()[1]));
+    most.and_then(|most| jumps(subject, pairs, &Rule::EXACT, most)).unwrap_or_default()
+}
+
 /// The steps that are not the rule's: a push is rare, far larger than the errors of the steps, and not the
 /// end of another; all other steps are the rule's. `None` where that is not so.
 pub(super) fn jumps(subject: &Subject, pairs: &[Pair], rule: &Rule, most: f64) -> Option<Vec<Jump>> {
@@ -368,9 +372,8 @@ pub(super) fn jumps(subject: &Subject, pairs: &[Pair], rule: &Rule, most: f64) -
     let off: Vec<Jump> = pairs.iter().filter_map(jump).collect();
     let far = off.iter().filter(|jump| jump.size > JUMP_IN_LIMITS * most).count();
     let rare = far == off.len() && far * JUMP_EVERY <= pairs.len() && far <= RESETS;
-    // Of attitudes alone one push is in two turns; and what is before it is the rule's too.
+    // Of attitudes alone one push is in two turns.
     let apart = off.windows(3).all(|three| three[2].line > three[0].line + 2);
-    let apart = apart && off.first().zip(pairs.first()).is_some_and(|(x, first)| x.line > first.to.line);
     if far == 0 { Some(Vec::new()) } else { (rare && apart).then_some(off) }
 }
 

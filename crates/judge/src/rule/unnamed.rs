@@ -80,9 +80,10 @@ fn altered<'a>(
 
 /// Whether some of the rows are the rows before them, under other times.
 pub(super) fn are_repeated(pairs: &[Pair]) -> bool {
-    let same = |pair: &&Pair| pair.from.omega == pair.to.omega && pair.from.attitude == pair.to.attitude;
-    let count = pairs.iter().filter(same).count();
-    count < pairs.len() && count as f64 > STRAIGHT[1] * pairs.len() as f64
+    let same = |pair: &Pair| pair.from.omega == pair.to.omega && pair.from.attitude == pair.to.attitude;
+    // A spin that comes to stay is no row written again and again.
+    let ends = pairs.windows(2).filter(|two| same(&two[0]) && !same(&two[1])).count();
+    ends > 1 && ends as f64 > STRAIGHT[1] * pairs.len() as f64
 }
 
 /// Whether some of the rows lie on a straight line between those before and after.

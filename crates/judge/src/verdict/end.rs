@@ -3,7 +3,7 @@
 use crate::law::LawName;
 use crate::laws::{Complaint, FlipCount, Law, Seen, Trial};
 use crate::options::Options;
-use crate::read::{Fit, Kind, Pair, median, unit};
+use crate::read::{Kind, Pair, median, unit};
 use crate::rule::{Advice, Subject, Whole, diagnose};
 use crate::thresholds::*;
 use crate::verdict::{Outcome, Recording, Verdict, spin_faults, wrong_pace, wrong_rule};
@@ -22,7 +22,7 @@ struct End<'a> {
 }
 
 /// The verdict on a trial.
-pub(crate) fn verdict(trial: Trial, subject: &Subject, fit: Option<Fit>, options: &Options) -> Verdict {
+pub(crate) fn verdict(trial: Trial, subject: &Subject, options: &Options) -> Verdict {
     let free = subject.torque.is_none();
     let mut laws = trial.laws.kept(|law| options.allowed(law));
     laws.retain(|law| free || matches!(law.name, LawName::Unit | LawName::Consistency));
@@ -75,7 +75,6 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, fit: Option<Fit>, options
         diagnosis,
         complaints,
         options: *options,
-        fit,
         untraceable: !still && followed.untraceable(),
         curve: followed.points.into_all(),
     }

@@ -9,12 +9,12 @@ use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
 /// Of the keys: another one where a key goes or changes its meaning, or a word is new.
-pub(crate) const VERSION: u32 = 2;
+pub(crate) const VERSION: u32 = 3;
 
 impl Verdict {
     /// All of it as one JSON object.
     ///
-    /// `version` is that of the keys: 2 since a grade may be `changed, then stayed`, and a confidence
+    /// `version` is that of the keys: 3 since no start is fitted, 2 since a grade may be `changed, then stayed`, and a confidence
     /// `scattered` or `repeated`. `report` is all of it in words, as [`Verdict::report`] has it; the
     /// other keys are for programs. `curve` is the run in at most 256 points, to draw it by: an array for
     /// each of `time` (s), `energy` and `momentum` (errors as shares), `direction` (rad; null without
@@ -36,7 +36,6 @@ impl Verdict {
             "grade": self.worst().map(|law| law.growth.name()),
             "threshold": self.options.threshold,
             "thresholds": self.options.own().map(|(law, most)| (law.key(), most)).collect::<Value>(),
-            "fit": self.fit,
             "engine": record.engine,
             "moments": <[f64; 3]>::from(self.moments),
             "torque": self.torque.map(<[f64; 3]>::from),

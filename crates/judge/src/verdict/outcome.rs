@@ -3,7 +3,7 @@
 use crate::law::LawName;
 use crate::laws::{Complaint, FlipCount, Gaps, Law, Point, Reset};
 use crate::options::Options;
-use crate::read::{FileMistake, Fit, Note};
+use crate::read::{FileMistake, Note};
 use crate::rule::Diagnosis;
 use nalgebra::Vector3;
 
@@ -88,8 +88,6 @@ pub struct Verdict {
     pub complaints: Vec<Complaint>,
     /// What was allowed.
     pub options: Options,
-    /// How the start was fitted, if it was.
-    pub fit: Option<Fit>,
     /// Whether the body turns so far that no `f64` says where in its motion it should be.
     pub untraceable: bool,
     /// The run in at most 256 points, to draw it by.

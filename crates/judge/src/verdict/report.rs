@@ -222,15 +222,6 @@ impl Verdict {
         };
         let (rows, duration) = (self.record.rows, self.record.duration);
         all.push(section("Record", [format!("{rows} rows, {step}, judged over {duration:.3} s")]));
-        all.extend(self.fit.map(|fit| {
-            let (rows, moved, left) = (fit.rows, plain_number(fit.moved), plain_number(fit.left));
-            section(
-                "Start",
-                [format!(
-                    "fitted to the first {rows} rows, {moved} rad/s from the first one; {left} rad/s are left"
-                )],
-            )
-        }));
         all
     }
 

@@ -91,6 +91,16 @@ fn damping_in_each_step_is_named_where_only_every_third_is_written() {
 }
 
 #[test]
+fn a_spin_that_a_limit_cuts_once_and_that_stays_is_not_said_to_be_written_twice() {
+    let rows: Vec<Row> = stepped(Method::ConstantSpin, SPIN, 0.02, 300);
+    let cut = |(i, row): (usize, &Row)| (row.0, row.1, row.2 * if i == 0 { 1.03 } else { 1.0 });
+    let rows: Vec<Row> = rows.iter().enumerate().map(cut).collect();
+    let text = csv(&rows).replace("t,qw,qx,qy,qz,", "t,a,b,c,d,");
+    let found = judged(&text).diagnosis.unwrap();
+    assert!(found.jumps.len() == 1 && found.best.rule.name() == "no gyroscopic term", "{found}");
+}
+
+#[test]
 fn pushes_in_the_run_of_an_accurate_rule_that_is_not_known_are_seen_with_their_times() {
     let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
     let h = 1.0 / 60.0;

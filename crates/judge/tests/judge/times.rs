@@ -158,6 +158,12 @@ fn an_attitude_that_is_turned_on_the_wrong_side_or_twice_is_named_with_its_remed
             matches!(found.best.rule.alteration, Some(Alteration::Turned(turn)) if turn != Turn::Otherwise)
         );
         if name.contains("dq * q") {
+            // Written as a momentum it is the record that it was.
+            let momenta: Vec<Row> =
+                rows.iter().map(|(t, q, w)| (*t, *q, w.component_mul(&moments))).collect();
+            let text = timed(BODIES[0], &momenta, 1, 1.0).replacen("wx,wy,wz", "lx,ly,lz", 1);
+            let said = judged(&text).diagnosis.unwrap().best.rule.name();
+            assert!(said.contains(name), "{said}");
             // The spin alone shows that it changes too far, and not why.
             let said = judged(&timed(BODIES[0], &rows, 1, 0.5)).to_string();
             assert!(
