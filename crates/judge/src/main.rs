@@ -15,7 +15,6 @@ struct Arguments {
     /// The record, comma-separated values; - for the standard input
     file: PathBuf,
     /// More records of the same object, described otherwise: are all one motion?
-    #[arg(conflicts_with = "fit")]
     others: Vec<PathBuf>,
     /// Principal moments about the body's x, y and z, kg m2, where the record names none
     #[arg(long, value_name = "A,B,C", value_parser = moments, allow_hyphen_values = true)]
@@ -73,7 +72,7 @@ impl Arguments {
     fn judged(&self) -> Result<(String, bool), String> {
         let verdict = open(&self.file)
             .and_then(|source| judge(source, &self.options()))
-            .map_err(|wrong| format!("{}: {wrong}{}", self.file.display(), option_for(&wrong)))?;
+            .map_err(|wrong| format!("{}: {}", self.file.display(), mended(&wrong)))?;
         let json = self.json.then(|| format!("{:#}\n", verdict.json()));
         Ok((json.unwrap_or_else(|| format!("{verdict}\n")), verdict.outcome == Outcome::Passed))
     }
@@ -84,7 +83,7 @@ impl Arguments {
         for file in [&self.file].into_iter().chain(&self.others) {
             let read = open(file).and_then(|source| Motion::read(source, &self.options()));
             let name = file.display().to_string();
-            all.push((name.clone(), read.map_err(|wrong| format!("{name}: {wrong}{}", option_for(&wrong)))?));
+            all.push((name.clone(), read.map_err(|wrong| format!("{name}: {}", mended(&wrong)))?));
         }
         if self.threshold.iter().any(|limit| limit.law.is_some()) {
             return Err("records are compared by one --threshold X, not by laws".into());
@@ -109,12 +108,9 @@ fn main() -> ExitCode {
     }
 }
 
-/// The option that mends what is wrong, where there is one.
-const fn option_for(wrong: &Error) -> &'static str {
-    match wrong {
-        Error::NoMoments => " (--inertia A,B,C)",
-        _ => "",
-    }
+/// With the option that mends it, where there is one.
+fn mended(wrong: &Error) -> String {
+    format!("{wrong}{}", if matches!(wrong, Error::NoMoments) { " (--inertia A,B,C)" } else { "" })
 }
 
 fn print(text: &str) -> Result<(), String> {

@@ -10,7 +10,6 @@ mod fitted;
 mod names;
 mod rules;
 mod tried;
-mod unnamed;
 
 pub use advice::Advice;
 pub(crate) use candidates::Subject;

@@ -1,7 +1,6 @@
 //! The verdict, built once, and its words for terminal, page and program.
 
 mod end;
-mod faults;
 mod finding;
 mod json;
 mod outcome;
@@ -10,7 +9,6 @@ mod report;
 mod words;
 
 pub(crate) use end::verdict;
-pub(crate) use faults::{spin_faults, wrong_pace, wrong_rule};
 pub(crate) use finding::{capital, sentence};
 pub(crate) use json::VERSION;
 pub use outcome::{Outcome, Recording, Verdict};

@@ -11,8 +11,8 @@ pub static VERDICT: Text = Text::empty();
 /// Judges a record.
 ///
 /// Of the row it takes: whether the three moments that follow are to be used (above zero: yes), the moments,
-/// kg m², the most that a law may be broken by, and for each law of [`LawName::ALL`](tumbling_judge::LawName::ALL), in that order, a limit of its
-/// own (not above zero: none).
+/// kg m², the most that a law may be broken by, and for each law of
+/// [`LawName::ALL`](tumbling_judge::LawName::ALL), in that order, a limit of its own (not above zero: none).
 ///
 /// The text is then the verdict as a JSON object, and the answer is 1. For a record that cannot be judged,
 /// the text says why, and the answer is 0.

@@ -39,6 +39,7 @@ struct Start {
 }
 
 /// What is seen of the motion as a whole.
+#[derive(Default)]
 pub(crate) struct Seen {
     pub last: Row,
     /// Whether the spin has never left its first value by more than rounding.
@@ -109,17 +110,7 @@ impl Laws {
             momentum: angular.norm(),
             direction: first.attitude.map(|q| in_world(&q, &angular)),
         };
-        let seen = Seen {
-            last: *first,
-            constant: true,
-            moved: 0.0,
-            flipping: 0.0,
-            turned: 0.0,
-            sign_changes: 0,
-            speed: first.omega.norm(),
-            change: 0.0,
-            steps: 0.0,
-        };
+        let seen = Seen { last: *first, constant: true, speed: first.omega.norm(), ..Seen::default() };
         Ok(Self {
             moments: *moments,
             start,

@@ -6,7 +6,7 @@ use std::f64::consts::PI;
 use tumbling::attitude;
 
 /// One row, understood.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Row {
     pub line: usize,
     /// Seconds.

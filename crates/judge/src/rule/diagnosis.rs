@@ -3,10 +3,9 @@
 
 use crate::law::LawName;
 use crate::read::{Floor, Known, Pair, Row, angle_between};
-use crate::rule::confidence::confidence_in;
+use crate::rule::confidence::{confidence_in, unnamed};
 use crate::rule::fitted::some;
 use crate::rule::tried::{alike_to_best, explained, tried};
-use crate::rule::unnamed::unnamed;
 use crate::rule::{
     Advice, Alteration, Base, Confidence, Rule, Subject, When, engine_names, engines, first_named, settings,
 };
@@ -133,13 +132,7 @@ impl Diagnosis {
         match self.confidence {
             Confidence::FewSteps => Some("a row at every step"),
             Confidence::SmallErrors => Some("a faster spin, or longer steps"),
-            Confidence::NoneFits
-            | Confidence::Accurate
-            | Confidence::Altered
-            | Confidence::Interpolated
-            | Confidence::Repeated
-            | Confidence::Scattered => None,
-            _ if !open => None,
+            other if !open || !other.names_a_rule() && other != Confidence::FewDigits => None,
             _ if self.single || self.few => Some(
                 "all digits that the engine has (17 of double precision), a faster spin, or longer steps",
             ),

@@ -14,12 +14,13 @@ pub(crate) const VERSION: u32 = 3;
 impl Verdict {
     /// All of it as one JSON object.
     ///
-    /// `version` is that of the keys: 3 since no start is fitted, 2 since a grade may be `changed, then stayed`, and a confidence
-    /// `scattered` or `repeated`. `report` is all of it in words, as [`Verdict::report`] has it; the
-    /// other keys are for programs. `curve` is the run in at most 256 points, to draw it by: an array for
-    /// each of `time` (s), `energy` and `momentum` (errors as shares), `direction` (rad; null without
-    /// attitudes), `phase` (periods; null where the motion has no period), and three arrays, one for each
-    /// body axis, for `spin` and `exact` (rad/s). A point stands for a stretch of equally many rows: the
+    /// `version` is that of the keys: 3 since no start is fitted, 2 since a grade may be `changed, then
+    /// stayed`, and a confidence `scattered` or `repeated`. `report` is all of it in words, as
+    /// [`Verdict::report`] has it; the other keys are for programs. `curve` is the run in at most 256 points,
+    /// to draw it by: an array for each of `time` (s), `energy` and `momentum` (errors as shares), `direction`
+    /// (rad; null without attitudes), `phase` (periods; null where the motion has no period), and three
+    /// arrays, one for each body axis, for `spin` and `exact` (rad/s). A point stands for a stretch of equally
+    /// many rows: the
     /// spins are those of its first row, the errors the largest of them in size, and `spin_least`,
     /// `spin_greatest`, `exact_least` and `exact_greatest` what the spins in it reach. `flips.times` has
     /// the times of the first 512 flips. What is not finite is null.
