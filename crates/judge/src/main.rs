@@ -28,11 +28,7 @@ struct Arguments {
 }
 
 /// The largest error allowed of one law, or of all.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Limit {
-    law: Option<LawName>,
-    value: f64,
-}
+type Limit = (Option<LawName>, f64);
 
 /// The moments of `--inertia A,B,C`.
 fn moments(text: &str) -> Result<Vector3<f64>, String> {
@@ -54,7 +50,7 @@ fn limit(text: &str) -> Result<Limit, String> {
         known.ok_or_else(|| format!("the laws are {}", LawName::ALL.map(LawName::key).join(", ")))
     });
     match number.trim().parse() {
-        Ok(value) if value > 0.0 && f64::is_finite(value) => Ok(Limit { law: law.transpose()?, value }),
+        Ok(value) if value > 0.0 && f64::is_finite(value) => Ok((law.transpose()?, value)),
         _ => Err("it takes a number above zero".into()),
     }
 }
@@ -62,9 +58,9 @@ fn limit(text: &str) -> Result<Limit, String> {
 impl Arguments {
     fn options(&self) -> Options {
         let start = Options { inertia: self.inertia, ..Options::default() };
-        self.threshold.iter().fold(start, |options, limit| match limit.law {
-            None => Options { threshold: limit.value, ..options },
-            Some(law) => options.with(law, limit.value),
+        self.threshold.iter().fold(start, |options, &(law, most)| match law {
+            None => Options { threshold: most, ..options },
+            Some(law) => options.with(law, most),
         })
     }
 
@@ -85,10 +81,10 @@ impl Arguments {
             let name = file.display().to_string();
             all.push((name.clone(), read.map_err(|wrong| format!("{name}: {}", mended(&wrong)))?));
         }
-        if self.threshold.iter().any(|limit| limit.law.is_some()) {
+        if self.threshold.iter().any(|limit| limit.0.is_some()) {
             return Err("records are compared by one --threshold X, not by laws".into());
         }
-        let threshold = self.threshold.last().map(|limit| limit.value);
+        let threshold = self.threshold.last().map(|limit| limit.1);
         let comparison = compare(&all, threshold).map_err(|wrong| wrong.to_string())?;
         let json = self.json.then(|| format!("{:#}\n", comparison.json()));
         Ok((json.unwrap_or_else(|| comparison.to_string()), comparison.others.is_empty()))
@@ -147,7 +143,7 @@ mod tests {
         let given = options("judge x --threshold 0.5,energy=1e-6,phase=2").unwrap();
         let allowed = [LawName::Energy, LawName::Momentum, LawName::Phase].map(|law| given.allowed(law));
         assert_eq!(allowed, [Some(1e-6), Some(0.5), Some(2.0)]);
-        assert_eq!(limit(" phase = 2 "), Ok(Limit { law: Some(LawName::Phase), value: 2.0 }));
+        assert_eq!(limit(" phase = 2 "), Ok((Some(LawName::Phase), 2.0)));
     }
 
     #[test]

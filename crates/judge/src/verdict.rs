@@ -2,17 +2,15 @@
 
 mod end;
 mod finding;
-mod json;
 mod outcome;
-mod plain;
 mod report;
 mod words;
 
 pub(crate) use end::verdict;
 pub(crate) use finding::{capital, sentence};
-pub(crate) use json::VERSION;
+pub(crate) use outcome::VERSION;
 pub use outcome::{Outcome, Recording, Verdict};
-pub(crate) use plain::plain_number;
 pub(crate) use report::COLUMNS;
 pub use report::Section;
-pub(crate) use words::too_far;
+pub use words::{Complaint, Seen};
+pub(crate) use words::{plain_number, too_far};

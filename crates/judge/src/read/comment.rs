@@ -1,10 +1,10 @@
-//! What the comment lines of a record say.
+//! What the comment lines of a record say; and units.
 
 use crate::error::Error;
-use crate::read::units;
 use crate::read::{Note, last_place};
 use crate::thresholds::{MOMENTS_MISS, PRODUCTS};
 use nalgebra::Vector3;
+use std::f64::consts::{PI, TAU};
 use tumbling::PrincipalMoments;
 
 /// What the comments before the first row say.
@@ -73,12 +73,12 @@ fn seconds(text: &str, named: bool) -> Result<Option<f64>, String> {
     let (over, under) = number.split_once('/').unwrap_or((number, "1"));
     let (Ok(over), Ok(under)) = (over.parse::<f64>(), under.parse::<f64>()) else { return Ok(None) };
     let next = words.next().unwrap_or_default().trim_end_matches(['.', ':']);
-    let known = !unit.is_empty() || units::period(1.0, next).is_some();
+    let known = !unit.is_empty() || period(1.0, next).is_some();
     let frequency = !known && next.to_lowercase().ends_with("hz");
     let unit = if unit.is_empty() && (known || frequency) { next } else { unit };
     // 1/60 Hz is 1/(60 Hz).
-    let is_rate = number.contains('/') && units::period(2.0, unit) < units::period(1.0, unit);
-    match units::period(if is_rate { under / over } else { over / under }, unit) {
+    let is_rate = number.contains('/') && period(2.0, unit) < period(1.0, unit);
+    match period(if is_rate { under / over } else { over / under }, unit) {
         Some(_) if !known && (!named || ["of", "/"].contains(&next)) => Ok(None),
         Some(step) if step.is_finite() && step > 0.0 => Ok(Some(step)),
         Some(_) => Err(format!("the step is given as {}: it must be above zero", said.trim())),
@@ -109,7 +109,7 @@ const DECIMAL_COMMA: &str = "a number has a decimal comma: write a point";
 fn unit(text: &str) -> Result<f64, String> {
     let number = |c: char| c.is_ascii_digit() || " ,\t;()[].+-eE".contains(c);
     let words: Vec<&str> = text.trim_start_matches(number).split([' ', ',', ';', ')']).take(3).collect();
-    let known = (1..=words.len()).find_map(|n| units::inertia(&words[..n].concat()));
+    let known = (1..=words.len()).find_map(|n| inertia_unit(&words[..n].concat()));
     let is_mass = |word: &str| ["g", "kg", "mg", "t", "lb", "oz", "slug"].contains(&word);
     let mass = words.first().and_then(|word| word.split(|c: char| !c.is_alphabetic()).next());
     if known.is_none() && mass.is_some_and(is_mass) && words.iter().any(|word| word.contains(['2', '²'])) {
@@ -266,4 +266,55 @@ impl Header {
         notes.push(Note::Flat { printed: named[largest], missing, moments });
         Ok(Some(moments))
     }
+}
+
+/// How many of a unit of time are a second; `None` for no unit of time.
+pub(super) fn per_second(unit: &str) -> Option<f64> {
+    Some(match unit {
+        "" | "s" | "sec" | "secs" | "second" | "seconds" => 1.0,
+        "ms" | "msec" | "millisecond" | "milliseconds" => 1e3,
+        "us" | "\u{b5}s" | "\u{3bc}s" | "usec" | "microsecond" | "microseconds" => 1e6,
+        "ns" | "nsec" | "nanosecond" | "nanoseconds" => 1e9,
+        "min" | "minute" | "minutes" => 1.0 / 60.0,
+        "h" | "hour" | "hours" => 1.0 / 3600.0,
+        _ => return None,
+    })
+}
+
+/// A number of a unit of time, or a frequency in its unit, in s; `None` for a unit that is not known.
+fn period(number: f64, unit: &str) -> Option<f64> {
+    match unit.to_lowercase().as_str() {
+        "hz" | "hertz" | "fps" => Some(1.0 / number),
+        "khz" => Some(1e-3 / number),
+        unit => Some(number / per_second(unit)?),
+    }
+}
+
+/// A unit of moments of inertia in kg m²; `None` for a unit that is not known.
+fn inertia_unit(unit: &str) -> Option<f64> {
+    let unit: String = unit.chars().filter(|c| c.is_alphanumeric()).collect();
+    Some(match unit.replace('²', "2").as_str() {
+        "" | "kgm2" => 1.0,
+        "kgcm2" => 1e-4,
+        "gm2" => 1e-3,
+        "kgmm2" => 1e-6,
+        "gcm2" => 1e-7,
+        "gmm2" => 1e-9,
+        _ => return None,
+    })
+}
+
+/// A unit of spin in rad/s; `None` for no unit of spin. Of lower case, and without blanks.
+pub(super) fn spin_unit(unit: &str) -> Option<f64> {
+    let unit: String = unit.chars().filter(|c| !c.is_whitespace()).collect();
+    Some(match unit.as_str() {
+        "" | "rad/s" | "rads" | "radps" | "rad/sec" | "radians" | "radians/s" | "rads^-1" | "rads-1"
+        | "rad*s^-1" | "rad\u{b7}s^-1" | "1/s" | "s^-1" | "s-1" | "body" => 1.0,
+        "mrad/s" => 1e-3,
+        "deg/s" | "deg" | "degrees/s" | "degrees" | "deg/sec" | "\u{b0}/s" | "\u{b0}/sec" | "\u{b0}"
+        | "dps" | "degs^-1" => PI / 180.0,
+        "rpm" | "rev/min" | "r/min" | "1/min" => PI / 30.0,
+        "rps" | "rev/s" | "r/s" | "hz" | "turns/s" | "turn/s" => TAU,
+        _ => return None,
+    })
 }

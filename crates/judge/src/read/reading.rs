@@ -210,16 +210,9 @@ impl Reading {
             Hand::Left => vector = -vector,
             Hand::One(i) => vector[i] = -vector[i],
         }
-        let (world, momentum) =
-            (self.kind.in_world() != self.frame, self.kind.is_momentum() || self.momentum);
-        let kind = match (self.kind, world, momentum) {
-            (Kind::Attitude, ..) => Kind::Attitude,
-            (_, false, false) => Kind::SpinBody,
-            (_, true, false) => Kind::SpinWorld,
-            (_, false, true) => Kind::MomentumBody,
-            (_, true, true) => Kind::MomentumWorld,
-        };
-        let omega = Raw { attitude, vector, ..*raw }.omega(kind, moments);
+        let momentum = self.kind.is_momentum() || self.momentum;
+        let omega =
+            Raw { attitude, vector, ..*raw }.omega(self.kind.in_world() != self.frame, momentum, moments);
         Row { line: raw.line, t: raw.t * self.time, attitude, omega, ahead: None }
     }
 

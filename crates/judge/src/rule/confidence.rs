@@ -1,4 +1,5 @@
-//! How sure a diagnosis is, in steps that a reader can act on; and what is said of a record that no rule fits.
+//! How sure a diagnosis is, in steps that a reader can act on; and what is said of a record that no rule
+//! fits.
 
 use crate::read::{Floor, Known, Pair, median};
 use crate::rule::diagnosis::{Jump, Ranked, jumps};

@@ -94,23 +94,17 @@ const fn places(with_attitude: bool, of_spin: bool) -> &'static [&'static [When]
 }
 
 /// Damping in each of several steps from row to row, of the number that the header names if it does.
-pub(super) fn damped_in_steps(
-    subject: &Subject,
-    pairs: &[Pair],
-    rounding: f64,
-    per_row: Option<u32>,
-) -> Vec<Rule> {
+pub(super) fn in_steps(subject: &Subject, pairs: &[Pair], rounding: f64, per_row: Option<u32>) -> Vec<Rule> {
     let few = &*some(pairs, TRIED_IN_PARTS[0]);
     let with_attitude = pairs.first().is_some_and(|pair| pair.from.attitude.is_some());
     let whens = places(with_attitude, pairs.iter().all(|pair| pair.to.ahead.is_none()));
-    let named = per_row.map(|steps| vec![steps]).unwrap_or_else(|| DAMPED_STEPS.to_vec());
-    let steps = named.into_iter().filter(|steps| *steps > 1);
+    let steps = per_row.map_or_else(|| DAMPED_STEPS.to_vec(), |steps| vec![steps]).into_iter();
     let bases = move |steps: u32| {
         let of = move |base: Base| (base.in_parts(base.parts().saturating_mul(steps)), steps);
         Base::all().into_iter().map(of).filter(|(base, _)| base.parts() > 1)
     };
     let fitted = |base| whens.iter().flat_map(move |whens| damped(subject, few, base, whens, rounding));
-    steps.flat_map(bases).flat_map(fitted).collect()
+    steps.filter(|steps| *steps > 1).flat_map(bases).flat_map(fitted).collect()
 }
 
 /// Another gyroscopic term, or other times, with which a base makes the spins.

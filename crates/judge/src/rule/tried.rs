@@ -1,7 +1,7 @@
 //! Which rules are tried on a record, in which order, and how far each is from it.
 
 use crate::read::{Floor, Known, Pair, middle_and_most};
-use crate::rule::fitted::{damped_in_steps, some};
+use crate::rule::fitted::{in_steps, some};
 use crate::rule::{
     Alteration, Base, Explanation, Rule, Subject, Turn, compound, in_parts, momentum_for_spin, of_parts,
     other_bodies, plain,
@@ -64,7 +64,7 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
         }
     }
     if free && !fits(&found) && found.iter().any(|x| x.rule.is_damped()) {
-        let rules = damped_in_steps(subject, pairs, floor.size, per_row);
+        let rules = in_steps(subject, pairs, floor.size, per_row);
         found.extend(tried_in_parts(subject, pairs, rules, floor));
     }
     found.extend(equals(&found[unaltered..], floor).into_iter().filter_map(explained));

@@ -1,12 +1,12 @@
 //! The end of a trial: what its laws and steps come to, as one verdict.
 
 use crate::law::LawName;
-use crate::laws::{Complaint, FlipCount, Law, Seen, Trial};
+use crate::laws::{FlipCount, Law, Trial};
 use crate::options::Options;
 use crate::read::{Kind, Pair, median, unit};
 use crate::rule::{Advice, Alteration, Base, Confidence, Diagnosis, Rule, Subject, Whole, diagnose};
 use crate::thresholds::*;
-use crate::verdict::{Outcome, Recording, Verdict};
+use crate::verdict::{Complaint, Outcome, Recording, Seen, Verdict};
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
 use tumbling::step::Method;
