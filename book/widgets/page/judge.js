@@ -8,8 +8,8 @@ tumblingLive.widget("judge", async (stage, from) => {
     /** The laws that may have a limit of their own, in the judge's order. */
     const LAWS = ["energy", "momentum", "direction", "unit", "separatrix", "phase", "consistency"];
     const the = (id) => stage.querySelector(`#judge-${id}`);
-    const [file, text, moments, threshold, fit, go, example, progress, stop] =
-        ["file", "text", "moments", "threshold", "fit", "go", "example", "progress", "stop"].map(the);
+    const [file, text, moments, threshold, go, example, progress, stop] =
+        ["file", "text", "moments", "threshold", "go", "example", "progress", "stop"].map(the);
     const [wrong, place, reading, list] = ["wrong", "verdict", "reading", "records"].map((name) => stage.querySelector(`.live-${name}`));
     const say = sayer(stage);
 
@@ -89,15 +89,6 @@ tumblingLive.widget("judge", async (stage, from) => {
         return { most, own };
     }
 
-    /** To how many rows the start is to be fitted, as typed; none: 0. */
-    function fitted() {
-        const rows = Number(fit.value);
-        if (!fit.validity.valid || !Number.isInteger(rows) || rows < 0 || rows === 1) {
-            throw new Error("the start is fitted to a whole number of rows, two at least, or to none");
-        }
-        return rows;
-    }
-
     function hire() {
         const hired = new Worker(code);
         hired.onmessage = heard;
@@ -127,7 +118,7 @@ tumblingLive.widget("judge", async (stage, from) => {
         list.replaceChildren();
         try {
             const { most, own } = limits();
-            asked = [...typed(), most, fitted(), ...own];
+            asked = [...typed(), most, ...own];
         } catch (why) {
             complain(why.message);
             return;
@@ -255,7 +246,7 @@ tumblingLive.widget("judge", async (stage, from) => {
         text.value = new TextDecoder().decode(await bytes("judge.example"));
         lines("the example");
     });
-    for (const field of [moments, threshold, fit]) field.addEventListener("change", () => records.length > 0 && judge(records, Math.max(0, shown)));
+    for (const field of [moments, threshold]) field.addEventListener("change", () => records.length > 0 && judge(records, Math.max(0, shown)));
     stage.addEventListener("live-files", ({ detail }) => {
         file.value = "";
         files(detail);

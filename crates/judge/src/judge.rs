@@ -3,16 +3,13 @@
 use crate::error::Error;
 use crate::laws::Trial;
 use crate::options::Options;
-use crate::read::{
-    Derived, Feed, Fit, Known, Note, Raw, Row, Rows, Said, Source, Stopped, fitted_start, in_world,
-};
+use crate::read::{Derived, Feed, Known, Note, Raw, Rows, Said, Source};
 use crate::rule::{PHYSICS_ENGINES, Subject};
 use crate::thresholds::PROBE_ROWS;
 use crate::verdict::{Verdict, too_far, verdict};
 use nalgebra::Vector3;
 use std::io::BufRead;
 use tumbling::PrincipalMoments;
-use tumbling::exact::FreeMotion;
 
 /// Judges a record.
 ///
@@ -66,9 +63,9 @@ pub(crate) fn judge_rows(rows: &mut dyn Source, said: Said, options: &Options) -
     let rest = states.iter().position(|row| row.omega != Vector3::zeros()).unwrap_or(0);
     states.drain(..rest);
     known.said.notes.extend(states.first().filter(|_| rest > 0).map(|first| Note::Rest { line: first.line }));
-    let (first, fitted) = start(&states, stopped, probe.len(), &subject.moments, options)?;
-    let (direction, fit) = fitted.unzip();
-    let mut trial = Trial::new(&subject, first, direction.flatten(), known)?;
+    let wrong = |(line, turn)| Error::Line { line, problem: too_far(turn) };
+    let first = *states.first().ok_or_else(|| stopped.map_or(Error::OneRow, wrong))?;
+    let mut trial = Trial::new(&subject, first, known)?;
     trial.rows = probe.len() as u64;
     for state in &states {
         trial.row(state)?;
@@ -76,7 +73,7 @@ pub(crate) fn judge_rows(rows: &mut dyn Source, said: Said, options: &Options) -
     trial.stopped = stopped;
     follow(rows, &mut trial, &mut feed)?;
     trial.ended = rows.ended().map(|error| error.to_string());
-    Ok(verdict(trial, &subject, fit, options))
+    Ok(verdict(trial, &subject, options))
 }
 
 /// The rows after those that the reading was settled by.
@@ -109,50 +106,4 @@ fn probed(rows: &mut dyn Source) -> Result<Vec<Raw>, Error> {
         1 => Err(Error::OneRow),
         _ => Ok(probe),
     }
-}
-
-/// The momentum in the world of a fitted start, where there are attitudes, and how it was fitted.
-type Fitted = (Option<Vector3<f64>>, Fit);
-
-/// The first row, or the start whose exact motion is nearest to the number of rows that the options name.
-fn start(
-    states: &[Row],
-    stopped: Stopped,
-    probed: usize,
-    moments: &Vector3<f64>,
-    options: &Options,
-) -> Result<(Row, Option<Fitted>), Error> {
-    let Some(mut first) = states.first().copied() else {
-        let wrong = |(line, turn)| Error::Line { line, problem: too_far(turn) };
-        return Err(stopped.map_or(Error::OneRow, wrong));
-    };
-    let Some(count) = options.fit else { return Ok((first, None)) };
-    if count > states.len() {
-        let problem = match probed {
-            PROBE_ROWS => format!("more than {PROBE_ROWS} are not held in memory"),
-            there => format!("the record has {there}. Give a smaller number"),
-        };
-        return Err(Error::Fit { rows: count, problem });
-    }
-    let rows = &states[..count];
-    let (omega, how) = fitted_start(moments, rows)?;
-    first.omega = omega;
-    Ok((first, Some((momentum_of(rows, moments, &omega)?, how))))
-}
-
-/// The mean of the momenta in the world that the rows' attitudes make of the exact motion's; `None` without
-/// attitudes.
-fn momentum_of(
-    rows: &[Row],
-    moments: &Vector3<f64>,
-    omega: &Vector3<f64>,
-) -> Result<Option<Vector3<f64>>, tumbling::Error> {
-    let Some(first) = rows.first() else { return Ok(None) };
-    let motion = FreeMotion::new((*moments).try_into()?, omega)?;
-    let mut sum = Vector3::zeros();
-    for row in rows {
-        let Some(q) = row.attitude else { return Ok(None) };
-        sum += in_world(&q, &moments.component_mul(&motion.omega(row.t - first.t)?)) / q.norm_squared();
-    }
-    Ok(Some(sum))
 }

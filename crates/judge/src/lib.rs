@@ -31,12 +31,12 @@ pub use gyroscope::{FittedInertia, fit_inertia};
 pub use judge::judge;
 pub use kit::{Answer, Story};
 pub use law::LawName;
-pub use laws::{Complaint, FlipCount, Gaps, Growth, Law, Point, Reset, Seen};
+pub use laws::{FlipCount, Gaps, Growth, Law, Point, Reset};
 pub use memory::{Description, Precision, Row, judge_described, judge_in_memory};
 pub use options::Options;
-pub use read::{FileMistake, Fit, Kind, Note};
+pub use read::{FileMistake, Kind, Note};
 pub use rule::{
     Advice, Alteration, Base, Confidence, Diagnosis, Explanation, Jump, Limits, PHYSICS_ENGINES,
     PhysicsEngine, Rule, Steps, Turn, When,
 };
-pub use verdict::{Outcome, Recording, Section, Verdict};
+pub use verdict::{Complaint, Outcome, Recording, Section, Seen, Verdict};

@@ -15,7 +15,6 @@ struct Arguments {
     /// The record, comma-separated values; - for the standard input
     file: PathBuf,
     /// More records of the same object, described otherwise: are all one motion?
-    #[arg(conflicts_with = "fit")]
     others: Vec<PathBuf>,
     /// Principal moments about the body's x, y and z, kg m2, where the record names none
     #[arg(long, value_name = "A,B,C", value_parser = moments, allow_hyphen_values = true)]
@@ -23,20 +22,13 @@ struct Arguments {
     /// Largest error allowed, of every law or of LAW (0.01 if not given)
     #[arg(long, value_name = "[LAW=]X", value_delimiter = ',', value_parser = limit, allow_hyphen_values = true)]
     threshold: Vec<Limit>,
-    /// Start from the spin that fits the first N rows best (64 if not given), where the record has few digits
-    #[arg(long, value_name = "N", num_args = 0..=1, default_missing_value = "64", value_parser = rows)]
-    fit: Option<usize>,
     /// Print the verdict as one JSON object
     #[arg(long)]
     json: bool,
 }
 
 /// The largest error allowed of one law, or of all.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Limit {
-    law: Option<LawName>,
-    value: f64,
-}
+type Limit = (Option<LawName>, f64);
 
 /// The moments of `--inertia A,B,C`.
 fn moments(text: &str) -> Result<Vector3<f64>, String> {
@@ -58,25 +50,17 @@ fn limit(text: &str) -> Result<Limit, String> {
         known.ok_or_else(|| format!("the laws are {}", LawName::ALL.map(LawName::key).join(", ")))
     });
     match number.trim().parse() {
-        Ok(value) if value > 0.0 && f64::is_finite(value) => Ok(Limit { law: law.transpose()?, value }),
+        Ok(value) if value > 0.0 && f64::is_finite(value) => Ok((law.transpose()?, value)),
         _ => Err("it takes a number above zero".into()),
-    }
-}
-
-/// The rows of `--fit N`.
-fn rows(text: &str) -> Result<usize, String> {
-    match text.parse() {
-        Ok(rows) if rows >= 2 => Ok(rows),
-        _ => Err("it takes a number of rows, at least two; the record goes before `--fit`".into()),
     }
 }
 
 impl Arguments {
     fn options(&self) -> Options {
-        let start = Options { inertia: self.inertia, fit: self.fit, ..Options::default() };
-        self.threshold.iter().fold(start, |options, limit| match limit.law {
-            None => Options { threshold: limit.value, ..options },
-            Some(law) => options.with(law, limit.value),
+        let start = Options { inertia: self.inertia, ..Options::default() };
+        self.threshold.iter().fold(start, |options, &(law, most)| match law {
+            None => Options { threshold: most, ..options },
+            Some(law) => options.with(law, most),
         })
     }
 
@@ -84,7 +68,7 @@ impl Arguments {
     fn judged(&self) -> Result<(String, bool), String> {
         let verdict = open(&self.file)
             .and_then(|source| judge(source, &self.options()))
-            .map_err(|wrong| format!("{}: {wrong}{}", self.file.display(), option_for(&wrong)))?;
+            .map_err(|wrong| format!("{}: {}", self.file.display(), mended(&wrong)))?;
         let json = self.json.then(|| format!("{:#}\n", verdict.json()));
         Ok((json.unwrap_or_else(|| format!("{verdict}\n")), verdict.outcome == Outcome::Passed))
     }
@@ -95,12 +79,12 @@ impl Arguments {
         for file in [&self.file].into_iter().chain(&self.others) {
             let read = open(file).and_then(|source| Motion::read(source, &self.options()));
             let name = file.display().to_string();
-            all.push((name.clone(), read.map_err(|wrong| format!("{name}: {wrong}{}", option_for(&wrong)))?));
+            all.push((name.clone(), read.map_err(|wrong| format!("{name}: {}", mended(&wrong)))?));
         }
-        if self.threshold.iter().any(|limit| limit.law.is_some()) {
+        if self.threshold.iter().any(|limit| limit.0.is_some()) {
             return Err("records are compared by one --threshold X, not by laws".into());
         }
-        let threshold = self.threshold.last().map(|limit| limit.value);
+        let threshold = self.threshold.last().map(|limit| limit.1);
         let comparison = compare(&all, threshold).map_err(|wrong| wrong.to_string())?;
         let json = self.json.then(|| format!("{:#}\n", comparison.json()));
         Ok((json.unwrap_or_else(|| comparison.to_string()), comparison.others.is_empty()))
@@ -120,13 +104,9 @@ fn main() -> ExitCode {
     }
 }
 
-/// The option that mends what is wrong, where there is one.
-const fn option_for(wrong: &Error) -> &'static str {
-    match wrong {
-        Error::NoMoments => " (--inertia A,B,C)",
-        Error::Fit { .. } => " (--fit N)",
-        _ => "",
-    }
+/// With the option that mends it, where there is one.
+fn mended(wrong: &Error) -> String {
+    format!("{wrong}{}", if matches!(wrong, Error::NoMoments) { " (--inertia A,B,C)" } else { "" })
 }
 
 fn print(text: &str) -> Result<(), String> {
@@ -156,22 +136,14 @@ mod tests {
     }
 
     #[test]
-    fn limits_moments_and_rows_are_read() {
+    fn limits_and_moments_are_read() {
         assert_eq!(options("judge run.csv"), Ok(Options::default()));
         let given = options("judge - --inertia 1,2,2.5 --threshold=1e-6 --json").unwrap();
         assert_eq!((given.inertia, given.threshold), (Some(Vector3::new(1.0, 2.0, 2.5)), 1e-6));
-        for (words, rows) in [
-            ("judge run.csv --fit", 64),
-            ("judge --fit --json run.csv", 64),
-            ("judge --fit 9 run.csv", 9),
-            ("judge --fit=9 run.csv", 9),
-        ] {
-            assert_eq!(options(words).unwrap().fit, Some(rows), "{words}");
-        }
         let given = options("judge x --threshold 0.5,energy=1e-6,phase=2").unwrap();
         let allowed = [LawName::Energy, LawName::Momentum, LawName::Phase].map(|law| given.allowed(law));
         assert_eq!(allowed, [Some(1e-6), Some(0.5), Some(2.0)]);
-        assert_eq!(limit(" phase = 2 "), Ok(Limit { law: Some(LawName::Phase), value: 2.0 }));
+        assert_eq!(limit(" phase = 2 "), Ok((Some(LawName::Phase), 2.0)));
     }
 
     #[test]
@@ -182,8 +154,6 @@ mod tests {
             ("judge a --threshold -1", "above zero"),
             ("judge a --threshold energy=", "above zero"),
             ("judge a --threshold enrgy=1", "the laws are energy, "),
-            ("judge a --fit 1", "at least two"),
-            ("judge --fit a", "the record goes before `--fit`"),
         ] {
             let error = options(words).unwrap_err();
             assert!(error.contains(answer), "{words}: {error}");

@@ -18,9 +18,6 @@ pub struct Options {
     /// makes that law count. Without one, a phase fails that is off by more than a quarter of a period and a
     /// quarter of the periods of the exact motion.
     pub thresholds: [Option<f64>; 7],
-    /// To start from the exact motion that comes nearest to this number of rows, not from the first
-    /// alone.
-    pub fit: Option<usize>,
 }
 
 impl Options {
@@ -62,6 +59,6 @@ impl Options {
 
 impl Default for Options {
     fn default() -> Self {
-        Self { inertia: None, threshold: ALLOWED, thresholds: [None; 7], fit: None }
+        Self { inertia: None, threshold: ALLOWED, thresholds: [None; 7] }
     }
 }

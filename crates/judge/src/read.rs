@@ -3,35 +3,26 @@
 mod clock;
 mod columns;
 mod comment;
-mod derived;
-mod digits;
 mod fit;
-mod grid;
 mod known;
-mod note;
 mod pace;
 mod reading;
 mod rounding;
 mod rows;
-mod source;
 mod state;
-mod units;
 
-pub(crate) use clock::Clock;
+pub(crate) use clock::{Clock, Grid};
 pub use columns::Kind;
 pub(crate) use columns::{Columns, Separator, TimeColumn};
 pub(crate) use comment::Header;
-pub(crate) use derived::{Derived, Feed};
-pub(crate) use digits::{last_place, significant, significant_bits};
-pub use fit::Fit;
-pub(crate) use fit::{fitted_start, least, normal, slopes};
-pub(crate) use grid::Grid;
-pub(crate) use known::{Known, Said, Stopped};
-pub use note::Note;
-pub(crate) use pace::{by_how_much, simplest, times_the_turn};
+pub(crate) use fit::{least, normal, slopes};
+pub use known::Note;
+pub(crate) use known::{Known, Said};
+pub(crate) use pace::{by_how_much, is_limited, simplest, times_the_turn, to_four_places};
 pub use reading::FileMistake;
 pub(crate) use reading::Reading;
-pub(crate) use rounding::{Floor, of_attitudes, rounding};
-pub(crate) use rows::Rows;
-pub(crate) use source::{Exact, Printed, Raw, Source};
-pub(crate) use state::{Pair, Row, angle_between, in_world, median, middle_and_most, ordered, unit};
+pub(crate) use rounding::{Floor, last_place, of_attitudes, rounding, significant, significant_bits};
+pub(crate) use rows::{Exact, Printed, Raw, Rows, Source};
+pub(crate) use state::{
+    Derived, Feed, Pair, Row, angle_between, in_world, median, middle_and_most, ordered, unit,
+};

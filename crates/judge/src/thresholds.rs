@@ -322,6 +322,8 @@ pub(crate) const CAPPED_ROUNDINGS: f64 = 4.0;
 pub(crate) const DAMPED: f64 = 1e-9;
 /// Roundings by which a factor of damping must be below one.
 pub(crate) const DAMPED_ROUNDINGS: f64 = 16.0;
+/// Numbers of steps from row to row that are tried where the header names none.
+pub(crate) const DAMPED_STEPS: [u32; 7] = [2, 3, 4, 5, 6, 8, 10];
 /// How near a rate of damping must be to one of three digits to be that one, as a share.
 pub(crate) const ROUND_RATE: f64 = 1e-5;
 /// How near a multiple of the gyroscopic term must be to one that has a name, and how far from 1.

@@ -86,8 +86,8 @@ pub enum Threshold {
     Each(HashMap<String, f64>),
 }
 
-fn options(threshold: Option<Threshold>, fit: Option<usize>) -> Answer<Options> {
-    let options = Options { fit, ..Options::default() };
+fn options(threshold: Option<Threshold>) -> Answer<Options> {
+    let options = Options::default();
     match threshold {
         None => Ok(options),
         Some(Threshold::All(threshold)) => Ok(Options { threshold, ..options }),
@@ -176,7 +176,7 @@ fn record(
 ///
 /// `engine` names who made the record. `threshold` is the largest error allowed, of every law or as a dict by
 /// law ('energy', 'momentum', 'direction', 'unit', 'separatrix', 'phase', 'consistency'). `torque` is one
-/// that is constant in the world, N m. `fit` starts from the motion nearest to as many rows.
+/// that is constant in the world, N m.
 ///
 /// Raises `Error` for a record that cannot be judged: a number that is not finite in the first two rows, a
 /// time that does not increase. Where a later row has one, the rows before it are judged, and the verdict
@@ -191,7 +191,7 @@ fn record(
 #[pyfunction]
 #[pyo3(signature = (
     t, q=None, w=None, *, inertia, frame="world", scalar_first=false, engine=None, torque=None,
-    threshold=None, fit=None
+    threshold=None
 ))]
 pub fn judge(
     py: Python<'_>,
@@ -204,11 +204,10 @@ pub fn judge(
     engine: Option<String>,
     torque: Option<Numbers<'_>>,
     threshold: Option<Threshold>,
-    fit: Option<usize>,
 ) -> Answer<Verdict> {
     let (times, step, kind, attitudes, spins) = record(&t, q, w, frame, scalar_first)?;
     let torque = torque.map(|torque| row("torque", &torque)).transpose()?.map(Vector3::from);
-    let ((moments, axes), options) = (principal(&inertia), options(threshold, fit)?);
+    let ((moments, axes), options) = (principal(&inertia), options(threshold)?);
     let single = axes.is_some()
         && are_single(spins.iter().flatten())
         && attitudes.iter().flatten().all(|q| are_single(&q.coords));

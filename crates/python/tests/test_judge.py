@@ -80,7 +80,7 @@ def test_a_verdict_has_its_laws_as_a_list():
     energy = next(law for law in verdict.laws if law["law"] == "energy")
     kinetic = np.sum(MOMENTS * w**2, axis=1)
     assert energy["most"] == pytest.approx(abs(kinetic / kinetic[0] - 1).max()) and energy["allowed"] == 0.01
-    assert json.loads(verdict.json())["version"] == 2 and tumbling.__version__.count(".") == 2
+    assert json.loads(verdict.json())["version"] == 3 and tumbling.__version__.count(".") == 2
 
 
 def test_one_object_in_two_descriptions_is_compared():

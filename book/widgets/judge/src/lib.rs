@@ -11,19 +11,16 @@ pub static VERDICT: Text = Text::empty();
 /// Judges a record.
 ///
 /// Of the row it takes: whether the three moments that follow are to be used (above zero: yes), the moments,
-/// kg m², the most that a law may be broken by, to how many rows the start is to be fitted (below two: to
-/// none), and for each law of [`LawName::ALL`](tumbling_judge::LawName::ALL), in that order, a limit of its
-/// own (not above zero: none).
+/// kg m², the most that a law may be broken by, and for each law of
+/// [`LawName::ALL`](tumbling_judge::LawName::ALL), in that order, a limit of its own (not above zero: none).
 ///
 /// The text is then the verdict as a JSON object, and the answer is 1. For a record that cannot be judged,
 /// the text says why, and the answer is 0.
 pub fn judged(record: impl BufRead, row: &Numbers) -> usize {
-    let [given, a, b, c, threshold, fitted] = row.take(0);
+    let [given, a, b, c, threshold] = row.take(0);
     let inertia = (given > 0.0).then(|| Vector3::new(a, b, c));
-    let thresholds = row.take(6).map(|most: f64| (most > 0.0).then_some(most));
-    // The judge refuses a number of rows too large for any memory.
-    let fit = (fitted >= 2.0).then_some(fitted as usize);
-    match judge(record, &Options { inertia, threshold, thresholds, fit }) {
+    let thresholds = row.take(5).map(|most: f64| (most > 0.0).then_some(most));
+    match judge(record, &Options { inertia, threshold, thresholds }) {
         Ok(verdict) => {
             VERDICT.say(verdict.json().to_string());
             1

@@ -39,6 +39,7 @@ struct Start {
 }
 
 /// What is seen of the motion as a whole.
+#[derive(Default)]
 pub(crate) struct Seen {
     pub last: Row,
     /// Whether the spin has never left its first value by more than rounding.
@@ -93,12 +94,7 @@ fn circled(motion: &FreeMotion, moments: &Vector3<f64>) -> Option<usize> {
 
 impl Laws {
     /// From the first row.
-    pub(crate) fn new(
-        moments: &Vector3<f64>,
-        first: &Row,
-        direction: Option<Vector3<f64>>,
-        floor: Floor,
-    ) -> Result<Self, tumbling::Error> {
+    pub(crate) fn new(moments: &Vector3<f64>, first: &Row, floor: Floor) -> Result<Self, tumbling::Error> {
         let exact = FreeMotion::new((*moments).try_into()?, &first.omega)?;
         let middle = matches!(exact.regime(), Regime::Elliptic { .. } | Regime::Separatrix { .. })
             .then(|| ordered(moments)[1]);
@@ -112,19 +108,9 @@ impl Laws {
             row: *first,
             energy: observe::energy(&first.omega, &angular),
             momentum: angular.norm(),
-            direction: direction.or_else(|| first.attitude.map(|q| in_world(&q, &angular))),
+            direction: first.attitude.map(|q| in_world(&q, &angular)),
         };
-        let seen = Seen {
-            last: *first,
-            constant: true,
-            moved: 0.0,
-            flipping: 0.0,
-            turned: 0.0,
-            sign_changes: 0,
-            speed: first.omega.norm(),
-            change: 0.0,
-            steps: 0.0,
-        };
+        let seen = Seen { last: *first, constant: true, speed: first.omega.norm(), ..Seen::default() };
         Ok(Self {
             moments: *moments,
             start,

@@ -1,7 +1,7 @@
 //! Which column is what, from their names.
 
 use crate::error::Error;
-use crate::read::units;
+use crate::read::comment::{per_second, spin_unit};
 
 /// What the numbers of a row stand for: at which place each stands among the fields.
 #[derive(Debug, Clone, PartialEq)]
@@ -281,7 +281,7 @@ impl Names {
         if kind.is_momentum() {
             return Ok(1.0);
         }
-        units::spin(first).ok_or_else(|| {
+        spin_unit(first).ok_or_else(|| {
             self.wrong(format!(
                 "the unit of `{name}` is not known here: known are rad/s, deg/s, dps, rpm and rev/s"
             ))
@@ -292,7 +292,7 @@ impl Names {
         let TimeColumn::Time(i) = clock else { return Ok(1.0) };
         let (name, unit) = &self.plain[i];
         let by_name = unit_of_time(name).unwrap_or_default();
-        units::per_second(if unit.is_empty() { by_name } else { unit }).ok_or_else(|| {
+        per_second(if unit.is_empty() { by_name } else { unit }).ok_or_else(|| {
             self.wrong(format!(
                 "the unit of `{}` is not known here: known are s, ms, us, ns and min",
                 self.raw[i]

@@ -1,10 +1,10 @@
-//! What the comment lines of a record say.
+//! What the comment lines of a record say; and units.
 
 use crate::error::Error;
-use crate::read::units;
 use crate::read::{Note, last_place};
 use crate::thresholds::{MOMENTS_MISS, PRODUCTS};
 use nalgebra::Vector3;
+use std::f64::consts::{PI, TAU};
 use tumbling::PrincipalMoments;
 
 /// What the comments before the first row say.
@@ -31,6 +31,7 @@ pub struct Header {
 /// Words that may stand between a name and its numbers.
 const BETWEEN: [&str; 6] = ["size", "length", "is", "of", "tensor", "principal"];
 
+const DIAGONAL: [&str; 3] = ["ixx", "iyy", "izz"];
 const OFF_DIAGONAL: [&str; 6] = ["ixy", "iyx", "ixz", "izx", "iyz", "izy"];
 
 /// Words before a name that say that there is none of it.
@@ -60,6 +61,11 @@ fn after<'a>(text: &'a str, word: &str) -> Option<&'a str> {
 /// behind it that are no unit are a remark, or make it prose where no colon stands before it.
 fn seconds(text: &str, named: bool) -> Result<Option<f64>, String> {
     let said = text.split([',', ';']).next().unwrap_or_default();
+    let digits = |c: char| c.is_ascii_digit();
+    // A fraction may stand with blanks about its stroke.
+    let parts = said.split_once('/').map(|(over, under)| (over.trim_end(), under.trim_start()));
+    let is_one = |(over, under): &(&str, &str)| over.ends_with(digits) && under.starts_with(digits);
+    let said = parts.filter(is_one).map_or_else(|| said.into(), |(over, under)| format!("{over}/{under}"));
     let mut words = said.split([' ', '\t', '(', ')', '[', ']']).filter(|word| !word.is_empty());
     let word = words.next().unwrap_or_default();
     let end = word.rfind(|c: char| c.is_ascii_digit() || c == '.').map_or(word.len(), |at| at + 1);
@@ -67,10 +73,12 @@ fn seconds(text: &str, named: bool) -> Result<Option<f64>, String> {
     let (over, under) = number.split_once('/').unwrap_or((number, "1"));
     let (Ok(over), Ok(under)) = (over.parse::<f64>(), under.parse::<f64>()) else { return Ok(None) };
     let next = words.next().unwrap_or_default().trim_end_matches(['.', ':']);
-    let known = !unit.is_empty() || units::period(1.0, next).is_some();
+    let known = !unit.is_empty() || period(1.0, next).is_some();
     let frequency = !known && next.to_lowercase().ends_with("hz");
     let unit = if unit.is_empty() && (known || frequency) { next } else { unit };
-    match units::period(over / under, unit) {
+    // 1/60 Hz is 1/(60 Hz).
+    let is_rate = number.contains('/') && period(2.0, unit) < period(1.0, unit);
+    match period(if is_rate { under / over } else { over / under }, unit) {
         Some(_) if !known && (!named || ["of", "/"].contains(&next)) => Ok(None),
         Some(step) if step.is_finite() && step > 0.0 => Ok(Some(step)),
         Some(_) => Err(format!("the step is given as {}: it must be above zero", said.trim())),
@@ -101,7 +109,7 @@ const DECIMAL_COMMA: &str = "a number has a decimal comma: write a point";
 fn unit(text: &str) -> Result<f64, String> {
     let number = |c: char| c.is_ascii_digit() || " ,\t;()[].+-eE".contains(c);
     let words: Vec<&str> = text.trim_start_matches(number).split([' ', ',', ';', ')']).take(3).collect();
-    let known = (1..=words.len()).find_map(|n| units::inertia(&words[..n].concat()));
+    let known = (1..=words.len()).find_map(|n| inertia_unit(&words[..n].concat()));
     let is_mass = |word: &str| ["g", "kg", "mg", "t", "lb", "oz", "slug"].contains(&word);
     let mass = words.first().and_then(|word| word.split(|c: char| !c.is_alphabetic()).next());
     if known.is_none() && mass.is_some_and(is_mass) && words.iter().any(|word| word.contains(['2', '²'])) {
@@ -111,8 +119,7 @@ fn unit(text: &str) -> Result<f64, String> {
     Ok(known.unwrap_or(1.0))
 }
 
-const PRINCIPAL: &str =
-    "give the three principal moments, and write spin and attitude about the principal axes";
+const PRINCIPAL: &str = "give the three principal moments, before other words, and write spin and attitude about the principal axes";
 
 /// Moments and products of inertia, each with how far its printed digits leave it open.
 type Parts = [Vec<(f64, f64)>; 2];
@@ -173,14 +180,21 @@ impl Header {
                 Err(problem) => self.wrong = self.wrong.take().or(Some((line, problem))),
             }
         }
+        let texts = DIAGONAL.into_iter().chain(OFF_DIAGONAL).filter_map(|word| after(comment, word));
+        if texts.clone().any(|text| has_decimal_comma(text, 1)) {
+            self.wrong.get_or_insert((line, DECIMAL_COMMA.into()));
+        }
         let one = |word: &str| after(comment, word).and_then(|text| numbers(text).first().copied());
-        for (i, word) in ["ixx", "iyy", "izz"].into_iter().enumerate() {
+        for (i, word) in DIAGONAL.into_iter().enumerate() {
             one(word).into_iter().for_each(|moment| self.take(i, moment, line));
         }
         self.products.extend(OFF_DIAGONAL.into_iter().filter_map(one).map(|product| (product.0, line)));
         if self.torque.is_none()
             && let Some(text) = after(comment, "torque")
         {
+            if has_decimal_comma(text, 3) {
+                return Err(wrong(DECIMAL_COMMA.into()));
+            }
             self.torque = numbers(text).get(..3).map(|three| Vector3::from_fn(|i, _| three[i].0));
             unread = unread.or(self.torque.is_none().then_some("torque"));
         }
@@ -252,4 +266,55 @@ impl Header {
         notes.push(Note::Flat { printed: named[largest], missing, moments });
         Ok(Some(moments))
     }
+}
+
+/// How many of a unit of time are a second; `None` for no unit of time.
+pub(super) fn per_second(unit: &str) -> Option<f64> {
+    Some(match unit {
+        "" | "s" | "sec" | "secs" | "second" | "seconds" => 1.0,
+        "ms" | "msec" | "millisecond" | "milliseconds" => 1e3,
+        "us" | "\u{b5}s" | "\u{3bc}s" | "usec" | "microsecond" | "microseconds" => 1e6,
+        "ns" | "nsec" | "nanosecond" | "nanoseconds" => 1e9,
+        "min" | "minute" | "minutes" => 1.0 / 60.0,
+        "h" | "hour" | "hours" => 1.0 / 3600.0,
+        _ => return None,
+    })
+}
+
+/// A number of a unit of time, or a frequency in its unit, in s; `None` for a unit that is not known.
+fn period(number: f64, unit: &str) -> Option<f64> {
+    match unit.to_lowercase().as_str() {
+        "hz" | "hertz" | "fps" => Some(1.0 / number),
+        "khz" => Some(1e-3 / number),
+        unit => Some(number / per_second(unit)?),
+    }
+}
+
+/// A unit of moments of inertia in kg m²; `None` for a unit that is not known.
+fn inertia_unit(unit: &str) -> Option<f64> {
+    let unit: String = unit.chars().filter(|c| c.is_alphanumeric()).collect();
+    Some(match unit.replace('²', "2").as_str() {
+        "" | "kgm2" => 1.0,
+        "kgcm2" => 1e-4,
+        "gm2" => 1e-3,
+        "kgmm2" => 1e-6,
+        "gcm2" => 1e-7,
+        "gmm2" => 1e-9,
+        _ => return None,
+    })
+}
+
+/// A unit of spin in rad/s; `None` for no unit of spin. Of lower case, and without blanks.
+pub(super) fn spin_unit(unit: &str) -> Option<f64> {
+    let unit: String = unit.chars().filter(|c| !c.is_whitespace()).collect();
+    Some(match unit.as_str() {
+        "" | "rad/s" | "rads" | "radps" | "rad/sec" | "radians" | "radians/s" | "rads^-1" | "rads-1"
+        | "rad*s^-1" | "rad\u{b7}s^-1" | "1/s" | "s^-1" | "s-1" | "body" => 1.0,
+        "mrad/s" => 1e-3,
+        "deg/s" | "deg" | "degrees/s" | "degrees" | "deg/sec" | "\u{b0}/s" | "\u{b0}/sec" | "\u{b0}"
+        | "dps" | "degs^-1" => PI / 180.0,
+        "rpm" | "rev/min" | "r/min" | "1/min" => PI / 30.0,
+        "rps" | "rev/s" | "r/s" | "hz" | "turns/s" | "turn/s" => TAU,
+        _ => return None,
+    })
 }

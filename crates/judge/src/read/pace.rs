@@ -22,7 +22,7 @@ pub(super) fn in_whole_numbers(ratio: f64) -> f64 {
 }
 
 /// To four places after the point.
-pub(super) fn to_four_places(x: f64) -> f64 {
+pub(crate) fn to_four_places(x: f64) -> f64 {
     (x * 1e4).round() / 1e4
 }
 
@@ -53,15 +53,19 @@ pub(crate) fn times_the_turn(pairs: impl Iterator<Item = Pair>) -> f64 {
     }))
 }
 
+/// Whether a limit on turns, or a straight step, may be why a fast body turns this many times as far.
+pub(crate) fn is_limited(ratio: f64, pairs: impl Iterator<Item = Pair>) -> bool {
+    let [share, turn] = TURN_LIMITED;
+    (share..1.0).contains(&ratio) && median(pairs.map(|pair| pair.from.omega.norm() * pair.h)) > turn
+}
+
 impl Reading {
     /// With times that are right by one factor, if by this factor both the attitude turns and the spin
     /// changes otherwise than they say: of a wrong spin or term one of them would.
     pub(super) fn paced(self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Option<Self> {
         let ratio = times_the_turn(self.pairs(pairs, moments));
         let times = simplest(ratio);
-        let [share, turn] = TURN_LIMITED;
-        let fast = median(self.pairs(pairs, moments).map(|pair| pair.from.omega.norm() * pair.h)) > turn;
-        let limited = fast && (share..1.0).contains(&ratio);
+        let limited = is_limited(ratio, self.pairs(pairs, moments));
         if !(times.is_normal() && times > 0.0) || limited || self.with_units(ratio) != self {
             return None;
         }

@@ -7,6 +7,7 @@ use crate::read::pace::{by_how_much, in_whole_numbers, to_four_places};
 use crate::read::{Kind, Pair, Raw, Row, angle_between, median};
 use crate::thresholds::*;
 use nalgebra::{Quaternion, Vector3};
+use std::f64::consts::{PI, TAU};
 use tumbling::{attitude, dynamics::euler};
 
 /// A mistake of a file: what its numbers seem to be, against what its names say.
@@ -53,50 +54,66 @@ impl FileMistake {
     /// What is wrong, and what to do.
     #[must_use]
     pub fn words(self) -> String {
-        match self {
-            Self::Frame => "the vector is not in the axes that it is said to be in: a spin in world axes where body axes \
+        let words = match self {
+            Self::Frame => {
+                "the vector is not in the axes that it is said to be in: a spin in world axes where body axes \
                  are named, or the other way round. In a file the columns are `wxw,wyw,wzw` for the world, `wx,wy,wz` for \
                  the body; in a program name the frame"
-                .into(),
-            Self::Order => "the quaternion is x, y, z, w under the names w, x, y, z: put the names in the order of the numbers".into(),
-            Self::ScalarFirst => "the quaternion is w, x, y, z under the names x, y, z, w: put the names in the order of the numbers".into(),
-            Self::Inverse => "the attitude is the inverse one, world to body: write its conjugate, (w, -x, -y, -z)".into(),
-            Self::Momentum => "what is named a spin is the momentum: in a file its columns are `lx,ly,lz` in body axes, `lxw,lyw,lzw` in the world's".into(),
-            Self::Degrees => "the spin is in degrees a second: write radians, or name the unit in a file, as in `wx [deg/s]`".into(),
-            Self::RevolutionsPerMinute => "the spin is in revolutions a minute: write radians a second".into(),
-            Self::Revolutions => "the spin is in revolutions a second: write radians a second".into(),
-            Self::Milliseconds => "the time is in milliseconds: write seconds".into(),
-            Self::Microseconds => "the time is in microseconds: write seconds".into(),
-            Self::Nanoseconds => "the time is in nanoseconds: write seconds".into(),
-            Self::Minutes => "the time is in minutes: write seconds".into(),
+            }
+            Self::Order => {
+                "the quaternion is x, y, z, w under the names w, x, y, z: put the names in the order of the numbers"
+            }
+            Self::ScalarFirst => {
+                "the quaternion is w, x, y, z under the names x, y, z, w: put the names in the order of the numbers"
+            }
+            Self::Inverse => {
+                "the attitude is the inverse one, world to body: write its conjugate, (w, -x, -y, -z)"
+            }
+            Self::Momentum => {
+                "what is named a spin is the momentum: in a file its columns are `lx,ly,lz` in body axes, `lxw,lyw,lzw` in the world's"
+            }
+            Self::Degrees => {
+                "the spin is in degrees a second: write radians, or name the unit in a file, as in `wx [deg/s]`"
+            }
+            Self::RevolutionsPerMinute => "the spin is in revolutions a minute: write radians a second",
+            Self::Revolutions => "the spin is in revolutions a second: write radians a second",
+            Self::Milliseconds => "the time is in milliseconds: write seconds",
+            Self::Microseconds => "the time is in microseconds: write seconds",
+            Self::Nanoseconds => "the time is in nanoseconds: write seconds",
+            Self::Minutes => "the time is in minutes: write seconds",
             Self::Times(times) => {
                 let (size, [way, small]) = by_how_much(times);
                 let times = to_four_places(times);
-                format!(
+                return format!(
                     "the times are {size} times too {way}: from row to row the attitude turns, and the spin changes, \
                      {times} times as far as they say. Look for rows left out, a step taken more than once, or another step \
                      than the one named (spins written {size} times too {small} would look the same)"
-                )
+                );
             }
-            Self::LeftHandedSpin => "the spin turns by the left hand (left-handed axes): write it with the opposite sign".into(),
-            Self::LeftHanded => "the axes are left-handed, one component of attitude and spin mirrored: give that \
+            Self::LeftHandedSpin => {
+                "the spin turns by the left hand (left-handed axes): write it with the opposite sign"
+            }
+            Self::LeftHanded => {
+                "the axes are left-handed, one component of attitude and spin mirrored: give that \
                  component, of both, the opposite sign"
-                .into(),
-            Self::MirroredComponent(i) => {
-                format!("the {} component of the spin has the wrong sign (left-handed axes?)", ["x", "y", "z"][i.min(2)])
             }
-        }
+            Self::MirroredComponent(i) => {
+                return format!(
+                    "the {} component of the spin has the wrong sign (left-handed axes?)",
+                    ["x", "y", "z"][i.min(2)]
+                );
+            }
+        };
+        words.into()
     }
 }
 
-/// Units of spins, in rad/s, that are taken for it.
+/// Units of spins, in rad/s, and of time, in s, that are taken for these.
 const SPINS: [(FileMistake, f64); 3] = [
-    (FileMistake::Degrees, std::f64::consts::PI / 180.0),
-    (FileMistake::RevolutionsPerMinute, std::f64::consts::PI / 30.0),
-    (FileMistake::Revolutions, std::f64::consts::TAU),
+    (FileMistake::Degrees, PI / 180.0),
+    (FileMistake::RevolutionsPerMinute, PI / 30.0),
+    (FileMistake::Revolutions, TAU),
 ];
-
-/// Units of time, in s, that are taken for it.
 const TIMES: [(FileMistake, f64); 4] = [
     (FileMistake::Milliseconds, 1e-3),
     (FileMistake::Microseconds, 1e-6),
@@ -193,16 +210,9 @@ impl Reading {
             Hand::Left => vector = -vector,
             Hand::One(i) => vector[i] = -vector[i],
         }
-        let (world, momentum) =
-            (self.kind.in_world() != self.frame, self.kind.is_momentum() || self.momentum);
-        let kind = match (self.kind, world, momentum) {
-            (Kind::Attitude, ..) => Kind::Attitude,
-            (_, false, false) => Kind::SpinBody,
-            (_, true, false) => Kind::SpinWorld,
-            (_, false, true) => Kind::MomentumBody,
-            (_, true, true) => Kind::MomentumWorld,
-        };
-        let omega = Raw { attitude, vector, ..*raw }.omega(kind, moments);
+        let momentum = self.kind.is_momentum() || self.momentum;
+        let omega =
+            Raw { attitude, vector, ..*raw }.omega(self.kind.in_world() != self.frame, momentum, moments);
         Row { line: raw.line, t: raw.t * self.time, attitude, omega, ahead: None }
     }
 
@@ -302,8 +312,8 @@ impl Reading {
         };
         let near = ways.iter().filter(|way| way.1 <= TURNS_AGREE && way.1 <= NEARER_READING * plain);
         let best = near.min_by(|a, b| worth(a).total_cmp(&worth(b))).map_or(self, |way| way.0);
-        let other = Self { frame: !self.frame, ..self };
-        let off_side = off(&other);
+        let asides = self.pairs(pairs, moments).map(|pair| pair.aside(self.kind.in_world()));
+        let off_side = median(asides.filter_map(|pair| pair.inconsistency()));
         let on_other_side = off_side < TURNS_AGREE
             && (off_side < NEARER_READING * off(&best) || self.goes_by_law_unlike(&best, pairs, moments));
         if free && on_other_side { self } else { best }

@@ -59,6 +59,8 @@ advices! {
          off)." in PITFALL_FLIPS;
     TIMES: "The times are not those of the steps: look for rows left out, a step taken more than once, or another step than \
          the one named.";
+    TURNS: "The turn does not belong to the spin: look at the times and at rows left out, at the unit of the spin, and \
+         whether the body is turned once in each step.";
     TERM_OR_TIMES: "Spins alone do not tell a wrong term from wrong times. Look at the step and at rows left out, or record \
          the attitude too; if the times are right, the term is not that of the body: w' = J ((I w) x w)." in PITFALL_FLIPS;
     TURN_FIRST: "Spins alone do not tell a wrong term from wrong times, and the attitude does not turn by the spin: first mend \
@@ -113,6 +115,7 @@ impl Advice {
         [jumps, turns]: [bool; 2],
     ) -> Vec<Self> {
         let one = match confidence {
+            Confidence::NoneFits | Confidence::SmallErrors if jumps => Self::JUMPS,
             Confidence::NoneFits | Confidence::Altered if whole.on_wrong_side => Self::SIDE,
             Confidence::NoneFits if !floor.few => Self::COMPARE,
             Confidence::Accurate => Self::DRIFTS_ON,
@@ -133,7 +136,7 @@ impl Advice {
             }
         };
         // A rule with something altered has a fault of its own, and so has one between jumps.
-        let more = (jumps || confidence.names_a_rule() && rule.alteration.is_some())
+        let more = (confidence.names_a_rule() && (jumps || rule.alteration.is_some()))
             .then(|| Self::of_rule(&if jumps { *rule } else { Rule::plain(rule.base) }, turns));
         // A term that is found by the spin alone says nothing of what turns the attitude.
         let side = (whole.on_wrong_side && one != Self::SIDE && rule.is_of_spin()).then_some(Self::SIDE);
@@ -147,6 +150,7 @@ impl Advice {
             (Some(Alteration::OtherMoments(..)), _) => Self::OTHER_BODY,
             (Some(Alteration::Damped { .. }), _) => Self::DAMPING,
             (Some(Alteration::Term(_)), _) => Self::TERM,
+            (Some(Alteration::Times(_)), base) if base.is_still() => Self::TURNS,
             (Some(Alteration::Times(_)), _) => Self::TIMES,
             (Some(Alteration::TermOrTimes(_)), _) if turns => Self::TURN_FIRST,
             (Some(Alteration::TermOrTimes(_)), _) => Self::TERM_OR_TIMES,

@@ -155,6 +155,12 @@ impl Subject {
         let with = |omega: Vector3<f64>| (by(&start, &omega), omega);
         let Some(alteration) = rule.alteration else { return base(from, h) };
         match alteration {
+            Alteration::Damped { factor, rate, when, steps: steps @ 2.. } => {
+                let alteration = Alteration::Damped { factor, rate, when, steps: 1 };
+                let one = rule.base.in_parts(rule.base.parts() / steps).but(alteration);
+                let end = (0..steps).try_fold(*from, |row, _| self.next(&one, &row, h / f64::from(steps)))?;
+                Some((end.start(), end.omega))
+            }
             Alteration::OtherMoments(moments, axes) => {
                 let (q, omega) = (start * axes.into_inner(), axes.inverse() * from.omega);
                 let from = Row { attitude: Some(q), omega, ..*from };

@@ -1,45 +1,68 @@
-//! How sure a diagnosis is, in steps that a reader can act on.
+//! How sure a diagnosis is, in steps that a reader can act on; and what is said of a record that no rule
+//! fits.
 
-use crate::read::{Floor, Known, Pair};
+use crate::read::{Floor, Known, Pair, median};
 use crate::rule::diagnosis::{Jump, Ranked, jumps};
 use crate::rule::tried::explained;
-use crate::rule::unnamed::are_repeated;
-use crate::rule::{Alteration, Base, Explanation, PHYSICS_ENGINES, Rule, Subject, Turn};
+use crate::rule::{Alteration, Base, Explanation, PHYSICS_ENGINES, Rule, Subject, Turn, When};
 use crate::thresholds::*;
 
-/// How sure a diagnosis is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Confidence {
+/// What a program calls each, and how a reader is led to the rule's name.
+macro_rules! confidences {
+    ($(#[$meta:meta])* enum; $($(#[$doc:meta])* $name:ident: $key:literal, $words:literal;)+) => {
+        $(#[$meta])*
+        pub enum Confidence {
+            $($(#[$doc])* $name,)+
+        }
+
+        impl Confidence {
+            /// What a program calls it.
+            #[must_use]
+            pub const fn key(self) -> &'static str {
+                self.names()[0]
+            }
+
+            pub(crate) const fn names(self) -> [&'static str; 2] {
+                match self { $(Self::$name => [$key, $words],)+ }
+            }
+        }
+    };
+}
+
+confidences! {
+    /// How sure a diagnosis is.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+    #[non_exhaustive]
+    enum;
     /// Every step is the rule's to rounding.
-    ToRounding,
+    ToRounding: "to rounding", "Every step is made by";
     /// The steps are the rule's to rounding but for a few jumps, or the record breaks a law that the rule
     /// keeps.
-    MostSteps,
+    MostSteps: "most steps", "Most steps, but not all, are made by";
     /// Nearer than any other by far, and not to rounding: such a rule, in some other form.
-    Near,
+    Near: "near", "Most like";
     /// The steps are its own to rounding, and so they are of other rules; over the whole record it does not
     /// drift as the record does, or it is one of several that do.
-    FewDigits,
+    FewDigits: "too few digits", "Too few digits to name the rule by its single steps. One that fits is";
     /// The steps are its own to rounding, and their errors are hardly above rounding: many a rule has as
     /// small ones.
-    SmallErrors,
+    SmallErrors: "errors too small", "The errors of the steps are too near to rounding to name the rule. One that fits is";
     /// Too few of the rows follow one another by one step.
-    FewSteps,
+    FewSteps: "too few steps", "Too few rows follow one another by one step to name the rule. One that fits those is";
     /// None of the rules known here, and so near to the exact motion that the error of a step is a small
     /// share of what the gyroscopic term does in it ([`error`](crate::Diagnosis::error)).
-    Accurate,
+    Accurate: "accurate", "An accurate rule, none of those known. Nearest is";
     /// None of the rules known here; the exact motion with one number altered, damping or the size of the
     /// gyroscopic term, explains nearly all that is seen.
-    Altered,
+    Altered: "altered", "None of the known rules fits. What is seen is";
     /// Rows lie on straight lines between others: they are interpolated.
-    Interpolated,
+    Interpolated: "interpolated", "The rows are interpolated between the engine's steps, and name no rule. Nearest is";
     /// Rows are written more than once, under other times.
-    Repeated,
+    Repeated: "repeated", "Rows are written twice, and name no rule. Nearest is";
     /// Rows scatter about a smooth motion: half precision, or a noisy sensor.
-    Scattered,
+    Scattered: "scattered", "The rows scatter about a smooth motion, and name no rule. Nearest is";
     /// None of the rules known here.
-    NoneFits,
+    NoneFits: "none fits", "None of the known rules fits. Nearest is";
 }
 
 impl Confidence {
@@ -47,25 +70,6 @@ impl Confidence {
     #[must_use]
     pub const fn names_a_rule(self) -> bool {
         matches!(self, Self::ToRounding | Self::MostSteps | Self::Near)
-    }
-
-    /// What a program calls it.
-    #[must_use]
-    pub const fn key(self) -> &'static str {
-        match self {
-            Self::ToRounding => "to rounding",
-            Self::MostSteps => "most steps",
-            Self::Near => "near",
-            Self::FewDigits => "too few digits",
-            Self::SmallErrors => "errors too small",
-            Self::FewSteps => "too few steps",
-            Self::Accurate => "accurate",
-            Self::Altered => "altered",
-            Self::Interpolated => "interpolated",
-            Self::Repeated => "repeated",
-            Self::Scattered => "scattered",
-            Self::NoneFits => "none fits",
-        }
     }
 }
 
@@ -87,7 +91,8 @@ pub(super) fn confidence_in(
     let fitted = usize::from(has_fitted_number(&best.rule, known.clock.per_row));
     let much = |above: f64| explains_much(subject, pairs, best, floor, above);
     let clear = is_exact || much(ERROR_ABOVE[fitted]);
-    let jumps = if closely { jumps(subject, pairs, &best.rule, floor) } else { None };
+    let most = floor.limits()[1];
+    let jumps = if closely { jumps(subject, pairs, &best.rule, most) } else { None };
     // An exact spin alone says nothing of what turned the attitude.
     let of_spin = best.rule == Base::Exact.but(Alteration::Turned(Turn::Otherwise));
     let confidence = if are_repeated(pairs) {
@@ -97,7 +102,7 @@ pub(super) fn confidence_in(
     } else if of_spin {
         Confidence::NoneFits
     } else if (closely || best.fits(floor)) && !clear {
-        Confidence::SmallErrors
+        return (Confidence::SmallErrors, jumps.unwrap_or_default());
     } else if let Some(jumps) = jumps.filter(|jumps| best.fits(floor) || !jumps.is_empty()) {
         return (if jumps.is_empty() { Confidence::ToRounding } else { Confidence::MostSteps }, jumps);
     } else if best.median < NEAR && !is_exact && ratio >= NEAR_RATIO && much(ERROR_ABOVE[1]) {
@@ -134,4 +139,107 @@ fn explains_much(subject: &Subject, pairs: &[Pair], best: &Explanation, floor: F
     let spins = of_spin(&Rule::EXACT).zip(of_spin(&best.rule));
     without.all(|error| is_far(&error, best, above))
         && (altered || spins.is_none_or(|(error, best)| is_far(&error, &best, SPIN_ABOVE)))
+}
+
+/// The exact motion with a number altered, if that explains nearly all of its error; an accurate rule, and
+/// the error of its steps; interpolated rows; rows that scatter, and by how much; or none.
+pub(super) fn unnamed(
+    subject: &Subject,
+    pairs: &[Pair],
+    found: &[Explanation],
+    ranked: Ranked,
+    fails: bool,
+    floor: Floor,
+) -> (Ranked, Confidence, Option<f64>) {
+    let Some(exact) = found.iter().find(|x| x.rule == Rule::EXACT) else {
+        return (ranked, Confidence::NoneFits, None);
+    };
+    let alone = |best: &Explanation| Ranked { best: *best, alike: Vec::new(), second: Some(*exact) };
+    let (altered, times) = altered(subject, pairs, found);
+    if let Some(altered) = altered.filter(|x| times > ALTERED[1] && x.median < NEAR) {
+        let mut altered = alone(altered);
+        // Where in the step of a rule that is not known it is damped, the exact motion does not show.
+        if let Some(Alteration::Damped { when, .. }) = &mut altered.best.rule.alteration {
+            *when = When::Open;
+        }
+        return (altered, Confidence::Altered, None);
+    }
+    let error = accuracy(subject, pairs, exact, floor.size).filter(|_| !fails && times < ALTERED[0]);
+    if error.is_some() {
+        return (Ranked { second: ranked.second, ..alone(exact) }, Confidence::Accurate, error);
+    }
+    if are_interpolated(pairs, floor) {
+        return (ranked, Confidence::Interpolated, None);
+    }
+    let scatter = scatter(subject, pairs).filter(|off| exact.median < OF_SCATTER * off);
+    (ranked, if scatter.is_some() { Confidence::Scattered } else { Confidence::NoneFits }, scatter)
+}
+
+/// By how much the spins scatter about a smooth motion, relative to them, if that is most of what they show:
+/// what one row is off by, the next step takes back, while the errors of a rule go on.
+fn scatter(subject: &Subject, pairs: &[Pair]) -> Option<f64> {
+    let off =
+        |pair: &Pair| Some((pair.to.omega - subject.spin_after(&Rule::EXACT, pair)?) / pair.to.omega.norm());
+    let both =
+        |two: &[Pair]| Some([off(&two[0])?, off(&two[1])?]).filter(|_| two[0].to.line == two[1].from.line);
+    let (mut own, mut next, mut count) = (0.0, 0.0, 0.0);
+    for [first, second] in pairs.windows(2).filter_map(both) {
+        own += (first.norm_squared() + second.norm_squared()) / 2.0;
+        next += first.dot(&second);
+        count += 1.0;
+    }
+    // Of noise alone it is half.
+    (next < -TAKEN_BACK * own && count >= SCATTERED_ROWS).then(|| (own / (6.0 * count)).sqrt())
+}
+
+/// The exact motion with one number altered that explains the record best, and how many times as well as
+/// without that number.
+fn altered<'a>(
+    subject: &Subject,
+    pairs: &[Pair],
+    found: &'a [Explanation],
+) -> (Option<&'a Explanation>, f64) {
+    let is_one = |altered| {
+        use Alteration::{Damped, Term, TermOrTimes, Times};
+        matches!(altered, Some(Damped { .. } | Term(_) | TermOrTimes(_) | Times(_)))
+    };
+    let one = |x: &&Explanation| x.rule.base == Base::Exact && is_one(x.rule.alteration);
+    let times = |x: &Explanation| {
+        let without = x.rule.neutral().into_iter().filter_map(|rule| explained(subject, pairs, rule));
+        let times = without.map(|y| (y.median / x.median).min(y.percentile_95 / x.percentile_95));
+        times.fold(f64::INFINITY, f64::min)
+    };
+    let best = found.iter().filter(one).max_by(|a, b| times(a).total_cmp(&times(b)));
+    (best, best.map_or(0.0, times))
+}
+
+/// Whether some of the rows are the rows before them, under other times.
+pub(super) fn are_repeated(pairs: &[Pair]) -> bool {
+    let same = |pair: &Pair| pair.from.omega == pair.to.omega && pair.from.attitude == pair.to.attitude;
+    // A spin that comes to stay is no row written again and again.
+    let ends = pairs.windows(2).filter(|two| same(&two[0]) && !same(&two[1])).count();
+    ends > 1 && ends as f64 > STRAIGHT[1] * pairs.len() as f64
+}
+
+/// Whether some of the rows lie on a straight line between those before and after.
+fn are_interpolated(pairs: &[Pair], floor: Floor) -> bool {
+    let bends = pairs.windows(2).filter(|two| two[0].to.line == two[1].from.line).map(|two| {
+        let [first, second] = [two[0], two[1]].map(|pair| pair.to.omega - pair.from.omega);
+        let rounding = STRAIGHT[0] * floor.size * two[0].from.omega.norm();
+        (first - second).norm() <= rounding && first.norm() > CLEAR * rounding
+    });
+    let (straight, all) = bends.fold((0, 0), |(straight, all), is| (straight + u32::from(is), all + 1));
+    f64::from(straight) > STRAIGHT[1] * f64::from(all)
+}
+
+/// The error of the middle step, as a share of what the gyroscopic term changes of the spin in the middle
+/// step; of an accurate rule alone. A share of the spin would praise each rule whose steps are short, even
+/// where there is no gyroscopic term in them.
+fn accuracy(subject: &Subject, pairs: &[Pair], exact: &Explanation, floor: f64) -> Option<f64> {
+    let change = median(pairs.iter().filter_map(|pair| {
+        let end = subject.spin_after(&Rule::EXACT, pair)?;
+        Some((end - pair.from.omega).norm() / pair.from.omega.norm())
+    }));
+    let share = exact.median / change;
+    (change.is_finite() && change > ABOVE_ROUNDING * floor && share <= ACCURATE).then_some(share)
 }

@@ -3,10 +3,9 @@
 
 use crate::law::LawName;
 use crate::read::{Floor, Known, Pair, Row, angle_between};
-use crate::rule::confidence::confidence_in;
+use crate::rule::confidence::{confidence_in, unnamed};
 use crate::rule::fitted::some;
 use crate::rule::tried::{alike_to_best, explained, tried};
-use crate::rule::unnamed::unnamed;
 use crate::rule::{
     Advice, Alteration, Base, Confidence, Rule, Subject, When, engine_names, engines, first_named, settings,
 };
@@ -133,13 +132,7 @@ impl Diagnosis {
         match self.confidence {
             Confidence::FewSteps => Some("a row at every step"),
             Confidence::SmallErrors => Some("a faster spin, or longer steps"),
-            Confidence::NoneFits
-            | Confidence::Accurate
-            | Confidence::Altered
-            | Confidence::Interpolated
-            | Confidence::Repeated
-            | Confidence::Scattered => None,
-            _ if !open => None,
+            other if !open || !other.names_a_rule() && other != Confidence::FewDigits => None,
             _ if self.single || self.few => Some(
                 "all digits that the engine has (17 of double precision), a faster spin, or longer steps",
             ),
@@ -315,9 +308,12 @@ pub(crate) fn diagnose(
     if confidence == Confidence::NoneFits && !sought {
         (ranked, confidence, error) = unnamed(subject, pairs, &found, ranked, whole.fails, floor);
     }
+    if confidence == Confidence::NoneFits {
+        jumps = pushes(subject, pairs, &found, floor);
+    }
     if confidence == Confidence::ToRounding {
         (ranked, confidence) = settled(subject, pairs, ranked, whole, floor);
-    } else if !jumps.is_empty() {
+    } else if confidence == Confidence::MostSteps && !jumps.is_empty() {
         let is_own = |pair: &&Pair| jumps.iter().all(|jump| jump.line != pair.to.line);
         let own: Vec<Pair> = pairs.iter().filter(is_own).copied().collect();
         if is_biased(subject, &own, &ranked.best.rule, floor) {
@@ -352,10 +348,16 @@ pub(crate) fn diagnose(
     })
 }
 
+/// The steps that are as far from the motion as no step of a rule that is not known: pushes.
+fn pushes(subject: &Subject, pairs: &[Pair], found: &[Explanation], floor: Floor) -> Vec<Jump> {
+    let exact = found.iter().find(|x| x.rule == Rule::EXACT).filter(|x| x.percentile_95 < NEAR);
+    let most = exact.map(|x| JUMP_IN_LIMITS * x.percentile_95.max(floor.limits()[1]));
+    most.and_then(|most| jumps(subject, pairs, &Rule::EXACT, most)).unwrap_or_default()
+}
+
 /// The steps that are not the rule's: a push is rare, far larger than the errors of the steps, and not the
 /// end of another; all other steps are the rule's. `None` where that is not so.
-pub(super) fn jumps(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> Option<Vec<Jump>> {
-    let most = floor.limits()[1];
+pub(super) fn jumps(subject: &Subject, pairs: &[Pair], rule: &Rule, most: f64) -> Option<Vec<Jump>> {
     let jump = |pair: &Pair| {
         let size = subject.residual(rule, pair);
         (size > most).then_some(Jump { line: pair.to.line, time: pair.to.t, size })
@@ -363,9 +365,8 @@ pub(super) fn jumps(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor
     let off: Vec<Jump> = pairs.iter().filter_map(jump).collect();
     let far = off.iter().filter(|jump| jump.size > JUMP_IN_LIMITS * most).count();
     let rare = far == off.len() && far * JUMP_EVERY <= pairs.len() && far <= RESETS;
-    // Of attitudes alone one push is in two turns; and what is before it is the rule's too.
+    // Of attitudes alone one push is in two turns.
     let apart = off.windows(3).all(|three| three[2].line > three[0].line + 2);
-    let apart = apart && off.first().zip(pairs.first()).is_some_and(|(x, first)| x.line > first.to.line);
     if far == 0 { Some(Vec::new()) } else { (rare && apart).then_some(off) }
 }
 

@@ -1,8 +1,194 @@
-//! The catalogue of physics engines: each row in full, with where it is known from.
+//! What an engine is, in one setting, and how it steps: its rule, and the limits that it adds to it; and the
+//! catalogue, each row in full, with where it is known from.
 
-use crate::rule::{Limits, PhysicsEngine};
+use nalgebra::{Quaternion, Vector3};
 use std::f64::consts::FRAC_PI_4;
-use tumbling::step::Method;
+use tumbling::Error;
+use tumbling::attitude;
+use tumbling::step::{Method, State, System};
+
+/// A physics engine, in one setting: what it does to a body that touches nothing.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PhysicsEngine {
+    /// Its name.
+    pub name: &'static str,
+    /// The version recorded; none where the rule is known from the engine's source or documentation alone.
+    pub version: Option<&'static str>,
+    /// The setting, and whether it is the default.
+    pub setting: &'static str,
+    /// Its rule.
+    pub method: Method,
+    /// Into how many equal parts it cuts a step.
+    pub parts: u32,
+    /// What it adds to the rule.
+    pub limits: Limits,
+    /// The name of its recorded motions in [`records`](crate::records).
+    pub record: Option<&'static str>,
+    /// What its own settings have against what the rule does to a free body, if anything.
+    pub remedy: Option<&'static str>,
+    /// When it was recorded or read, year-month-day.
+    pub date: &'static str,
+    /// Where the rule is known from.
+    pub source: &'static str,
+}
+
+/// What an engine does to a body that is too fast for it. The rule alone has none of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// Bullet: beyond this angle (rad) a step turns by less than the spin times the step, never by more than
+    /// half a turn. The spin stays.
+    pub turn: Option<f64>,
+    /// Bullet's multibody: the most spin (rad/s) along each axis of the world; what is beyond it is cut off.
+    pub component: Option<f64>,
+    /// Rapier: the most angle (rad) a whole step may turn; a faster spin is slowed to it, for good.
+    pub spin: Option<f64>,
+    /// MuJoCo: the most angular acceleration and spin (rad/s², rad/s) along any principal axis; beyond it
+    /// MuJoCo puts the body back to its attitude at the beginning of all, at rest, and warns. Here that is an
+    /// error.
+    pub rate: Option<f64>,
+    /// The attitude is stepped straight by the new spin, `q + h/2 q w` at length 1: always by too little, and
+    /// never by more than half a turn.
+    pub straight: bool,
+}
+
+impl Limits {
+    /// None.
+    pub const NONE: Self = Self { turn: None, component: None, spin: None, rate: None, straight: false };
+    /// None, and the attitude stepped straight.
+    pub const STRAIGHT: Self = Self { straight: true, ..Self::NONE };
+}
+
+impl PhysicsEngine {
+    /// One step of `h` seconds as this engine takes it: its rule, its parts of a step and its limits.
+    ///
+    /// ```
+    /// use nalgebra::{Quaternion, Vector3};
+    /// use tumbling::PrincipalMoments;
+    /// use tumbling::step::{State, System};
+    /// use tumbling_judge::PHYSICS_ENGINES;
+    /// let system = System::free(PrincipalMoments::new(1.0, 2.0, 2.5)?)?;
+    /// let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.0, 0.0, 250.0) };
+    /// let rapier = PHYSICS_ENGINES.iter().find(|engine| engine.name == "Rapier").unwrap();
+    /// // 100 rad/s about an axis, at 60 Hz: Rapier makes that an eighth of a turn a step, 47 rad/s.
+    /// let end = rapier.step(&system, &start, 1.0 / 60.0)?;
+    /// assert!((system.omega(&end.momentum).z - 15.0 * std::f64::consts::PI).abs() < 1e-12);
+    /// # Ok::<(), tumbling_judge::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// A step that is not finite, a motion that leaves what `f64` holds, or one that MuJoCo would take back
+    /// to the beginning.
+    pub fn step(&self, system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64>, crate::Error> {
+        if let Some(most) = self.limits.rate {
+            let omega = system.omega(&start.momentum);
+            let rate = system.omega(&system.rate(start).momentum);
+            let beyond = |x: &f64| x.is_nan() || x.abs() > most;
+            if let Some(value) = omega.iter().chain(&rate).copied().find(beyond) {
+                return Err(crate::Error::StartsAnew { value, most });
+            }
+        }
+        Ok(parted(self.method, self.parts, &self.limits, system, start, h)?)
+    }
+}
+
+/// One step of `h` seconds by a rule, cut into this number of parts, within these limits on turn and spin.
+pub(crate) fn parted(
+    method: Method,
+    parts: u32,
+    limits: &Limits,
+    system: &System<f64>,
+    start: &State<f64>,
+    h: f64,
+) -> Result<State<f64>, Error> {
+    if parts <= 1 {
+        let end = method.step(system, start, h)?;
+        return limits.keep(method, system, start, end, h, h);
+    }
+    // Cut in parts, a step takes the torques' change of spin from its start, the same in the world for all
+    // parts.
+    let part = h / f64::from(parts);
+    let push = attitude::rotation_matrix(&start.attitude) * system.omega(&system.torque(start)) * part;
+    let free = System::of_numbers(*system.moments(), Vec::new());
+    (0..parts).try_fold(*start, |mut motion, _| {
+        if !system.torques().is_empty() {
+            let inside = attitude::rotation_matrix(&motion.attitude).tr_mul(&push);
+            motion.momentum += system.momentum(&inside);
+        }
+        let end = method.step(&free, &motion, part)?;
+        limits.keep(method, system, &motion, end, part, h)
+    })
+}
+
+impl Limits {
+    /// What the limits make of the end of a part of a step of `h` seconds.
+    fn keep(
+        &self,
+        method: Method,
+        system: &System<f64>,
+        start: &State<f64>,
+        end: State<f64>,
+        part: f64,
+        h: f64,
+    ) -> Result<State<f64>, Error> {
+        let requested = system.omega(&end.momentum);
+        let mut omega = requested;
+        if let Some(most) = self.component {
+            // Cut in the world's axes, at the attitude before the turn.
+            let rotation = attitude::rotation_matrix(&start.attitude);
+            let world = rotation * requested;
+            if world.amax() > most {
+                omega = rotation.tr_mul(&world.map(|x| x.max(-most).min(most)));
+            }
+        }
+        if let Some(most) = self.spin.map(|angle| angle / h.abs()) {
+            let speed = omega.norm();
+            if speed > most {
+                omega *= most / speed;
+            }
+        }
+        let cut = omega != requested;
+        let most = self.turn.unwrap_or(f64::INFINITY);
+        if !cut && !self.straight && omega.norm() * part.abs() <= most {
+            return Ok(end);
+        }
+        let attitude = if self.straight || method == Method::RescaledLinearAttitude {
+            turned_straight(&start.attitude, &omega, part)
+        } else {
+            turned_beyond(&start.attitude, &omega, part, most)
+        };
+        let momentum = if cut { system.momentum(&omega) } else { end.momentum };
+        attitude.coords.iter().chain(&momentum).try_for_each(|&x| finite("the motion after a step", x))?;
+        Ok(State { attitude, momentum })
+    }
+}
+
+fn finite(what: &'static str, value: f64) -> Result<(), Error> {
+    if value.is_finite() { Ok(()) } else { Err(Error::unrepresentable(what, value)) }
+}
+
+/// `start` times `turn`, at length 1.
+fn turned(start: &Quaternion<f64>, turn: &Quaternion<f64>) -> Quaternion<f64> {
+    let q = attitude::product(start, turn);
+    let norm = q.coords.dot(&q.coords).sqrt();
+    Quaternion::from_vector(q.coords.map(|x| x / norm))
+}
+
+/// `start` moved along its rate at the spin `omega` (body axes, rad/s) for `h` seconds, at length 1: a turn
+/// by `2 atan(|w| h / 2)` instead of `|w| h`.
+pub(crate) fn turned_straight(start: &Quaternion<f64>, omega: &Vector3<f64>, h: f64) -> Quaternion<f64> {
+    turned(start, &Quaternion::from_parts(1.0, omega * (h / 2.0)))
+}
+
+/// `start` turned by the spin `omega` (body axes, rad/s) for `h` seconds as Bullet does it: by `|w| h` up to
+/// the angle `most`, beyond it by `2 atan((|w| h / most) tan(most / 2))`, which is too little and never more
+/// than half a turn.
+fn turned_beyond(start: &Quaternion<f64>, omega: &Vector3<f64>, h: f64, most: f64) -> Quaternion<f64> {
+    if omega.norm() * h.abs() <= most {
+        return turned(start, &attitude::turn(&(omega * h)));
+    }
+    let (sine, cosine) = (most / 2.0).sin_cos();
+    turned(start, &Quaternion::from_parts(cosine, omega * (h * sine / most)))
+}
 
 const NONE: Limits = Limits::NONE;
 const STRAIGHT: Limits = Limits::STRAIGHT;

@@ -1,7 +1,7 @@
 //! Candidates with numbers in them, each fitted to the record before it is held against it.
 
 use crate::law::LawName;
-use crate::read::{Pair, least, median, normal, ordered, simplest, slopes, times_the_turn};
+use crate::read::{Pair, is_limited, least, median, normal, ordered, simplest, slopes, times_the_turn};
 use crate::rule::{Alteration, Base, Rule, Subject, Turn, When, frozen};
 use crate::thresholds::*;
 use nalgebra::{Matrix3, Rotation3, SVector, UnitQuaternion, Vector3};
@@ -51,24 +51,12 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
     let few = &*some(pairs, FITTED_STEPS);
     let with_attitude = pairs.first().is_some_and(|pair| pair.from.attitude.is_some());
     let of_spin = pairs.iter().all(|pair| pair.to.ahead.is_none());
+    let whens = places(with_attitude, of_spin);
     let (term, turned) =
         (times_the_term(subject, few), with_attitude.then(|| times_the_turn(few.iter().copied())));
     let (mut all, cap) = (Vec::new(), capped(pairs, rounding));
-    // Spins alone do not show whether they are damped before or after the turn, nor turns alone on which side
-    // of the row.
-    let whens: &[&[When]] = match (with_attitude, of_spin) {
-        (true, true) => &[&[When::Before], &[When::After, When::Turned]],
-        (true, false) => &[&[When::After, When::Open]],
-        (false, _) => &[&[When::Before], &[When::Open]],
-    };
     for base in Base::all().into_iter().chain(frozen(pairs)) {
-        for whens in whens {
-            let fitted = damped(subject, few, base, whens[0], rounding);
-            let rule = |(factor, rate)| {
-                whens.iter().map(move |&when| base.but(Alteration::Damped { factor, rate, when }))
-            };
-            all.extend(fitted.into_iter().flat_map(rule));
-        }
+        all.extend(whens.iter().flat_map(|whens| damped(subject, few, (base, 1), whens, rounding)));
         if matches!(base, Base::FrozenTensor(..)) {
             continue;
         }
@@ -95,6 +83,30 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
     all
 }
 
+/// Where damping may be: spins alone do not show whether before or after the turn, nor turns alone on which
+/// side of the row.
+const fn places(with_attitude: bool, of_spin: bool) -> &'static [&'static [When]] {
+    match (with_attitude, of_spin) {
+        (true, true) => &[&[When::Before], &[When::After, When::Turned]],
+        (true, false) => &[&[When::After, When::Open]],
+        (false, _) => &[&[When::Before], &[When::Open]],
+    }
+}
+
+/// Damping in each of several steps from row to row, of the number that the header names if it does.
+pub(super) fn in_steps(subject: &Subject, pairs: &[Pair], rounding: f64, per_row: Option<u32>) -> Vec<Rule> {
+    let few = &*some(pairs, TRIED_IN_PARTS[0]);
+    let with_attitude = pairs.first().is_some_and(|pair| pair.from.attitude.is_some());
+    let whens = places(with_attitude, pairs.iter().all(|pair| pair.to.ahead.is_none()));
+    let steps = per_row.map_or_else(|| DAMPED_STEPS.to_vec(), |steps| vec![steps]).into_iter();
+    let bases = move |steps: u32| {
+        let of = move |base: Base| (base.in_parts(base.parts().saturating_mul(steps)), steps);
+        Base::all().into_iter().map(of).filter(|(base, _)| base.parts() > 1)
+    };
+    let fitted = |base| whens.iter().flat_map(move |whens| damped(subject, few, base, whens, rounding));
+    steps.filter(|steps| *steps > 1).flat_map(bases).flat_map(fitted).collect()
+}
+
 /// Another gyroscopic term, or other times, with which a base makes the spins.
 fn of_term(subject: &Subject, few: &[Pair], base: Base, term: f64, turned: Option<f64>) -> Vec<Rule> {
     // A rule that keeps the laws goes along the exact motion's curve, at any rate that a number gives; an
@@ -107,7 +119,10 @@ fn of_term(subject: &Subject, few: &[Pair], base: Base, term: f64, turned: Optio
     let is_accurate = matches!(base, Base::Method(method, _) if method.info().order > 2
         || !with_attitude && method == Method::MeanSpinRungeKutta4);
     let keeps = is_accurate || Rule::plain(base).keeps(LawName::Separatrix);
-    if is_still(base) || keeps && turned.is_none() && base != Base::Exact || !term.is_finite() {
+    if base.is_still() {
+        return of_still(few, base, turned.filter(|_| about_it));
+    }
+    if keeps && turned.is_none() && base != Base::Exact || !term.is_finite() {
         return Vec::new();
     }
     let fitted = number(subject, few, term, |times| base.but(Alteration::TermOrTimes(times)));
@@ -122,6 +137,19 @@ fn of_term(subject: &Subject, few: &[Pair], base: Base, term: f64, turned: Optio
     multiples(times, turned).filter(is_seen).map(|how| base.but(how)).collect()
 }
 
+/// Other times of a spin that stays, which the turns alone show.
+fn of_still(few: &[Pair], base: Base, turned: Option<f64>) -> Vec<Rule> {
+    let Some(ratio) = turned.filter(|ratio| *ratio > 0.0 && !is_limited(*ratio, few.iter().copied())) else {
+        return Vec::new();
+    };
+    let times = simplest(ratio);
+    let left_out = (2.0..=WHOLE_MOST).contains(&times) && times.fract() == 0.0;
+    let bases = [Some(base), left_out.then(|| base.in_parts(times as u32))];
+    let apart = (times - 1.0).abs().min((1.0 / times - 1.0).abs()) > PACE_APART;
+    let all = bases.into_iter().flatten().filter(|_| apart);
+    all.map(|base| base.but(Alteration::Times(times))).collect()
+}
+
 /// Turns in the wrong place or by the wrong spin.
 fn of_turns() -> impl Iterator<Item = Rule> {
     let rows = [Turn::Old, Turn::Late, Turn::Early];
@@ -131,13 +159,9 @@ fn of_turns() -> impl Iterator<Item = Rule> {
     let others = others.flat_map(|base| Turn::OTHERS.map(|turn| (base, turn)));
     // Of a spin that stays, a turn that is made twice may as well be one in times that are wrong.
     let is_open = |(base, turn): &(Base, Turn)| {
-        !(is_still(*base) && matches!(turn, Turn::TwiceBefore | Turn::TwiceAfter))
+        !(base.is_still() && matches!(turn, Turn::TwiceBefore | Turn::TwiceAfter))
     };
     rows.chain(others.filter(is_open)).map(|(base, turn)| base.but(Alteration::Turned(turn)))
-}
-
-const fn is_still(base: Base) -> bool {
-    matches!(base, Base::Method(Method::ConstantSpin, _) | Base::Straight(Method::ConstantSpin, _))
 }
 
 /// What a multiple of the gyroscopic term may be, by how many times as far as the spin says the attitude
@@ -249,12 +273,21 @@ pub(crate) fn inside(numbers: SVector<f64, 5>) -> SVector<f64, 5> {
     [all[(0, 0)], all[(1, 1)], all[(1, 2)], all[(2, 0)], all[(0, 1)]].into()
 }
 
-/// The factor by which each step lessens the spin that the base makes, and what that is a second.
-fn damped(subject: &Subject, pairs: &[Pair], base: Base, when: When, rounding: f64) -> Option<(f64, f64)> {
-    let rule = |factor: f64| base.but(Alteration::Damped { factor, rate: 0.0, when });
-    let factor = number(subject, pairs, 1.0, rule)?;
+/// A base whose spin is lessened in each of its steps from row to row by the factor that fits best, in places
+/// that the spins do not tell apart.
+fn damped(
+    subject: &Subject,
+    pairs: &[Pair],
+    (base, steps): (Base, u32),
+    whens: &'static [When],
+    rounding: f64,
+) -> impl Iterator<Item = Rule> + use<> {
+    let rule = move |factor, rate, when| base.but(Alteration::Damped { factor, rate, when, steps });
+    let found = number(subject, pairs, 1.0, |factor| rule(factor, 0.0, whens[0])).zip(pairs.first());
     let below = 1.0 - DAMPED.max(DAMPED_ROUNDINGS * rounding);
-    (factor > 0.0 && factor < below).then_some((factor, rate(factor, pairs.first()?.h)))
+    let found = found.filter(|(factor, _)| *factor > 0.0 && *factor < below);
+    let found = found.map(|(factor, pair)| (factor, rate(factor, pair.h / f64::from(steps))));
+    found.into_iter().flat_map(move |(factor, rate)| whens.iter().map(move |&when| rule(factor, rate, when)))
 }
 
 /// What is lost a second, 1/s: of the ways in which engines damp the one with a round number, if there is

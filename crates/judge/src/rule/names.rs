@@ -1,6 +1,6 @@
 //! What a rule is called, and who goes by it.
 
-use crate::read::by_how_much;
+use crate::read::{by_how_much, to_four_places};
 use crate::rule::{Alteration, Base, Limits, PHYSICS_ENGINES, PhysicsEngine, Rule, Turn, When};
 use crate::thresholds::*;
 use tumbling::step::Method;
@@ -65,7 +65,7 @@ impl Alteration {
                 let about = format!(" about axes turned by {degrees:.1} degrees from the record's");
                 format!("other moments ({x}, {y}, {z}){}", if degrees < 0.05 { "" } else { &about })
             }
-            Self::Damped { factor, rate, when } => {
+            Self::Damped { factor, rate, when, .. } => {
                 let (lost, rate) = (1.0 - factor, readable(*rate));
                 let when = match when {
                     When::Before => ", before the gyroscopic term",
@@ -114,6 +114,10 @@ impl Rule {
     #[must_use]
     pub fn name(&self) -> String {
         match &self.alteration {
+            Some(Alteration::Times(times)) if self.base.is_still() => {
+                let times = to_four_places(*times);
+                format!("the attitude turned {times} times as far as the spin says, {}", self.base.name())
+            }
             Some(alteration) => format!("{}, {}", alteration.name(), self.base.name()),
             None => self.base.name(),
         }

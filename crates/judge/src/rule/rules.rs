@@ -52,6 +52,8 @@ pub enum Alteration {
         rate: f64,
         /// Where in the step.
         when: When,
+        /// The number of such steps from row to row, equal shares of the parts.
+        steps: u32,
     },
     /// The gyroscopic term is multiplied by this number.
     Term(f64),
@@ -171,8 +173,8 @@ impl Rule {
     pub(crate) fn neutral(&self) -> Vec<Self> {
         let with = |alteration| Self { alteration: Some(alteration), ..*self };
         match self.alteration {
-            Some(Alteration::Damped { when, .. }) => {
-                vec![with(Alteration::Damped { factor: 1.0, rate: 0.0, when })]
+            Some(Alteration::Damped { when, steps, .. }) => {
+                vec![with(Alteration::Damped { factor: 1.0, rate: 0.0, when, steps })]
             }
             Some(Alteration::Term(_) | Alteration::TermOrTimes(_)) => {
                 [0.0, 1.0].map(|times| with(Alteration::Term(times))).to_vec()
@@ -216,6 +218,11 @@ impl Base {
             Self::Engine(engine) => engine.parts,
             _ => 1,
         }
+    }
+
+    /// Whether it has no gyroscopic term.
+    pub(crate) const fn is_still(&self) -> bool {
+        matches!(self, Self::Method(Method::ConstantSpin, _) | Self::Straight(Method::ConstantSpin, _))
     }
 
     /// The method that makes its spin, and in how many parts.

@@ -1,7 +1,7 @@
 //! Which rules are tried on a record, in which order, and how far each is from it.
 
 use crate::read::{Floor, Known, Pair, middle_and_most};
-use crate::rule::fitted::some;
+use crate::rule::fitted::{in_steps, some};
 use crate::rule::{
     Alteration, Base, Explanation, Rule, Subject, Turn, compound, in_parts, momentum_for_spin, of_parts,
     other_bodies, plain,
@@ -62,6 +62,10 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
             let rules = rules(subject, pairs, floor.size).into_iter().filter_map(explained);
             found.extend(rules.filter(|x| !is_small(&x.rule) || x.fits(floor)));
         }
+    }
+    if free && !fits(&found) && found.iter().any(|x| x.rule.is_damped()) {
+        let rules = in_steps(subject, pairs, floor.size, per_row);
+        found.extend(tried_in_parts(subject, pairs, rules, floor));
     }
     found.extend(equals(&found[unaltered..], floor).into_iter().filter_map(explained));
     let with_attitude = pairs.first().is_some_and(|pair| pair.from.attitude.is_some());

@@ -1,14 +1,15 @@
 //! The end of a trial: what its laws and steps come to, as one verdict.
 
 use crate::law::LawName;
-use crate::laws::{Complaint, FlipCount, Law, Seen, Trial};
+use crate::laws::{FlipCount, Law, Trial};
 use crate::options::Options;
-use crate::read::{Fit, Kind, Pair, median, unit};
-use crate::rule::{Advice, Subject, Whole, diagnose};
+use crate::read::{Kind, Pair, median, unit};
+use crate::rule::{Advice, Alteration, Base, Confidence, Diagnosis, Rule, Subject, Whole, diagnose};
 use crate::thresholds::*;
-use crate::verdict::{Outcome, Recording, Verdict, spin_faults, wrong_pace, wrong_rule};
+use crate::verdict::{Complaint, Outcome, Recording, Seen, Verdict};
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
+use tumbling::step::Method;
 
 /// A trial that is over, and what it is held to.
 struct End<'a> {
@@ -22,7 +23,7 @@ struct End<'a> {
 }
 
 /// The verdict on a trial.
-pub(crate) fn verdict(trial: Trial, subject: &Subject, fit: Option<Fit>, options: &Options) -> Verdict {
+pub(crate) fn verdict(trial: Trial, subject: &Subject, options: &Options) -> Verdict {
     let free = subject.torque.is_none();
     let mut laws = trial.laws.kept(|law| options.allowed(law));
     laws.retain(|law| free || matches!(law.name, LawName::Unit | LawName::Consistency));
@@ -75,7 +76,6 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, fit: Option<Fit>, options
         diagnosis,
         complaints,
         options: *options,
-        fit,
         untraceable: !still && followed.untraceable(),
         curve: followed.points.into_all(),
     }
@@ -209,4 +209,62 @@ fn missing(attitude: bool, kind: Kind) -> Vec<LawName> {
         (true, Kind::Attitude) => vec![LawName::Consistency],
         _ => Vec::new(),
     }
+}
+
+/// If digits show it, a spin that turns over, or flips where it never should, or never where it should.
+fn spin_faults(flips: &FlipCount, [axis, shown]: [bool; 2]) -> impl Iterator<Item = Complaint> + use<> {
+    let over = flips.turned_over.filter(|_| axis).map(|time| Complaint::TurnedOver { time });
+    let counted = match (flips.found, flips.exact) {
+        _ if !shown => None,
+        (0, exact) if exact > 0 => Some(Complaint::NeverFlips { exact }),
+        (found, 0) if found > 0 => Some(Complaint::Flips { found }),
+        _ => None,
+    };
+    over.into_iter().chain(counted)
+}
+
+/// A rule that no body goes by, however small the step; of several that cannot be distinguished all must be
+/// wrong.
+fn wrong_rule(diagnosis: &Diagnosis) -> Option<Complaint> {
+    let all_wrong = std::iter::once(&diagnosis.best.rule).chain(&diagnosis.alike).all(is_wrong);
+    let wrong = diagnosis.confidence == Confidence::ToRounding && all_wrong;
+    wrong.then(|| Complaint::WrongRule(Box::new(diagnosis.best.rule)))
+}
+
+/// Whether shorter steps do not lead to the motion of the body.
+const fn is_wrong(rule: &Rule) -> bool {
+    let base = match rule.base {
+        Base::Exact | Base::PositionStage(_) => false,
+        Base::Method(method, _) | Base::Straight(method, _) => matches!(method, Method::ConstantSpin),
+        // A limit on the turn of a step is out of reach of shorter ones.
+        Base::Engine(engine) => {
+            engine.limits.component.is_some() || matches!(engine.method, Method::ConstantSpin)
+        }
+        _ => true,
+    };
+    let altered = match rule.alteration {
+        Some(Alteration::Turned(turn)) => !turn.is_of_rows(),
+        other => other.is_some(),
+    };
+    base || altered
+}
+
+/// A phase that ran away, where the caller has set no limit of its own for it; of that many
+/// periods, the share of which that digits leave open is to be small. So near the separatrix that
+/// 2 E I2 / L² came farther from its first value than that is from 1, and within its limit, any period is
+/// right.
+fn wrong_pace(
+    laws: &[Law],
+    first: Option<f64>,
+    [periods, open]: [f64; 2],
+    options: &Options,
+) -> Option<Complaint> {
+    let separatrix = laws.iter().find(|law| law.name == LawName::Separatrix && options.allows(law));
+    if open > PHASE || separatrix.zip(first).is_some_and(|(law, first)| law.most > (first - 1.0).abs()) {
+        return None;
+    }
+    let phase = laws.iter().find(|law| law.name == LawName::Phase)?;
+    let allowed = PHASE + (PHASE + open) * periods;
+    let wrong = options.allowed(LawName::Phase).is_none() && phase.most > allowed;
+    wrong.then_some(Complaint::WrongPace { off: phase.most, periods, allowed })
 }

@@ -27,27 +27,10 @@ impl Diagnosis {
                 "To the rounding of single precision every step is that of"
             }
             Confidence::ToRounding if self.few => "To the record's rounding every step is that of",
-            Confidence::ToRounding => "Every step is made by",
-            Confidence::MostSteps => "Most steps, but not all, are made by",
-            Confidence::Near => "Most like",
-            Confidence::FewDigits => "Too few digits to name the rule by its single steps. One that fits is",
-            Confidence::SmallErrors => {
-                "The errors of the steps are too near to rounding to name the rule. One that fits is"
-            }
-            Confidence::FewSteps => {
-                "Too few rows follow one another by one step to name the rule. One that fits those is"
-            }
-            Confidence::Accurate => "An accurate rule, none of those known. Nearest is",
-            Confidence::Interpolated => {
-                "The rows are interpolated between the engine's steps, and name no rule. Nearest is"
-            }
-            Confidence::Repeated => "Rows are written twice, and name no rule. Nearest is",
-            Confidence::Scattered => "The rows scatter about a smooth motion, and name no rule. Nearest is",
-            Confidence::Altered => "None of the known rules fits. What is seen is",
             Confidence::NoneFits if self.few => {
                 "Too few digits to name a rule, and none of those known fits. Nearest is"
             }
-            Confidence::NoneFits => "None of the known rules fits. Nearest is",
+            other => other.names()[1],
         };
         // Up to what comes nearest.
         if self.is_open() { words.split(". ").next().unwrap_or(words) } else { words }
@@ -61,7 +44,9 @@ impl Diagnosis {
                 format!("Too few digits to name the rule: they fit {} rules alike", 1 + self.alike.len())
             }
             _ if self.is_open() => self.words().into(),
-            (_, 0) => format!("{}: {}", self.words(), names.join("; or, with the same steps here: ")),
+            (Confidence::NoneFits | Confidence::SmallErrors, _) | (_, 0) => {
+                format!("{}: {}", self.words(), names.join("; or, with the same steps here: "))
+            }
             (_, 1) => format!("Every step but one, a jump, is made by: {}", names[0]),
             (_, count) => format!("Every step but {count}, which are jumps, is made by: {}", names[0]),
         };

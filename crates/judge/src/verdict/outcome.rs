@@ -1,11 +1,14 @@
-//! A verdict: what was found, and how it ends.
+//! A verdict: what was found, and how it ends; and what of it is written as JSON, field by field.
 
 use crate::law::LawName;
-use crate::laws::{Complaint, FlipCount, Gaps, Law, Point, Reset};
+use crate::laws::{FlipCount, Gaps, Law, Point, Reset};
 use crate::options::Options;
-use crate::read::{FileMistake, Fit, Note};
-use crate::rule::Diagnosis;
+use crate::read::{FileMistake, Note};
+use crate::rule::{Diagnosis, Explanation, Rule};
+use crate::verdict::{COLUMNS, Complaint};
 use nalgebra::Vector3;
+use serde::{Serialize, Serializer};
+use serde_json::{Value, json};
 
 /// The end of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -88,8 +91,6 @@ pub struct Verdict {
     pub complaints: Vec<Complaint>,
     /// What was allowed.
     pub options: Options,
-    /// How the start was fitted, if it was.
-    pub fit: Option<Fit>,
     /// Whether the body turns so far that no `f64` says where in its motion it should be.
     pub untraceable: bool,
     /// The run in at most 256 points, to draw it by.
@@ -110,4 +111,139 @@ impl Verdict {
     pub fn broken(&self) -> impl Iterator<Item = &Law> {
         self.laws.iter().filter(|law| !self.options.allows(law))
     }
+}
+
+/// Of the keys: another one where a key goes or changes its meaning, or a word is new.
+pub(crate) const VERSION: u32 = 3;
+
+impl Verdict {
+    /// All of it as one JSON object.
+    ///
+    /// `version` is that of the keys: 3 since no start is fitted, 2 since a grade may be `changed, then
+    /// stayed`, and a confidence `scattered` or `repeated`. `report` is all of it in words, as
+    /// [`Verdict::report`] has it; the other keys are for programs. `curve` is the run in at most 256 points,
+    /// to draw it by: an array for each of `time` (s), `energy` and `momentum` (errors as shares),
+    /// `direction` (rad; null without attitudes), `phase` (periods; null where the motion has no period), and
+    /// three arrays, one for each body axis, for `spin` and `exact` (rad/s). A point stands for a stretch of
+    /// equally many rows: the
+    /// spins are those of its first row, the errors the largest of them in size, and `spin_least`,
+    /// `spin_greatest`, `exact_least` and `exact_greatest` what the spins in it reach. `flips.times` has
+    /// the times of the first 512 flips. What is not finite is null.
+    #[must_use]
+    pub fn json(&self) -> Value {
+        let record = &self.record;
+        let keys = |laws: &[LawName]| laws.iter().map(|law| law.key()).collect::<Vec<_>>();
+        let each = |laws: &[Law]| laws.iter().map(|law| reported(law, self)).collect::<Vec<_>>();
+        json!({
+            "version": VERSION,
+            "outcome": self.outcome.key(),
+            "report": self.report(),
+            "columns": COLUMNS,
+            "grade": self.worst().map(|law| law.growth.name()),
+            "threshold": self.options.threshold,
+            "thresholds": self.options.own().map(|(law, most)| (law.key(), most)).collect::<Value>(),
+            "engine": record.engine,
+            "moments": <[f64; 3]>::from(self.moments),
+            "torque": self.torque.map(<[f64; 3]>::from),
+            "rows": record.rows,
+            "duration": record.duration,
+            "step": record.step,
+            "rounding": record.rounding,
+            "file_mistakes": self.mistakes(),
+            "ignored": record.ignored,
+            "notes": words(&record.notes),
+            "missing": keys(&record.missing),
+            "resets": self.resets.iter().map(reset).collect::<Vec<_>>(),
+            "gaps": record.gaps,
+            "sign_changes": record.sign_changes,
+            "laws": each(&self.laws),
+            "flips": self.flips,
+            "separatrix": self.separatrix,
+            "complaints": words(&self.complaints),
+            "diagnosis": self.diagnosis.as_ref().map(diagnosed),
+            "curve": drawn(&self.curve),
+        })
+    }
+}
+
+impl Serialize for Verdict {
+    fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        self.json().serialize(to)
+    }
+}
+
+fn reset(reset: &Reset) -> Value {
+    let Reset { line, time, to_rest, to_start } = *reset;
+    json!({ "line": line, "time": time, "to_rest": to_rest, "to_start": to_start, "words": reset.words() })
+}
+
+fn reported(law: &Law, verdict: &Verdict) -> Value {
+    json!({
+        "law": law.name.key(),
+        "words": law.name.words(),
+        "grade": law.growth.name(),
+        "growth": law.plain(),
+        "rate": law.growth.rate(),
+        "most": law.most,
+        "last": law.last,
+        "allowed": verdict.options.allowed(law.name),
+    })
+}
+
+fn diagnosed(diagnosis: &Diagnosis) -> Value {
+    let mut best = explained(&diagnosis.best);
+    best["engines"] = json!(diagnosis.engines);
+    json!({
+        "best": best,
+        "alike": diagnosis.alike.iter().map(ruled).collect::<Vec<_>>(),
+        "second": diagnosis.second.as_ref().map(explained),
+        "ratio": diagnosis.ratio(),
+        "confidence": diagnosis.confidence.key(),
+        "words": diagnosis.words(),
+        "steps": diagnosis.steps,
+        "share": diagnosis.share,
+        "single": diagnosis.single,
+        "would_decide": diagnosis.would_decide(),
+        "error": diagnosis.error,
+        "jumps": diagnosis.jumps,
+        "advice": diagnosis.advice.iter().map(|advice| advice.words).collect::<Vec<_>>().join(" "),
+        "chapter": diagnosis.advice.iter().find_map(|advice| advice.chapter),
+    })
+}
+
+fn ruled(rule: &Rule) -> Value {
+    json!({ "rule": rule.name(), "engines": rule.engines() })
+}
+
+fn explained(Explanation { rule, median, percentile_95 }: &Explanation) -> Value {
+    let mut all = ruled(rule);
+    (all["median"], all["percentile_95"]) = (json!(median), json!(percentile_95));
+    all
+}
+
+/// One array for each quantity, and one for each of three components.
+fn drawn(points: &[Point]) -> Value {
+    let each = |of: fn(&Point) -> f64| points.iter().map(of).collect::<Vec<_>>();
+    let known = |of: fn(&Point) -> Option<f64>| points.iter().map(of).collect::<Option<Vec<_>>>();
+    let three = |of: fn(&Point) -> &Vector3<f64>| {
+        [0, 1, 2].map(|i| points.iter().map(|point| of(point)[i]).collect::<Vec<_>>())
+    };
+    json!({
+        "time": each(|point| point.time),
+        "energy": each(|point| point.energy),
+        "momentum": each(|point| point.momentum),
+        "direction": known(|point| point.direction),
+        "phase": known(|point| point.phase),
+        "spin": three(|point| &point.spin),
+        "spin_least": three(|point| &point.spin_range[0]),
+        "spin_greatest": three(|point| &point.spin_range[1]),
+        "exact": three(|point| &point.exact),
+        "exact_least": three(|point| &point.exact_range[0]),
+        "exact_greatest": three(|point| &point.exact_range[1]),
+    })
+}
+
+/// Each in its sentence.
+fn words(all: &[impl ToString]) -> Vec<String> {
+    all.iter().map(ToString::to_string).collect()
 }

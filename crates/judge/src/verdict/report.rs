@@ -1,11 +1,12 @@
 //! A verdict in words: one text, which the terminal prints and the page shows.
 
 use crate::law::LawName;
-use crate::laws::{Complaint, Gaps, Law, Reset};
+use crate::laws::{Gaps, Law, Reset};
 use crate::read::FileMistake;
 use crate::rule::{Confidence, Diagnosis, readable};
 use crate::thresholds::{ENOUGH_CHANGE, ENOUGH_ROWS, STILL};
-use crate::verdict::{Outcome, Verdict, capital, plain_number, sentence};
+use crate::verdict::words::times;
+use crate::verdict::{Complaint, Outcome, Verdict, capital, plain_number, sentence};
 use serde::Serialize;
 use std::f64::consts::TAU;
 use std::fmt;
@@ -58,12 +59,17 @@ impl Verdict {
 
     /// What is seen of the laws that are broken by a rule that is not known.
     fn seen(&self) -> Option<String> {
-        self.diagnosis.as_ref().filter(|found| found.confidence == Confidence::NoneFits && found.fails)?;
+        let open = |found: &&Diagnosis| found.fails && !found.confidence.names_a_rule();
+        let found = self.diagnosis.as_ref().filter(open)?;
+        if let [first, ..] = &found.jumps[..] {
+            let count = times(found.jumps.len() as u64);
+            return Some(format!("what is seen: from t = {:.4} s on the body jumps {count}", first.time));
+        }
         let each = self.broken().map(|law| format!("{}, {}", law.name.words(), law.plain()));
         let turned =
             self.complaints.iter().filter(|x| matches!(x, Complaint::Otherwise { seen: Some(_), .. }));
         let all = each.chain(turned.map(ToString::to_string)).collect::<Vec<_>>().join("; ");
-        (!all.is_empty()).then(|| format!("what is seen: {all}"))
+        (!all.is_empty() && found.confidence == Confidence::NoneFits).then(|| format!("what is seen: {all}"))
     }
 
     /// The mistakes of the file in words.
@@ -213,15 +219,6 @@ impl Verdict {
         };
         let (rows, duration) = (self.record.rows, self.record.duration);
         all.push(section("Record", [format!("{rows} rows, {step}, judged over {duration:.3} s")]));
-        all.extend(self.fit.map(|fit| {
-            let (rows, moved, left) = (fit.rows, plain_number(fit.moved), plain_number(fit.left));
-            section(
-                "Start",
-                [format!(
-                    "fitted to the first {rows} rows, {moved} rad/s from the first one; {left} rad/s are left"
-                )],
-            )
-        }));
         all
     }
 

@@ -1,8 +1,84 @@
-//! The sentences of complaints, notes and resets: one for each, on a page, in a program or on a terminal.
+//! Complaints, and their sentences and those of notes and resets: one for each, on a page, in a program or on
+//! a terminal; numbers, and how an error grows, for a reader who has no need of logarithms.
 
-use crate::laws::{Complaint, Reset, Seen};
+use crate::law::LawName;
+use crate::laws::{Growth, Law, Reset};
 use crate::read::Note;
+use crate::rule::Rule;
+use crate::thresholds::*;
 use std::fmt;
+
+/// What fails a record and is no law.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Complaint {
+    /// The numbers end before the file does.
+    Ended {
+        /// Where, and with what.
+        at: String,
+    },
+    /// The spin turns over about the axis that it should circle for ever.
+    TurnedOver {
+        /// When first, s from the start.
+        time: f64,
+    },
+    /// The spin along the middle axis never changes sign, and should.
+    NeverFlips {
+        /// How often it should.
+        exact: u64,
+    },
+    /// The spin along the middle axis changes sign, and should never.
+    Flips {
+        /// How often it does.
+        found: u64,
+    },
+    /// The spin stays as it is, and should change.
+    Constant {
+        /// By how much, as a share.
+        moved: f64,
+    },
+    /// Attitudes turn too far from one to the next to say which way; the record is judged up to there.
+    TooFar {
+        /// In which line.
+        line: usize,
+        /// By how much, rad.
+        turn: f64,
+    },
+    /// No two rows are one step apart.
+    NoSteps,
+    /// The attitude does not turn as the spin says.
+    Otherwise {
+        /// By how much at most, as a share of the spin.
+        off: f64,
+        /// How it turns instead, where that is seen.
+        seen: Option<Seen>,
+    },
+    /// Every step is made by a rule that no body goes by.
+    WrongRule(Box<Rule>),
+    /// The phase ran away from the exact one.
+    WrongPace {
+        /// How far, in periods of the spin.
+        off: f64,
+        /// The number of periods of the exact motion.
+        periods: f64,
+        /// How far was allowed.
+        allowed: f64,
+    },
+}
+
+/// How an attitude turns that does not turn as the spin says.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub enum Seen {
+    /// As a spin in body axes would turn it, if that were in the world's: the turn is on the wrong side.
+    BodyInWorld,
+    /// As a spin in world axes would turn it, if that were in the body's.
+    WorldInBody,
+    /// About the spin's own axis, this number of times as far.
+    Times(f64),
+    /// About another axis.
+    OtherAxis,
+}
 
 impl fmt::Display for Complaint {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -106,6 +182,127 @@ impl Reset {
     }
 }
 
-fn times(count: u64) -> String {
+pub(super) fn times(count: u64) -> String {
     if count == 1 { "once".into() } else { format!("{count} times") }
+}
+
+impl Law {
+    /// How it is kept, with what a second makes of it: `exponential: shrinks by a factor of 4.85 a second`.
+    ///
+    /// Energy and `|L|` are given as what happens to themselves, the other laws as what happens to the error.
+    pub(crate) fn plain(&self) -> String {
+        let name = self.growth.name();
+        let (rate, how) = match self.growth {
+            Growth::Rounding | Growth::Bounded | Growth::Stayed => return name.into(),
+            Growth::Power { power } => (power, format!("as time to the power {power:.1}")),
+            Growth::RandomWalk { rate } => {
+                let first = plain_number(rate);
+                (rate, format!("{first}{} in a second, tenfold in a hundred", self.unit()))
+            }
+            Growth::Linear { rate } => {
+                (rate, format!("{} {}{} a second", self.moves(rate), plain_number(rate.abs()), self.unit()))
+            }
+            Growth::Exponential { rate } => (rate, in_a_second(rate)),
+        };
+        if rate.is_finite() { format!("{name}: {how}") } else { format!("{name}: {}", plain_number(rate)) }
+    }
+
+    /// What a number of this law counts.
+    const fn unit(&self) -> &'static str {
+        match self.name {
+            LawName::Energy | LawName::Momentum => " of itself",
+            LawName::Direction => " rad",
+            LawName::Phase => " periods",
+            LawName::Consistency => " of the spin",
+            LawName::Unit | LawName::Separatrix => "",
+        }
+    }
+
+    fn moves(&self, rate: f64) -> &'static str {
+        match (self.name, rate < 0.0) {
+            (LawName::Direction, _) => "turns away by",
+            (LawName::Phase, true) => "falls behind by",
+            (LawName::Phase, false) => "runs ahead by",
+            (_, true) => "falls by",
+            (_, false) => "grows by",
+        }
+    }
+}
+
+/// What a second makes of a quantity that grows by this number of powers of e in it, or shrinks.
+fn in_a_second(rate: f64) -> String {
+    let (way, steep) = if rate < 0.0 { ("shrinks", "to a tenth") } else { ("grows", "tenfold") };
+    let size = rate.abs();
+    if size > STEEP {
+        format!("{way} {steep} every {} s", plain_number(std::f64::consts::LN_10 / size))
+    } else if size < GENTLE {
+        format!("{way} by {} % a second", plain_number(100.0 * rate.exp_m1().abs()))
+    } else {
+        format!("{way} by a factor of {} a second", plain_number(size.exp()))
+    }
+}
+
+/// A number in three digits, with a raised power of ten where it is very small or large.
+pub(crate) fn plain_number(x: f64) -> String {
+    if x < 0.0 {
+        return format!("−{}", plain_number(-x));
+    }
+    if x == 0.0 || !x.is_finite() {
+        return if x == 0.0 { "0".into() } else { "beyond counting".into() };
+    }
+    let scientific = format!("{x:.2e}");
+    let (digits, power) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    match power.parse() {
+        Ok(power @ -3..=4_i32) => {
+            let decimals = usize::try_from(2 - power).unwrap_or(0);
+            format!("{x:.decimals$}")
+        }
+        _ => {
+            let raised = |c| match c {
+                '-' => '⁻',
+                c => c.to_digit(10).and_then(|d| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().nth(d as usize)).unwrap_or(c),
+            };
+            format!("{digits} · 10{}", power.chars().map(raised).collect::<String>())
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn said(name: LawName, growth: Growth) -> String {
+        Law { name, growth, most: 1.0, last: 1.0 }.plain()
+    }
+
+    #[test]
+    fn a_number_has_three_digits_and_a_raised_power_where_it_is_small_or_large() {
+        let wanted = ["0.0123", "−1.50 · 10⁻⁷", "0", "beyond counting"];
+        assert_eq!([0.012345, -1.5e-7, -0.0, f64::INFINITY].map(plain_number), wanted);
+    }
+
+    #[test]
+    fn a_rate_is_given_as_what_a_second_makes_of_it() {
+        // e^1.58 = 4.855, e^0.02 = 1.0202, ln 10 / 100 = 0.02303.
+        let exponential = |rate| said(LawName::Energy, Growth::Exponential { rate });
+        assert_eq!(exponential(-1.58), "exponential: shrinks by a factor of 4.85 a second");
+        assert_eq!(exponential(1.58), "exponential: grows by a factor of 4.85 a second");
+        assert_eq!(exponential(0.02), "exponential: grows by 2.02 % a second");
+        assert_eq!(exponential(-0.02), "exponential: shrinks by 1.98 % a second");
+        assert_eq!(exponential(100.0), "exponential: grows tenfold every 0.0230 s");
+        assert_eq!(exponential(f64::INFINITY), "exponential: beyond counting");
+        let linear = |name, rate| said(name, Growth::Linear { rate });
+        assert_eq!(linear(LawName::Momentum, -1.5e-7), "linear: falls by 1.50 · 10⁻⁷ of itself a second");
+        assert_eq!(linear(LawName::Phase, -1.58), "linear: falls behind by 1.58 periods a second");
+        assert_eq!(linear(LawName::Direction, 0.5), "linear: turns away by 0.500 rad a second");
+        assert_eq!(
+            said(LawName::Direction, Growth::RandomWalk { rate: 2e12 }),
+            "random walk: 2.00 · 10¹² rad in a second, tenfold in a hundred"
+        );
+        assert_eq!(
+            said(LawName::Energy, Growth::Power { power: 2.04 }),
+            "faster than linear: as time to the power 2.0"
+        );
+        assert_eq!(said(LawName::Unit, Growth::Bounded), "bounded");
+    }
 }

@@ -54,7 +54,6 @@ fn a_right_record_exits_with_0_a_wrong_one_with_1_and_no_record_with_2() {
         (&["-", "--inertia", "1,2"], "", "three numbers"),
         (&["-", "--inertia", "1,1,9"], "t,wx,wy,wz\n0,1,2,3\n1,1,2,3\n", "9"),
         (&["-", "--threshold", "nothing"], "", "above zero"),
-        (&["-", "--fit", "500"], &top(1.0), "the record has 400"),
         (&["-", "--jsno"], "", "similar argument exists: '--json'"),
         (&["-", "--inertai", "1,2,3"], "", "'--inertia'"),
         (&[], "", "<FILE>"),
@@ -90,11 +89,9 @@ fn the_limits_decide_each_its_own_law() {
 
 #[test]
 fn the_json_has_its_shape_whatever_the_outcome() {
-    for (record, outcome, options) in [
-        (top(1.0), "passed", &["-", "--json"][..]),
-        (top(0.999), "failed", &["--json", "-"]),
-        (top(1.0), "passed", &["-", "--json", "--fit"]),
-    ] {
+    for (record, outcome, options) in
+        [(top(1.0), "passed", &["-", "--json"][..]), (top(0.999), "failed", &["--json", "-"])]
+    {
         let output = judge(options, &record);
         let value: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
         assert_eq!(value["outcome"], outcome);
@@ -107,6 +104,5 @@ fn the_json_has_its_shape_whatever_the_outcome() {
         }
         assert!(value["diagnosis"]["best"]["rule"].is_string());
         assert_eq!(value["curve"]["time"].as_array().unwrap().len(), 200);
-        assert_eq!(value["fit"].is_object(), options.contains(&"--fit"));
     }
 }

@@ -82,6 +82,9 @@ fn a_tensor_may_be_written_in_six_or_nine_numbers_and_a_step_in_place_of_times()
         ("# inertia: 1 2 2.5 0 0.1 0", "line 1: a product of inertia is 0.1, more than 1e-9 of"),
         ("# inertia: 1 2 2.5 3", "line 1: 4 numbers are given for the inertia: give the three principal"),
         ("# inertia: 2", "line 1: 1 number is given for the inertia"),
+        ("# inertia: 2 boxes, 1 2 3", "line 1: 1 number is given for the inertia: give the three"),
+        ("# Ixx: 1\n# Iyy: 2,5\n# Izz: 2.5", "line 2: a number has a decimal comma: write a point"),
+        ("# inertia: 1 2 2.5\n# Ixy: 0,1", "line 2: a number has a decimal comma: write a point"),
         (
             "# Ixx: 1, Iyy: 2, Izz: 2.5, Ixy: 0.3",
             "line 1: a product of inertia is 0.3, more than 1e-9 of the sum of the moments, 5.5",
@@ -97,6 +100,9 @@ fn a_tensor_may_be_written_in_six_or_nine_numbers_and_a_step_in_place_of_times()
     }
     for (dt, says) in [
         ("dt: 1/60", "Some(0.01666"),
+        ("dt: 1 / 60 s", "Some(0.01666"),
+        ("dt: 1/60 Hz", "Some(0.01666"),
+        ("dt: 5 ms / frame", "Some(0.005"),
         ("dt: 100Hz", "Some(0.01"),
         ("dt: 0.1 kHz", "Some(0.01"),
         ("dt: 100 fps", "Some(0.01"),
@@ -107,6 +113,7 @@ fn a_tensor_may_be_written_in_six_or_nine_numbers_and_a_step_in_place_of_times()
         ("dt: 2 hertz", "Some(0.5)"),
         ("dt: 0 Hz", "line 1: the step is given as 0 Hz: it must be above zero"),
         ("dt: 100 MHz", "line 1: the unit `MHz` is not known: s, ms"),
+        ("torque: 0,5 0 0", "line 1: a number has a decimal comma"),
         ("step 3 of the tutorial", UNTIMED),
         ("Step 1: integrate", UNTIMED),
         ("step: 3 of 10", UNTIMED),

@@ -266,11 +266,9 @@ fn the_json_has_the_sentences_of_the_text_and_none_names_an_option_of_the_comman
         assert!(sentences.len() > 2 && !said.contains(" `--") && !said.contains(" --"), "{said}");
     }
     let alone = csv(&rows[..1]);
-    for (text, options) in [
-        ("t,wx,wy,wz\n0,1,2,3\n1,1,2,3\n", Options::default()),
-        (&*alone, Options::default()),
-        (&*csv(&rows), Options { fit: Some(5000), ..Options::default() }),
-    ] {
+    for (text, options) in
+        [("t,wx,wy,wz\n0,1,2,3\n1,1,2,3\n", Options::default()), (&*alone, Options::default())]
+    {
         let error = judge(text.as_bytes(), &options).unwrap_err().to_string();
         assert!(!error.contains("--"), "{error}");
     }

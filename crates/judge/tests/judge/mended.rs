@@ -70,6 +70,53 @@ fn a_step_of_the_header_that_is_a_part_of_the_row_s_is_named_so_and_another_is_n
 }
 
 #[test]
+fn damping_in_each_step_is_named_where_only_every_third_is_written() {
+    let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
+    let (h, rate) = (1.0 / 60.0, 0.1);
+    for method in [Method::SemiImplicitEuler, Method::Rescaled, Method::LinearisedImplicit] {
+        let rows = stepped_by(SPIN, h, 900, |motion| {
+            let end = method.step(&system, motion, h).unwrap();
+            State { momentum: end.momentum * (1.0 - rate * h), ..end }
+        });
+        for header in ["", "# dt: 1/60\n"] {
+            let said = judged(&every(3, header, &rows)).to_string();
+            let rule =
+                format!("(0.1/s: 1.667e-3 of the spin each step, after the turn), {}, 3", method.info().name);
+            assert!(said.contains(&format!("Every step is made by: damping left on {rule}")), "{said}");
+        }
+    }
+}
+
+#[test]
+fn a_spin_that_a_limit_cuts_once_and_that_stays_is_not_said_to_be_written_twice() {
+    let rows: Vec<Row> = stepped(Method::ConstantSpin, SPIN, 0.02, 300);
+    let cut = |(i, row): (usize, &Row)| (row.0, row.1, row.2 * if i == 0 { 1.03 } else { 1.0 });
+    let rows: Vec<Row> = rows.iter().enumerate().map(cut).collect();
+    let text = csv(&rows).replace("t,qw,qx,qy,qz,", "t,a,b,c,d,");
+    let found = judged(&text).diagnosis.unwrap();
+    assert!(found.jumps.len() == 1 && found.best.rule.name() == "no gyroscopic term", "{found}");
+}
+
+#[test]
+fn pushes_in_the_run_of_an_accurate_rule_that_is_not_known_are_seen_with_their_times() {
+    let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
+    let h = 1.0 / 60.0;
+    let (count, push) = (std::cell::Cell::new(0), Vector3::new(0.3, -0.4, 0.6));
+    let rows = stepped_by(SPIN, h, 400, |motion| {
+        let parts = [0.4, 0.6].into_iter();
+        let end = parts.fold(*motion, |now, part| Method::RungeKutta4.step(&system, &now, part * h).unwrap());
+        count.set(count.get() + 1);
+        let push = if [150, 250].contains(&count.get()) { push } else { Vector3::zeros() };
+        State { momentum: end.momentum + push, ..end }
+    });
+    let verdict = judged(&csv(&rows));
+    let (said, found) = (verdict.to_string(), verdict.diagnosis.unwrap());
+    let times: Vec<f64> = found.jumps.iter().map(|jump| (jump.time / h).round()).collect();
+    assert!(times == [150.0, 250.0] && !found.confidence.names_a_rule(), "{said}");
+    assert!(said.contains("from t = 2.5000 s on the body jumps 2 times"), "{said}");
+}
+
+#[test]
 fn no_rule_is_named_from_a_few_of_the_rows() {
     // A spacing of a step and a half throughout, but for one of half a step.
     let motion = FreeMotion::new(MOMENTS.try_into().unwrap(), &SPIN).unwrap();

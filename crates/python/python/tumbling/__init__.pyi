@@ -203,7 +203,6 @@ def judge(
     engine: str | None = None,
     torque: ArrayLike | None = None,
     threshold: float | Mapping[str, float] | None = None,
-    fit: int | None = None,
 ) -> Verdict: ...
 def compare(
     records: Mapping[str, Sequence[Any]],

@@ -152,6 +152,7 @@ fn fault(chance: &mut Chance, base: Base, layout: Layout) -> Fault {
         16 => Fault::Hits(1 + chance.below(3)),
         17 => Fault::Rest,
         18 if !still => Fault::Interpolated,
+        19 if still && both => Fault::Paced(chance.of(&[0.5, 2.0])),
         19 if !still => match chance.below(9) {
             0 if both => Fault::Turned(Turn::Early),
             1 if both && by_new => Fault::Turned(Turn::BodyInWorld),
