@@ -273,7 +273,6 @@ mod tests {
             "figures --check --body hammer",
             "report nothing",
             "measure --check",
-            "measure --builds",
             "measure scenes --check --builds",
         ] {
             assert!(parsed(words).is_err(), "{words}");

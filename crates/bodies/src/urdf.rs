@@ -193,7 +193,7 @@ pub(crate) fn read(text: &str, name: Option<&str>, tolerance: f64) -> Result<Bod
             return Err(Error::new(why).of_field("link"));
         }
         ([_, again, ..], Some(_)) => return Err(wrong(*again, "another link has this name too")),
-        ([], None) => return Err(Error::new("no link has an `<inertial>` element")),
+        ([], None) => return Err(Error::new("no link with a `name` has an `<inertial>` element")),
         _ => return Err(Error::new(format!("name the link, after a `#` or by `link`: {all}"))),
     };
     let inertial = child(link, "inertial").ok_or_else(|| wrong(link, "it has no `<inertial>` element"))?;
