@@ -1,5 +1,5 @@
 //! Whether a body is meant as it was read: its units, a mass with such moments, parts and their places. (Of
-//! degrees it is asked where a robot's angles are read.)
+//! degrees and of what fixed joints hold it is asked where a robot is read.)
 
 use crate::document::from_toml;
 use crate::file::number;
