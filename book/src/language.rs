@@ -269,13 +269,14 @@ fn with(text: &str, mark: char, other: char) -> String {
     (0..all.len()).map(|at| if decimal(at) { other } else { all[at] }).collect()
 }
 
-/// The numbers in digits, with their units.
+/// The numbers in digits, with their units, and the signs before and between them.
 fn digits(text: &str) -> impl Iterator<Item = (usize, String)> + '_ {
-    numerals(text).into_iter().map(|numeral| {
+    let signs = text.match_indices(['−', '+', '±', '×']).map(|(at, sign)| (at, sign.to_owned()));
+    signs.chain(numerals(text).into_iter().map(|numeral| {
         let (number, all) = (&text[numeral.at.clone()], with_unit(text, &numeral));
         let known = UNITS.contains(&all[number.len()..].trim());
         (numeral.at.start, if known { all } else { number }.to_owned())
-    })
+    }))
 }
 
 fn in_order(numbers: impl Iterator<Item = (usize, String)>) -> Vec<String> {

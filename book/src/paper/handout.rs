@@ -8,11 +8,13 @@ use crate::site::places::escaped;
 use crate::site::{goals, home};
 use std::collections::BTreeSet;
 
-/// The handout of a chapter as HTML, set this closely, in the language of its page.
+/// The handout of a chapter as HTML, set this closely, with three times this many lines to write on, in the
+/// language of its page.
 ///
 /// # Errors
 /// There is no such chapter.
-pub(super) fn sheet(paper: &Paper, name: &str, size: Size, fit: usize) -> Result<String, String> {
+pub(super) fn sheet(paper: &Paper, name: &str, size: Size, fit: [usize; 2]) -> Result<String, String> {
+    let [fit, lines] = fit;
     let page = sheet::chapter(paper, name)?;
     let (language, original) = Language::of(name)?.map_or((None, name), |(own, of)| (Some(own), of));
     let say = |words: &str| language.as_ref().map_or(words.to_owned(), |own| own.label(words).0);
@@ -23,9 +25,11 @@ pub(super) fn sheet(paper: &Paper, name: &str, size: Size, fit: usize) -> Result
     let sources = xml(&sheet::within(&sources(paper, &page.body), name));
     let list = format!("<h2>{}</h2>\n<ul class=\"sources\">{sources}</ul>", say("References"));
     let sources = if sources.is_empty() { sources } else { list };
+    let notes = format!("<h2>{}</h2>\n{}", say("Notes"), "<div class=\"line\"></div>\n".repeat(3 * lines));
+    let notes = if lines == 0 { String::new() } else { notes };
     let body = format!(
         "<header><p>{}</p>\n{}\n</header>\n<div class=\"goals\"><p>{}</p><ul>{goals}</ul></div>\n<div class=\"columns\">\n{story}\n\
-         {sources}\n</div>\n<footer><p>{} {}: {}, CC BY 4.0{}.</p></footer>",
+         {sources}\n{notes}</div>\n<footer><p>{} {}: {}, CC BY 4.0{}.</p></footer>",
         escaped(&say(&format!("{}, chapter {number}", paper.about.title))),
         heading(&page.body),
         say("After this chapter you can"),

@@ -72,13 +72,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
         }
         What::Pdf => book(&paper, arguments.paper, &folder),
         What::Handout { chapters } => each(&paper, chapters, |name| {
-            printed(&folder.join(format!("{name}-handout")), &paper.about, |fit| {
+            printed(&folder.join(format!("{name}-handout")), &paper.about, LINES, &|fit| {
                 handout::sheet(&paper, name, arguments.paper, fit)
             })
         }),
         What::Problems { chapters } => each(&paper, chapters, |name| {
             ["problems", "answers"].iter().try_for_each(|sheet| {
-                printed(&folder.join(format!("{name}-{sheet}")), &paper.about, |fit| {
+                printed(&folder.join(format!("{name}-{sheet}")), &paper.about, 0, &|[fit, _]| {
                     problems::sheet(&paper, name, arguments.paper, fit, *sheet == "answers")
                 })
             })
@@ -133,29 +133,42 @@ fn mended(printed: Vec<u8>, about: &About) -> Vec<u8> {
 /// How widely a sheet may be set, from the widest on: `fit-N` in `print.css`.
 const FITS: usize = 8;
 
+/// How many times three lines to write on are tried: as many as a page has.
+const LINES: usize = 20;
+
+/// Makes a sheet, set this closely, with three times this many lines to write on.
+type Make<'a> = &'a dyn Fn([usize; 2]) -> Result<String, String>;
+
 /// A sheet as HTML, and as PDF where a browser is found: on as few pages as the closest fit needs, as wide
-/// as these pages allow.
-fn printed(to: &Path, about: &About, make: impl Fn(usize) -> Result<String, String>) -> Result<(), String> {
+/// as these pages allow, with as many lines of these to write on as they have room for.
+fn printed(to: &Path, about: &About, lines: usize, make: Make<'_>) -> Result<(), String> {
     let (html, pdf) = (to.with_extension("html"), to.with_extension("pdf"));
     let Some(browser) = browser::found() else {
-        write(&html, make(FITS / 2)?.as_bytes())?;
+        write(&html, make([FITS / 2, 0])?.as_bytes())?;
         say!("{NO_BROWSER}");
         return Ok(());
     };
-    let set = |fit: usize| -> Result<Vec<u8>, String> {
+    let set = |fit: [usize; 2]| -> Result<Vec<u8>, String> {
         write_changed(&html, make(fit)?.as_bytes())?;
         browser::pdf(&browser, &html)
     };
-    let fewest = browser::count(&set(FITS - 1)?);
-    let mut printed = Vec::new();
-    for fit in 0..FITS {
-        printed = set(fit)?;
-        if browser::count(&printed) <= fewest {
-            break;
-        }
-    }
+    let fewest = browser::count(&set([FITS - 1, 0])?);
+    let fits = |fit| Ok(browser::count(&set(fit)?) <= fewest);
+    let fit = if fits([0, 0])? { 0 } else { 1 + first(FITS - 2, |fit| fits([fit + 1, 0]))? };
+    let fewer = first(lines, |fewer| fits([fit, lines - fewer]))?;
+    let printed = set([fit, lines - fewer])?;
     say!("{}", html.display());
     write(&pdf, &mended(printed, about))
+}
+
+/// The first number for which it holds, where it holds for all from there on and for `high`.
+fn first(mut high: usize, holds: impl Fn(usize) -> Result<bool, String>) -> Result<usize, String> {
+    let mut low = 0;
+    while low < high {
+        let middle = low.midpoint(high);
+        (low, high) = if holds(middle)? { (low, middle) } else { (middle + 1, high) };
+    }
+    Ok(low)
 }
 
 #[cfg(test)]

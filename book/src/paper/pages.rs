@@ -115,8 +115,7 @@ fn on_paper(mut element: Element, page: &str, shown: &BTreeSet<String>) -> Resul
         }
         _ if class("screen") => Vec::new(),
         "a" if class("header") => element.children,
-        "div" if element.get("lang").is_some() => element.children,
-        "div" if class("fig-frame") => element.children,
+        "div" if class("fig-frame") || element.get("lang").is_some() => element.children,
         "div" if class("live") => still::of(element.get("data-live").unwrap_or_default(), page, shown)?,
         "details" if class("program") => vec![opened(element, "program")],
         "svg" => vec![ink::fixed(element).into()],
@@ -139,11 +138,8 @@ fn styled(mut element: Element) -> Vec<Node> {
     let (style, own) = element.attributes.into_iter().partition(|(name, _)| unknown.contains(&name.as_str()));
     element.attributes = own;
     let style = Element { name: "mstyle".into(), attributes: style, children: Vec::new() };
-    if style.attributes.is_empty() {
-        vec![element.into()]
-    } else {
-        vec![Element { children: vec![element.into()], ..style }.into()]
-    }
+    let plain = style.attributes.is_empty();
+    vec![if plain { element } else { Element { children: vec![element.into()], ..style } }.into()]
 }
 
 /// A formula in one line of text.
@@ -226,11 +222,8 @@ pub(super) fn contents(
                 sections += &format!("<li>{}</li>\n", line(&page.name, Some(id), &escaped(&element.text())));
             }
         });
-        let sections = if open(page) && !sections.is_empty() {
-            format!("\n<ol>\n{sections}</ol>\n")
-        } else {
-            String::new()
-        };
+        let open = open(page) && !sections.is_empty();
+        let sections = if open { format!("\n<ol>\n{sections}</ol>\n") } else { String::new() };
         format!("<li>{title}{sections}</li>\n")
     };
     paper.pages.iter().map(listed).collect()

@@ -50,9 +50,9 @@ pub(super) fn sheet(
         format!("<ol start=\"{}\">{}</ol>\n", from + 1, items.collect::<String>())
     };
     let title = format!("{}: {}", page.title, say(class));
-    let of = format!("{} {}, CC BY 4.0{}.", say("From the book"), paper.about.title, home::address());
-    let of = escaped(&of);
-    let (head, count) = (format!("<h1>{}</h1>\n", escaped(&title)), problems.len());
+    let (from, count) = (say("From the book"), problems.len());
+    let of = escaped(&format!("{from} {}, CC BY 4.0{}.", paper.about.title, home::address()));
+    let head = format!("<h1>{}</h1>\n", escaped(&title));
     let body = if answers {
         let all = list(0, count);
         format!(

@@ -37,10 +37,9 @@ pub(super) fn book(
             page.name,
             page.title.replace('"', "")
         );
-        let number = page
-            .number
-            .as_ref()
-            .map_or(String::new(), |number| format!("<p class=\"chapter-number\">Chapter {number}</p>\n"));
+        let number =
+            page.number.iter().map(|number| format!("<p class=\"chapter-number\">Chapter {number}</p>\n"));
+        let number: String = number.collect();
         let _ = write!(
             body,
             "<section id=\"{}--page\" class=\"chapter\">\n{number}{}\n</section>\n",
@@ -88,13 +87,9 @@ pub(super) fn within(nodes: &[Node], page: &str) -> Vec<Node> {
 /// label; a `<figure>` around it would be a second image, without words.
 fn printable(element: &mut Element) {
     match element.name.as_str() {
-        "figure" => {
-            element.name = "div".into();
-            element.set("class", "figure");
-        }
-        "figcaption" => {
-            element.name = "div".into();
-            element.set("class", "figcaption");
+        "figure" | "figcaption" => {
+            let class = std::mem::replace(&mut element.name, "div".into());
+            element.set("class", &class);
         }
         "math" => {
             let words = element.get("alttext").unwrap_or_default().to_owned();

@@ -118,13 +118,15 @@ fn the_whole_book_in_one_document_has_its_links_within() {
 #[test]
 fn every_chapter_has_a_handout_and_the_first_ten_have_six_problems_or_more() {
     for page in PAPER.chapters() {
-        let handout = handout::sheet(&PAPER, &page.name, Size::A4, 0).unwrap();
+        let handout = handout::sheet(&PAPER, &page.name, Size::A4, [0, 0]).unwrap();
         let (_, text) = handout.split_once("<body class").unwrap();
         let translated = page.name.ends_with("-de");
         let can = if translated { "Nach diesem Kapitel kannst du" } else { "After this chapter you can" };
         let screen = ["assert_eq", "Press Play", "moving picture", "On the screen", "class=\"question\""];
         assert!(text.contains(can) && screen.iter().all(|words| !text.contains(words)), "{}", page.name);
         assert!(!text.contains(":</p>\n\n<h2") && !text.contains('\u{1}'), "{}", page.name);
+        let twice = text.split("([").skip(1).any(|cited| cited.starts_with(char::is_uppercase));
+        assert!(!twice && !text.contains("class=\"line\""), "{}", page.name);
         assert!(page.name != "coin" || (text.contains("[Fey85]") && text.contains("Surely You")));
         let count = |answers: bool| {
             let sheet = problems::sheet(&PAPER, &page.name, Size::A4, 0, answers).unwrap();
@@ -139,7 +141,8 @@ fn every_chapter_has_a_handout_and_the_first_ten_have_six_problems_or_more() {
     assert!(words.iter().all(|words| german(false).contains(words)));
     assert!(german(true).contains("nach 2,80\u{a0}s") && german(true).contains("Wirf ein Buch: Antworten"));
     // The story is whole without its question.
-    let story = handout::sheet(&PAPER, "toss-a-book", Size::A4, 0).unwrap();
+    let story = handout::sheet(&PAPER, "toss-a-book", Size::A4, [0, 3]).unwrap();
+    assert_eq!(story.matches("class=\"line\"").count(), 9);
     assert!(story.contains("It first flips after 0.64\u{a0}s.") && story.contains("come every 1.08\u{a0}s"));
     assert!(problems::sheet(&PAPER, "nosuch", Size::A4, 0, false).unwrap_err().contains("two-arrows, "));
 }

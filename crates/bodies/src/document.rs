@@ -72,12 +72,12 @@ fn bad_number(field: &str, value: &toml::Spanned<DeValue<'_>>) -> Option<(String
     };
     let read: f64 = number.replace('_', "").parse().ok()?;
     let mantissa = number.split(['e', 'E']).next().unwrap_or_default();
-    let why = if !read.is_finite() {
-        "is no finite number that can be computed with"
-    } else if read == 0.0 && mantissa.contains(|digit| matches!(digit, '1'..='9')) {
-        "is closer to zero than any number that can be computed with"
-    } else {
-        return None;
+    let why = match read {
+        0.0 if mantissa.contains(|digit| matches!(digit, '1'..='9')) => {
+            "is closer to zero than any number that can be computed with"
+        }
+        x if x.is_finite() => return None,
+        _ => "is no finite number that can be computed with",
     };
     Some((field.to_owned(), value.span(), format!("{number} {why}")))
 }

@@ -136,8 +136,7 @@ impl<'a> Reader<'a> {
         }?;
         found.drawable().map_err(|why| self.wrong(self.extreme(), why))?;
         if let Some(name) = &self.table.name {
-            let wrong = |why| Error::at(self.text, &name.span(), why).of_field("name");
-            found.name = nameable(name.get_ref()).map_err(wrong)?.to_owned();
+            found.name = nameable(name.get_ref()).map_err(|why| self.wrong("name", why))?.to_owned();
         }
         if let Some(Spin::Speed(spin)) = self.table.spin.as_ref().map(Spanned::get_ref) {
             let why = format!("{spin} rad/s is not above zero and finite");
@@ -161,15 +160,13 @@ impl<'a> Reader<'a> {
     }
 
     fn weight(&self) -> Result<Weight, Error> {
+        let none = "`mass` (kg) or `density` (kg/m³) is missing, which goes with it";
+        let both = "either `mass` or `density` is expected, not both";
         match (&self.table.mass, &self.table.density) {
             (Some(mass), None) => Ok(Weight::Mass(*mass.get_ref())),
             (None, Some(density)) => Ok(Weight::Density(*density.get_ref())),
-            (None, None) => {
-                Err(self.wrong(self.by, "`mass` (kg) or `density` (kg/m³) is missing, which goes with it"))
-            }
-            (Some(_), Some(_)) => {
-                Err(self.wrong("density", "either `mass` or `density` is expected, not both"))
-            }
+            (None, None) => Err(self.wrong(self.by, none)),
+            (Some(_), Some(_)) => Err(self.wrong("density", both)),
         }
     }
 
@@ -184,8 +181,7 @@ impl<'a> Reader<'a> {
         let (properties, surface) =
             shaped(name, self.table, &sides, self.weight()?).map_err(|error| self.refused(&error))?;
         let question = question::of(self.text, &self.present, name, needed);
-        let sides = if name == "box" { sides.try_into().ok() } else { None };
-        Ok(BodyModel { sides, question, ..BodyModel::of(properties, vec![surface]) })
+        Ok(BodyModel { sides: sides.try_into().ok(), question, ..BodyModel::of(properties, vec![surface]) })
     }
 
     /// The sides, which must be of this number; none where there are none.
@@ -205,7 +201,9 @@ impl<'a> Reader<'a> {
         let points: Vec<_> = rows.iter().map(|&[mass, x, y, z]| (mass, Vector3::new(x, y, z))).collect();
         let properties = MassProperties::of_points(&points).map_err(|error| self.wrong(self.by, error))?;
         let places = points.into_iter().map(|point| point.1).collect();
-        Ok(BodyModel::of(properties, vec![Surface::points(places)]))
+        // Where a heavy point has a light one far away, what is drawn is larger than a ring would be.
+        let question = question::spread(&BodyModel::of(properties, Vec::new()));
+        Ok(BodyModel { question, ..BodyModel::of(properties, vec![Surface::points(places)]) })
     }
 
     fn mesh(&self) -> Result<BodyModel, Error> {
@@ -214,11 +212,15 @@ impl<'a> Reader<'a> {
         let why = format!("{unit} is not above 0 and finite");
         self.unless(unit > 0.0 && unit.is_finite(), "unit", why)?;
         let triangles = mesh::read(&self.files.folder.join(file), self.files);
-        let (mut vertices, faces) = triangles.map_err(|error| self.wrong(self.by, error))?;
+        let (mut vertices, mut faces) = triangles.map_err(|error| self.wrong(self.by, error))?;
         let finite = vertices.iter().flatten().all(|x| x.is_finite());
         self.unless(finite, self.by, "a number of a vertex is not finite")?;
         vertices.iter_mut().for_each(|vertex| *vertex *= unit);
         let weight = self.weight()?;
+        // A surface that is closed as listed stays as listed, even where vertices of it touch.
+        if Mesh::new(&vertices, &faces).is_err() {
+            mesh::weld(&vertices, &mut faces);
+        }
         let mesh = Mesh::new(&vertices, &faces).map_err(|error| self.refused(&error))?;
         let properties = weight.of(&mesh).map_err(|error| self.refused(&error))?;
         let question = match (&self.table.density, self.table.unit.is_some()) {
@@ -275,8 +277,7 @@ impl<'a> Reader<'a> {
         // Any mass will do where none is given: it is not kept.
         let properties = MassProperties::new(mass.unwrap_or(1.0), &Vector3::zeros(), inertia)
             .map_err(|error| self.refused(&error))?;
-        let given = self.table.sides.is_some();
-        let sides: Option<[f64; 3]> = if given { self.sides(3)?.try_into().ok() } else { None };
+        let sides: Option<[f64; 3]> = self.sides(3)?.try_into().ok();
         // Sides say what is drawn.
         if let Some([a, b, c]) = sides {
             Cuboid::new(a, b, c).map_err(|error| self.wrong("sides", error))?;
@@ -316,11 +317,11 @@ impl<'a> Reader<'a> {
     fn placed(&self, mut found: BodyModel) -> Result<BodyModel, Error> {
         if let Some(turn) = &self.table.turn {
             let [x, y, z, degrees] = *turn.get_ref();
+            let why = "x, y and z must be a direction, of finite numbers that are not all zero";
             let axis = nalgebra::Unit::try_new(Vector3::new(x, y, z), 0.0);
-            let axis = axis.filter(|axis| axis.iter().all(|x| x.is_finite())).ok_or_else(|| {
-                let why = "x, y and z must be a direction, of finite numbers that are not all zero";
-                self.wrong("turn", why)
-            })?;
+            let axis = axis.filter(|axis| axis.iter().all(|x| x.is_finite()));
+            let axis = axis.ok_or_else(|| self.wrong("turn", why))?;
+            found.question = found.question.or_else(|| question::turned(degrees));
             let attitude = UnitQuaternion::from_axis_angle(&axis, degrees.to_radians());
             found.inertia = found.inertia.turned(attitude).map_err(|error| self.wrong("turn", error))?;
             found.centre = attitude * found.centre;

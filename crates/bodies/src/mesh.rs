@@ -9,7 +9,7 @@ use std::path::Path;
 /// Vertices in the file's own unit, and faces by their numbers.
 pub(crate) type Triangles = (Vec<Vector3<f64>>, Vec<[usize; 3]>);
 
-/// The triangles of a file; those of an STL are welded where coordinates are equal.
+/// The triangles of a file, as listed: those of an STL have three vertices each.
 pub(crate) fn read(path: &Path, files: &Files<'_>) -> Result<Triangles, Error> {
     let bytes = &*files.mesh(path)?;
     let found = match path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).as_deref() {
@@ -21,20 +21,13 @@ pub(crate) fn read(path: &Path, files: &Files<'_>) -> Result<Triangles, Error> {
     found.map_err(|error| error.in_file(path))
 }
 
-/// Loose triangles with one vertex at each place.
-fn welded(corners: impl IntoIterator<Item = [Vector3<f64>; 3]>) -> Triangles {
-    let (mut vertices, mut faces, mut known) = (Vec::new(), Vec::new(), HashMap::new());
-    for triangle in corners {
-        faces.push(triangle.map(|p| {
-            // Zero has two signs and one place.
-            let key: [u64; 3] = p.map(|x| (x + 0.0).to_bits()).into();
-            *known.entry(key).or_insert_with(|| {
-                vertices.push(p);
-                vertices.len() - 1
-            })
-        }));
-    }
-    (vertices, faces)
+/// Lets faces name the first of the vertices in one place, where a program wrote a vertex once for each face.
+pub(crate) fn weld(vertices: &[Vector3<f64>], faces: &mut [[usize; 3]]) {
+    let mut known = HashMap::new();
+    // Zero has two signs and one place.
+    let places = vertices.iter().map(|p| p.map(|x| (x + 0.0).to_bits()));
+    let first: Vec<usize> = places.enumerate().map(|(i, p)| *known.entry(p).or_insert(i)).collect();
+    faces.iter_mut().flatten().for_each(|i| *i = first.get(*i).copied().unwrap_or(*i));
 }
 
 fn stl(bytes: &[u8]) -> Result<Triangles, Error> {
@@ -46,7 +39,7 @@ fn stl(bytes: &[u8]) -> Result<Triangles, Error> {
         let number = |four: &[u8]| f64::from(f32::from_le_bytes(four.try_into().unwrap_or_default()));
         let corner = |twelve: &[u8]| Vector3::from_fn(|i, _| number(&twelve[4 * i..4 * i + 4]));
         let triangle = |each: &[u8]| [12, 24, 36].map(|at| corner(&each[at..at + 12]));
-        return Ok(welded(bytes[HEADER..].chunks_exact(EACH).map(triangle)));
+        return Ok(loose(bytes[HEADER..].chunks_exact(EACH).flat_map(triangle).collect()));
     }
     // Some programs write all words large.
     let text = String::from_utf8_lossy(bytes).to_lowercase();
@@ -62,7 +55,13 @@ fn stl(bytes: &[u8]) -> Result<Triangles, Error> {
     if corners.len() % 3 != 0 {
         return Err(Error::new(format!("{} vertices are not three for each triangle", corners.len())));
     }
-    Ok(welded(corners.chunks_exact(3).map(|three| [three[0], three[1], three[2]])))
+    Ok(loose(corners))
+}
+
+/// Triangles of three vertices each.
+fn loose(corners: Vec<Vector3<f64>>) -> Triangles {
+    let faces = (0..corners.len() / 3).map(|k| [3 * k, 3 * k + 1, 3 * k + 2]).collect();
+    (corners, faces)
 }
 
 fn vertex(words: &str, line: usize) -> Result<Vector3<f64>, Error> {
@@ -123,8 +122,8 @@ mod tests {
         let lines = CORNERS.map(|[x, y, z]| format!("v {x} {y} {z}\n")).concat();
         let named = FACES.map(|[a, b, c]| format!("f {}/1 {} -{}\n", a + 1, b + 1, 4 - c)).concat();
         for found in [stl(&binary), stl(text.as_bytes()), obj(&(lines + &named))] {
-            let (vertices, faces) = found.unwrap();
-            assert_eq!(vertices.len(), 4);
+            let (vertices, mut faces) = found.unwrap();
+            weld(&vertices, &mut faces);
             assert_eq!(Mesh::new(&vertices, &faces).unwrap().measure().unwrap(), 16.0);
         }
         assert_eq!(obj("v 1 2 3\nf 1 2\n").unwrap_err().line, Some(2));

@@ -27,7 +27,8 @@ pub struct BodyModel {
     /// The edges along x, y and z of a body that is one box, m.
     pub sides: Option<[f64; 3]>,
     /// The question whether it is meant as it was read, where that is unlikely: units by the density, degrees
-    /// for rad, moments and what is drawn by the mass, parts that lie far off or twice in one place.
+    /// for rad or rad for degrees, moments and what is drawn by the mass, parts that lie far off or twice in
+    /// one place, links that fixed joints hold to this one.
     pub question: Option<String>,
 }
 

@@ -1,11 +1,12 @@
 //! Whether a body is meant as it was read: its units, a mass with such moments, parts and their places. (Of
-//! degrees it is asked where a robot's angles are read.)
+//! degrees and of what fixed joints hold it is asked where a robot is read.)
 
 use crate::document::from_toml;
 use crate::file::number;
 use crate::model::BodyModel;
 use crate::shape::{Weight, shaped};
 use crate::table::Table;
+use std::f64::consts::PI;
 use std::ops::Range;
 use tumbling::MassProperties;
 
@@ -102,15 +103,23 @@ pub(crate) fn filled(mass: f64, volume: f64, set: bool) -> Option<String> {
     Some(format!("{mass} kg in {} m³: {said}", plain(volume)))
 }
 
+/// Of an angle in degrees: whether it is the quarter or the twelfth of a turn in rad.
+pub(crate) fn turned(degrees: f64) -> Option<String> {
+    let parts = (degrees / (PI / 12.0)).round();
+    let near = (degrees - parts * PI / 12.0).abs() < 0.002 && degrees.fract() != 0.0;
+    let asked = format!("a turn by {degrees}° is small: is this in rad? In degrees it is {}", 15.0 * parts);
+    (near && (1.0..=24.0).contains(&parts.abs())).then_some(asked)
+}
+
 /// Of a mass and a tensor: whether a body can have both. Of all bodies as dense, a ball has the least trace.
 pub(crate) fn spread(body: &BodyModel) -> Option<String> {
     let (mass, moments) = (body.mass?, body.principal().moments());
-    let density = mass / (4.19 * (5.0 / 6.0 * moments.sum() / mass).powf(1.5));
+    let density = mass / (4.0 / 3.0 * PI * (5.0 / 6.0 * moments.sum() / mass).powf(1.5));
     let [radius, reach] = [(moments.max() / mass).sqrt(), body.reach()].map(plain);
     let large = format!("a ring with these has a radius of {radius} m; the drawing reaches {reach} m");
     let large = (!(0.1..100.0).contains(&(reach / radius))).then_some(large);
     let dense = format!("a ball with these would need {density:.1e} kg/m³");
-    let why = (!(1e-6..SOLIDS.end).contains(&density)).then_some(dense).or(large)?;
+    let why = (!(1e-3..SOLIDS.end).contains(&density)).then_some(dense).or(large)?;
     Some(format!("{mass} kg and moments up to {} kg m²: {why}. Are the units right?", moments.max()))
 }
 

@@ -1,5 +1,6 @@
 //! The solids of the library by their names in a file.
 
+use crate::file::number;
 use crate::surface::Surface;
 use crate::table::Table;
 use nalgebra::Vector3;
@@ -48,8 +49,8 @@ pub(crate) fn shaped(
     weight: Weight,
 ) -> Result<(MassProperties, Surface), Error> {
     let side = |i: usize| sides.get(i).copied().unwrap_or_default();
-    let [radius, inner, height, length] = [&table.radius, &table.inner, &table.height, &table.length]
-        .map(|size| size.as_ref().map_or(0.0, |x| *x.get_ref()));
+    let [radius, inner, height, length] =
+        [&table.radius, &table.inner, &table.height, &table.length].map(number);
     Ok(match name {
         "ball" => {
             let ball = if inner == 0.0 { Ball::new(radius) } else { Ball::hollow(inner, radius) }?;

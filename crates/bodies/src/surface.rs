@@ -115,10 +115,8 @@ impl Surface {
     #[must_use]
     pub fn cylinder(inner: f64, outer: f64, height: f64) -> Self {
         let h = 0.5 * height;
-        if inner == 0.0 {
-            return Self::revolved(&[[outer, -h], [outer, h]], false);
-        }
-        Self::revolved(&[[inner, -h], [outer, -h], [outer, h], [inner, h]], true)
+        let profile = [[inner, -h], [outer, -h], [outer, h], [inner, h]];
+        if inner == 0.0 { Self::revolved(&profile[1..3], false) } else { Self::revolved(&profile, true) }
     }
 
     /// A cone with its base in the xy plane and its tip above.
@@ -131,15 +129,12 @@ impl Surface {
     #[must_use]
     pub fn capsule(radius: f64, length: f64) -> Self {
         let steps = ROUND / 2;
-        let profile: Vec<[f64; 2]> = (0..=steps + 1)
-            .map(|k| {
-                let (k, shift) = if k <= steps / 2 { (k, -0.5) } else { (k - 1, 0.5) };
-                let (s, c) = (PI * k as f64 / steps as f64).sin_cos();
-                let r = if k == 0 || k == steps { 0.0 } else { radius * s };
-                [r, shift * length - radius * c]
-            })
-            .collect();
-        Self::revolved(&profile, false)
+        let place = |k: usize| {
+            let (k, shift) = if k <= steps / 2 { (k, -0.5) } else { (k - 1, 0.5) };
+            let (s, c) = (PI * k as f64 / steps as f64).sin_cos();
+            [if k % steps == 0 { 0.0 } else { radius * s }, shift * length - radius * c]
+        };
+        Self::revolved(&(0..=steps + 1).map(place).collect::<Vec<_>>(), false)
     }
 
     /// An ellipsoid with these semi-axes.

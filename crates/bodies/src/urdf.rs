@@ -11,6 +11,7 @@ use crate::question;
 use crate::surface::{FARTHEST, Surface, drawable};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use roxmltree::{Document, Node};
+use std::collections::{HashMap, HashSet};
 use tumbling::MassProperties;
 
 fn wrong(node: Node<'_, '_>, why: impl std::fmt::Display) -> Error {
@@ -23,23 +24,26 @@ fn child<'a, 'i>(node: Node<'a, 'i>, name: &str) -> Option<Node<'a, 'i>> {
     node.children().find(|child| child.has_tag_name(name))
 }
 
+fn called<'a>(link: Node<'a, '_>) -> &'a str {
+    link.attribute("name").unwrap_or_default()
+}
+
 /// The numbers of an attribute.
 fn numbers<const N: usize>(node: Node<'_, '_>, name: &str) -> Result<Option<[f64; N]>, Error> {
     let Some(text) = node.attribute(name) else { return Ok(None) };
-    let found: Option<Vec<f64>> = text.split_whitespace().map(|word| word.parse().ok()).collect();
+    let finite = |word: &str| word.parse().ok().filter(|x: &f64| x.is_finite());
+    let found: Option<Vec<f64>> = text.split_whitespace().map(finite).collect();
     let found = found.and_then(|found| <[f64; N]>::try_from(found).ok());
     let plural = if N == 1 { "" } else { "s" };
     found.map(Some).ok_or_else(|| {
         let hint = decimal_comma(node.document().input_text(), node.range().start);
         let rule = "expected, in m, kg and rad, without a unit, without the ${} of xacro";
-        wrong(node, format!("{name}=\"{text}\": {N} number{plural} {rule}{hint}"))
+        wrong(node, format!("{name}=\"{text}\": {N} finite number{plural} {rule}{hint}"))
     })
 }
 
-fn number(node: Node<'_, '_>, name: &str) -> Result<f64, Error> {
-    numbers::<1>(node, name)?
-        .map(|[x]| x)
-        .ok_or_else(|| wrong(node, format!("the attribute `{name}` is missing")))
+fn needed<const N: usize>(node: Node<'_, '_>, name: &str) -> Result<[f64; N], Error> {
+    numbers(node, name)?.ok_or_else(|| wrong(node, format!("the attribute `{name}` is missing")))
 }
 
 /// How deep elements may be nested: the parser calls itself for each.
@@ -91,16 +95,8 @@ fn bounded(text: &str) -> Result<(), Error> {
 
 /// Where an element lies in the link's frame, and how it is turned.
 fn origin(node: Node<'_, '_>) -> Result<(Vector3<f64>, UnitQuaternion<f64>), Error> {
-    let Some(origin) = child(node, "origin") else {
-        return Ok((Vector3::zeros(), UnitQuaternion::identity()));
-    };
-    let place = numbers::<3>(origin, "xyz")?.unwrap_or_default();
-    let [roll, pitch, yaw] = numbers::<3>(origin, "rpy")?.unwrap_or_default();
-    for (name, numbers) in [("xyz", place), ("rpy", [roll, pitch, yaw])] {
-        if let Some(x) = numbers.iter().find(|x| !x.is_finite()) {
-            return Err(wrong(origin, format!("a number of `{name}` is {x}: it must be finite")));
-        }
-    }
+    let of = |name: &str| child(node, "origin").map_or(Ok(None), |origin| numbers::<3>(origin, name));
+    let (place, [roll, pitch, yaw]) = (of("xyz")?.unwrap_or_default(), of("rpy")?.unwrap_or_default());
     Ok((place.into(), UnitQuaternion::from_euler_angles(roll, pitch, yaw)))
 }
 
@@ -119,18 +115,14 @@ fn surfaces(
     centre: &Vector3<f64>,
 ) -> Result<Vec<Surface>, Error> {
     let mut found = Vec::new();
-    for visual in link.children().filter(|node| node.has_tag_name("visual")) {
+    let shape = |visual| Some((visual, child(visual, "geometry")?.children().find(Node::is_element)?));
+    for (visual, solid) in link.children().filter(|node| node.has_tag_name("visual")).filter_map(shape) {
         let (place, turn) = origin(visual)?;
-        let Some(solid) = child(visual, "geometry").and_then(|g| g.children().find(Node::is_element)) else {
-            continue;
-        };
+        let size = |name: &str| needed(solid, name).map(|[x]| x);
         let surface = match solid.tag_name().name() {
-            "box" => {
-                let edges = numbers::<3>(solid, "size")?;
-                Surface::cuboid(&edges.ok_or_else(|| wrong(solid, "the attribute `size` is missing"))?.into())
-            }
-            "cylinder" => Surface::cylinder(0.0, number(solid, "radius")?, number(solid, "length")?),
-            "sphere" => Surface::ellipsoid(&Vector3::repeat(number(solid, "radius")?)),
+            "box" => Surface::cuboid(&needed::<3>(solid, "size")?.into()),
+            "cylinder" => Surface::cylinder(0.0, size("radius")?, size("length")?),
+            "sphere" => Surface::ellipsoid(&Vector3::repeat(size("radius")?)),
             _ => continue,
         };
         let below = |text: &str| text.split_whitespace().any(|size| size.starts_with('-'));
@@ -149,6 +141,34 @@ fn surfaces(
     Ok(found)
 }
 
+/// At most this many names, in backticks.
+fn first(names: &[&str], most: usize) -> String {
+    let shown: Vec<_> = names.iter().take(most).map(|name| format!("`{name}`")).collect();
+    let more = names.len().saturating_sub(most);
+    shown.join(", ") + &if more == 0 { String::new() } else { format!(" and {more} more") }
+}
+
+/// Of links with inertia that fixed joints hold to this one, and that are left out: simulators make one body
+/// of all.
+fn held(document: &Document<'_>, name: &str, heavy: &[&str]) -> Option<String> {
+    let mut below: HashMap<&str, Vec<&str>> = HashMap::new();
+    for joint in document.descendants().filter(|node| node.attribute("type") == Some("fixed")) {
+        let [from, to] = ["parent", "child"].map(|end| child(joint, end)?.attribute("link"));
+        below.entry(from.unwrap_or_default()).or_default().extend(to);
+    }
+    // Each link's joints are taken once, so that a circle of joints ends.
+    let (mut open, mut found) = (vec![name], HashSet::new());
+    while let Some(links) = open.pop().map(|link| below.remove(link).unwrap_or_default()) {
+        found.extend(links.iter().copied());
+        open.extend(links);
+    }
+    let left: Vec<_> = heavy.iter().copied().filter(|link| *link != name && found.contains(link)).collect();
+    let asked =
+        "is it one body with them? Then name each in a `[[part]]`, by `urdf`, `link`, `at` and `turn`";
+    let held = format!("fixed joints hold {} to `{name}`, read alone: {asked}", first(&left, 3));
+    Some(held).filter(|_| !left.is_empty())
+}
+
 /// The link `name`, or the only one that has inertia. Its tensor may be moved by `tolerance`.
 pub(crate) fn read(text: &str, name: Option<&str>, tolerance: f64) -> Result<BodyModel, Error> {
     bounded(text)?;
@@ -159,28 +179,22 @@ pub(crate) fn read(text: &str, name: Option<&str>, tolerance: f64) -> Result<Bod
         let why = "URDF begins with `<robot>`; give others in TOML, by `mass`, `moments` and `products`";
         return Err(wrong(root, why));
     }
-    let links: Vec<_> = document
-        .descendants()
-        .filter(|node| node.has_tag_name("link") && node.has_attribute("name"))
-        .collect();
-    let called = |link: &Node<'_, '_>| link.attribute("name").unwrap_or_default().to_owned();
+    let named = |node: &Node<'_, '_>| node.has_tag_name("link") && node.has_attribute("name");
+    let links: Vec<_> = document.descendants().filter(named).collect();
     let heavy: Vec<_> = links.iter().copied().filter(|&link| child(link, "inertial").is_some()).collect();
-    let names = || {
-        let first: Vec<_> = heavy.iter().take(20).map(|link| format!("`{}`", called(link))).collect();
-        let more = heavy.len().saturating_sub(20);
-        first.join(", ") + &if more == 0 { String::new() } else { format!(" and {more} more") }
-    };
-    let named = |name: &str| links.iter().copied().filter(|link| called(link) == name).collect();
+    let names: Vec<_> = heavy.iter().copied().map(called).collect();
+    let all = first(&names, 20);
+    let named = |name: &str| links.iter().copied().filter(|link| called(*link) == name).collect();
     let meant: Vec<_> = name.map_or_else(|| heavy.clone(), named);
     let link = match (meant.as_slice(), name) {
         ([only], _) => *only,
         ([], Some(name)) => {
-            let why = format!("no link is called `{name}`; those with inertia are {}", names());
+            let why = format!("no link is called `{name}`; those with inertia are {all}");
             return Err(Error::new(why).of_field("link"));
         }
         ([_, again, ..], Some(_)) => return Err(wrong(*again, "another link has this name too")),
-        ([], None) => return Err(Error::new("no link has an `<inertial>` element")),
-        _ => return Err(Error::new(format!("name the link, after a `#` or by `link`: {}", names()))),
+        ([], None) => return Err(Error::new("no link with a `name` has an `<inertial>` element")),
+        _ => return Err(Error::new(format!("name the link, after a `#` or by `link`: {all}"))),
     };
     let inertial = child(link, "inertial").ok_or_else(|| wrong(link, "it has no `<inertial>` element"))?;
     for name in ["inertial", "origin", "mass", "inertia"] {
@@ -192,19 +206,21 @@ pub(crate) fn read(text: &str, name: Option<&str>, tolerance: f64) -> Result<Bod
     let inside =
         |name: &str| child(inertial, name).ok_or_else(|| wrong(inertial, format!("`<{name}>` is missing")));
     let (mass, tensor) = (inside("mass")?, inside("inertia")?);
-    let of = |name: &str| number(tensor, name);
+    let of = |name: &str| needed(tensor, name).map(|[x]| x);
     let (xx, xy, xz, yy, yz, zz) = (of("ixx")?, of("ixy")?, of("ixz")?, of("iyy")?, of("iyz")?, of("izz")?);
     let matrix = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
     let (centre, turn) = origin(inertial)?;
     let found = within(matrix, Some(tolerance).filter(|tolerance| *tolerance > 0.0));
     let (inertia, moved) = found.map_err(|error| wrong(tensor, error))?;
     let inertia = inertia.turned(turn).map_err(|error| wrong(tensor, error))?;
-    let properties =
-        MassProperties::new(number(mass, "value")?, &centre, inertia).map_err(|error| wrong(mass, error))?;
+    let [weight] = needed(mass, "value")?;
+    let properties = MassProperties::new(weight, &centre, inertia).map_err(|error| wrong(mass, error))?;
     let surfaces = surfaces(link, inertial, &centre)?;
-    let name = nameable(&called(&link)).map_err(|why| wrong(link, why))?.to_owned();
+    let name = nameable(called(link)).map_err(|why| wrong(link, why))?.to_owned();
     let model = BodyModel { name, moved, ..BodyModel::of(properties, surfaces) };
-    let model = BodyModel { question: degrees(link).or_else(|| question::spread(&model)), ..model };
+    let question =
+        degrees(link).or_else(|| question::spread(&model)).or_else(|| held(&document, &model.name, &names));
+    let model = BodyModel { question, ..model };
     model.drawable().map_err(|why| wrong(tensor, why))?;
     Ok(model)
 }
@@ -252,8 +268,13 @@ mod tests {
             ("xyz='0.1 0.2 0.3'", "xyz='1, 0, 0'", 5, "without the ${} of xacro\n"),
             ("xyz='0.1 0.2 0.3'", "xyz='1,0,0'", 5, "without the ${} of xacro\n"),
             ("iyz='0'", "", 7, "`iyz` is missing"),
-            ("xyz='0.1 0.2 0.3'", "xyz='0.1 0.2'", 5, "3 numbers expected"),
-            ("xyz='0.1 0.2 0.3'", "xyz='0.1 inf 0.3'", 5, "`origin`: a number of `xyz` is inf"),
+            ("xyz='0.1 0.2 0.3'", "xyz='0.1 0.2'", 5, "3 finite numbers expected"),
+            (
+                "xyz='0.1 0.2 0.3'",
+                "xyz='0.1 inf 0.3'",
+                5,
+                "`origin`: xyz=\"0.1 inf 0.3\": 3 finite numbers expected",
+            ),
             ("<mass", "<mass value='1'/>\n<mass", 7, "`mass`: one alone is expected"),
             ("</robot>", "<link name='arm'/></robot>", 10, "`link`: another link has this name too"),
             ("size='0.2 0.3 0.4'", "size='0.2 -0.3 0.4'", 9, "`box`: size=\"0.2 -0.3 0.4\": no size may be"),
@@ -288,6 +309,26 @@ mod tests {
         ] {
             assert!(question(from, to).unwrap().contains(words), "{:?}", question(from, to));
         }
+    }
+
+    /// A tool of its own mass behind a flange without.
+    #[test]
+    fn what_a_fixed_joint_holds_and_is_left_out_is_questioned() {
+        let arm = &ARM[ARM.find("<link name='arm'>").unwrap()..ARM.find("</robot>").unwrap()];
+        let joint = |kind: &str, from: &str, to: &str| {
+            format!("<joint name='{to}' type='{kind}'><parent link='{from}'/><child link='{to}'/></joint>")
+        };
+        let robot = |kind: &str| {
+            let ends = joint(kind, "flange", "tool")
+                + &joint("fixed", "arm", "flange")
+                + &joint("fixed", "tool", "arm");
+            let links = format!("<link name='flange'/>{arm}{}", arm.replace("'arm'", "'tool'"));
+            read(&format!("<robot>{links}{ends}</robot>"), Some("arm"), 0.0).unwrap()
+        };
+        let asked =
+            "fixed joints hold `tool` to `arm`, read alone: is it one body with them? Then name each in a";
+        assert!(robot("fixed").question.unwrap().starts_with(asked));
+        assert_eq!((robot("revolute").question, robot("fixed").mass), (None, Some(2.0)));
     }
 
     #[test]

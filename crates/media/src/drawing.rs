@@ -3,7 +3,6 @@
 use crate::error::Error;
 use crate::letters;
 use resvg::usvg::{Tree, WriteOptions};
-use std::fmt::Write as _;
 
 /// An SVG drawing with its letters set, its title and its description.
 #[derive(Debug)]
@@ -50,15 +49,13 @@ impl Drawing {
         let [w, h] = self.size();
         let scale = width.map_or(1.0, |width| f64::from(width) / w);
         let (wide, high) = (w * scale, h * scale);
-        let mut out = format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{wide}\" height=\"{high}\" viewBox=\"0 0 {w} {h}\">\n"
-        );
-        for (name, words) in [("title", &self.title), ("desc", &self.description)] {
-            if !words.is_empty() {
-                let _ = writeln!(out, "<{name}>{words}</{name}>");
-            }
-        }
-        out + &inside.replace("    <defs/>\n", "").replace("    ", " ")
+        let words =
+            [("title", &self.title), ("desc", &self.description)].into_iter().filter(|of| !of.1.is_empty());
+        let words: String = words.map(|(name, words)| format!("<{name}>{words}</{name}>\n")).collect();
+        format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{wide}\" height=\"{high}\" viewBox=\"0 0 {w} {h}\">\n{words}{}",
+            inside.replace("    <defs/>\n", "").replace("    ", " ")
+        )
     }
 }
 

@@ -20,9 +20,7 @@ const FILES: [&[u8]; 4] = [
 /// These fonts and no others, so that every machine draws the same letters.
 static FONTS: LazyLock<Arc<Database>> = LazyLock::new(|| {
     let mut fonts = Database::new();
-    for file in FILES {
-        fonts.load_font_data(file.to_vec());
-    }
+    FILES.iter().for_each(|file| fonts.load_font_data(file.to_vec()));
     Arc::new(fonts)
 });
 

@@ -44,8 +44,7 @@ impl Film {
     /// # Errors
     /// A picture of another size, or what the encoder reports.
     pub fn add(&mut self, picture: &Picture) -> Result<(), Error> {
-        let [own, tall, width, height] =
-            [picture.width, picture.height, self.size[0].into(), self.size[1].into()];
+        let ([own, tall], [width, height]) = ([picture.width, picture.height], self.size.map(u32::from));
         if [own, tall] != [width, height] {
             return Err(Error(format!("a picture of {own} × {tall} pixels in a film of {width} × {height}")));
         }

@@ -27,11 +27,8 @@ impl Palette {
         common.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(&b.0)));
         let mut colours: Vec<Rgb> = Vec::new();
         for colour in first.iter().copied().chain(common.into_iter().map(|(colour, _)| colour)) {
-            if colours.len() >= most.min(255) {
-                break;
-            }
             // Not two that nobody tells apart.
-            if colours.iter().all(|&other| distance(other, colour) > 100) {
+            if colours.len() < most.min(255) && colours.iter().all(|&other| distance(other, colour) > 100) {
                 colours.push(colour);
             }
         }
