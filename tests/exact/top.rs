@@ -141,6 +141,22 @@ fn any_top() -> impl Strategy<Value = (LagrangeTop, f64)> {
     )
 }
 
+/// A number beyond 2^53 of half periods is not always an `f64`, and each of them adds a turn.
+#[test]
+fn a_top_keeps_its_momenta_beyond_all_half_periods_that_one_number_can_count() {
+    let moments = PrincipalMoments::new(0.3, 0.3, 0.09).unwrap();
+    let start = UnitQuaternion::from_euler_angles(0.4, 1.2, -0.7);
+    for k in 0..60 {
+        let spin = Vector3::new(0.46, -1.47 + 0.05 * f64::from(k), 0.1 * f64::from(k));
+        let top = LagrangeTop::new(moments, start, &spin, &Vector3::new(0.0, 0.0, 0.7), 1.0).unwrap();
+        let momentum = top.body(0.0).unwrap().momentum_world();
+        let time = 3e17 + 1e16 * f64::from(k) / 7.0;
+        assert!(time / top.period().unwrap().unwrap() > 2_f64.powi(53));
+        let now = top.body(time).unwrap().momentum_world();
+        assert!((now.z - momentum.z).abs() < 1e-11 * momentum.norm(), "{k}: {now} {momentum}");
+    }
+}
+
 proptest! {
     #[test]
     fn energy_and_both_momenta_of_a_top_stay((top, pull) in any_top(), digits in -3.0..17.0_f64, back in any::<bool>()) {
