@@ -112,11 +112,11 @@ methods! {
     /// Moser and Veselov's algorithm with the moments preprocessed to order 10.
     MoserVeselov10("Moser-Veselov 10", 10, IMPLICIT, ALL, "HV06") => moser_veselov::step(system, start, h, 10)?;
     /// No gyroscopic term: the spin is carried unchanged in the world and turns the attitude. Energy and
-    /// `|L|` stay, but the spin never flips or precesses, and the momentum wanders in the world with the
-    /// body; at any step, so that its order is 0.
+    /// `|L|` stay, but the spin never flips or precesses, and the momentum wanders in the world with a body
+    /// that does not spin along a principal axis; at any step, so that its order is 0.
     ConstantSpin("no gyroscopic term", 0, EXPLICIT, SQUARES, ENGINES) => engine_rules::constant_spin(system, start, h);
-    /// An explicit gyroscopic step of the momentum, then a turn by the new spin. It gains energy, in time
-    /// without bound: a stable spin is lost.
+    /// An explicit gyroscopic step of the momentum, then a turn by the new spin. A body that wobbles gains
+    /// energy by it in each step, so that its wobble grows.
     SemiImplicitEuler("explicit gyroscopic step", 1, EXPLICIT, UNIT, ENGINES) => engine_rules::semi_implicit(system, start, h);
     /// An explicit gyroscopic step, with the momentum brought back to its length before the turn. It keeps
     /// `|L|` and turns a body that spins stably about its largest moment toward the middle one.

@@ -211,7 +211,7 @@ tumblingLive.judgePicture = (() => {
         if (of.free && finite(last) && finite(should)) said.push(`Near the end it is ${short(last)}, and should be ${short(should)} rad/s.`);
         if (of.leaves) said.push("The recorded spin leaves the picture.");
         if (of.middle && of.free) said.push(`It changes sign ${times(of.flips.found)}, and should ${of.flips.exact === 0 ? "never" : `do so ${times(of.flips.exact)}`}.`);
-        if (of.free && finite(of.flips?.turned_over)) said.push(`The spin that should never turn over does so at ${short(of.flips.turned_over)} s.`);
+        if (of.free && finite(of.flips?.turned_over)) said.push(`The spin that should never turn over about this axis does so at ${short(of.flips.turned_over)} s.`);
         for (const { told, name } of of.laws) {
             const most = told.most === null ? "beyond counting" : `up to ${short(told.most)}`;
             said.push(`Below, the error of ${name}: ${most}; ${told.growth}.`);

@@ -20,7 +20,7 @@ pub struct Verdict {
 
 #[pymethods]
 impl Verdict {
-    /// Whether the record is sound and every law is kept within the threshold.
+    /// Whether the record is sound and every law that it shows is kept within the threshold.
     #[getter]
     fn passed(&self) -> bool {
         self.verdict.outcome == Outcome::Passed

@@ -33,23 +33,24 @@ macro_rules! advices {
 }
 
 advices! {
-    SINGLE: "Each step is exact to the rounding of single precision; over many steps that rounding adds up. For longer runs \
+    SINGLE: "Each step is right to the rounding of single precision; over many steps that rounding adds up. For longer runs \
          or for stricter limits carry attitude and momentum in double precision.";
     LONGER: "Record a longer run, and judge it again.";
-    NOTHING: "Nothing to do: the steps are the motion itself.";
+    NOTHING: "Nothing to do: to the record's rounding the steps are the motion itself.";
     COMPARE: "Compare the engine's rule with the known ones." in STEPS;
     DRIFTS_ON: "Its errors fall with its step or its tolerance; what drifts in the table goes on drifting." in STEPS;
     EACH_STEP: "Write a row at each of the engine's steps, once, and none in between, and judge it again.";
     ALL_DIGITS_OR_FIT: "Write the engine's own numbers, with all their digits; of a sensor, fit a motion to many rows \
          instead.";
-    FASTER: "Errors so close to rounding are those of many rules: record a faster spin, or longer steps, and judge it \
-         again.";
+    TAKEN_BACK: "The attitude is off in one step and back in the next: it has fewer digits than are printed, or noise. Write \
+         it with all the engine's digits, and judge it again.";
+    FASTER: "Errors so close to rounding fit many rules: record a faster spin, or longer steps, and judge it again.";
     MORE_DIGITS: "Write the record with all digits (17 of double precision, 9 of single), and judge it again.";
     JUMPS: "Something acts on the body at the jumps: turn off contacts, pushes and resets, or look at what happens there.";
     OTHERS: "Most steps are this rule's: find what acts in the others, a limit, damping, a contact or a push.";
-    ADDS_UP: "Each step is exact to the record's rounding, and over the whole record the laws named here are not kept: \
+    ADDS_UP: "Each step is right to the record's rounding, and over the whole record the laws named here are not kept: \
          errors below that rounding add up. Record all digits, or longer steps, and judge it again.";
-    NAMED_HERE: "The steps are the motion itself: what fails the record is named here, and is not the rule.";
+    NAMED_HERE: "To the record's rounding the steps are the motion itself: what fails is named here, and is not the rule.";
     OTHER_BODY: "The engine steps a body with other moments, or about other axes, than the record says: look for a wrong \
          order of axes, a principal frame that is left out, or a shape that replaces the moments set. A free body shows \
          their ratios, never their common scale." in AXES;
@@ -63,14 +64,12 @@ advices! {
          whether the body is turned once in each step.";
     TERM_OR_TIMES: "Spins alone do not tell a wrong term from wrong times. Look at the step and at rows left out, or record \
          the attitude too; if the times are right, the term is not that of the body: w' = J ((I w) x w)." in PITFALL_FLIPS;
-    TURN_FIRST: "Spins alone do not tell a wrong term from wrong times, and the attitude does not turn by the spin: first mend \
-         how the attitude turns, and judge again.";
+    TURN_FIRST: "The attitude does not turn by the spin: first mend how the attitude turns, and judge again.";
     SIDE: "The turn of a step stands on the wrong side of the attitude: with q from body to world write q * dq where dq is \
          made of a spin in body axes, and dq * q where it is made of a spin in world axes.";
     OWN_UPDATE: "The turn does not belong to the spin: take attitude and spin at the end of the step both from this rule, \
          after all that changes the spin, and take out the engine's own update of the attitude." in STAGE;
-    ONE_INSTANT: "Spin and attitude of a row are not of one instant: turn the body by the new spin, and write both after \
-         the step.";
+    ONE_INSTANT: "A row's spin and attitude are of two instants: turn by the new spin, and write both after the step.";
     TURNED_OTHERWISE: "The spin goes by this rule, and the attitude does not follow it: look at how the spin turns the \
          body, and at the columns of the attitude.";
     CAP: "The spin is cut off at a limit: raise the engine's greatest angular velocity.";
@@ -80,43 +79,43 @@ advices! {
          the body, R I R^T, at each step." in PITFALL_TENSOR;
     MOMENTUM: "The momentum turns the body as if it were the spin: make the spin from it by the inverse tensor turned to \
          the world, w = R J R^T L." in PITFALL_MOMENTUM;
-    STRAIGHT: "The gyroscopic term is taken at the start of the step and adds energy without bound: a stable spin blows up; \
-         and the straight step turns the body by too little. Turn the momentum instead of adding to it (three exact turns a \
-         step), and the body by the exact turn of its spin, (cos a/2, sin a/2 times the axis)." in REMEDY;
-    KEEPS_LAWS: "Energy and momentum do not drift by it: what is left is an error of phase, smaller in shorter \
-         steps." in STEPS;
-    OF_ORDER: "Its errors fall fast with the step, and add up: take shorter steps, or for long runs a method that keeps the \
-         laws." in STEPS;
-    NO_TERM: "There is no gyroscopic term: a body never flips and its momentum wanders (a record of the spin looks the same \
-         where the momentum is taken for the spin). Turn the momentum in the body (three exact turns a step). An engine's \
-         flag for gyroscopic forces makes the body flip, and may lose a stable spin: record one with it." in PITFALL_FLIPS;
-    EXPLICIT: "The gyroscopic term is taken at the start of the step and adds energy without bound: a stable spin blows up. \
-         Turn the momentum instead of adding to it (three exact turns a step)." in REMEDY;
-    RESCALED: "The momentum's length is put right after an explicit step, its energy is not: a stable spin drifts toward \
-         the separatrix, and flips. Turn the momentum instead (three exact turns a step keep the length without \
-         rescaling)." in REMEDY;
-    ONE_IMPLICIT: "One implicit step takes energy and momentum from most bodies that tumble, so that they slow down by \
-         themselves; of a step that turns by a radian or more it can multiply the energy. Use three exact turns a \
-         step." in REMEDY;
-    MEAN_SPIN: "The spin is of order 4, the attitude of order 2: the momentum wanders in the world. Correct the stages' \
-         spins to the turn since the start of the step." in STEPS;
-    EULER: "Everything is stepped straight ahead, and the energy grows without bound: use three exact turns a \
-         step." in STEPS;
+    STRAIGHT: "The gyroscopic term is taken at the start of the step and adds energy to a body that wobbles; and the \
+         straight step turns the body by too little. Turn the momentum instead of adding to it (three exact turns a step), \
+         and the body by the exact turn of its spin, (cos a/2, sin a/2 times the axis)." in REMEDY;
+    KEEPS_ALL: "It keeps energy and momentum to rounding. Its phase is off, by less in shorter steps." in STEPS;
+    KEEPS_SIZES: "It keeps the energy and the momentum's length to rounding. The momentum's direction in the world and the \
+         phase are off, by less in shorter steps." in STEPS;
+    KEEPS_MOMENTUM: "It keeps the momentum to rounding. Energy and phase are off, by less in shorter steps." in STEPS;
+    OF_ORDER: "Its errors add up: take shorter steps, or for long runs a method that keeps the laws." in STEPS;
+    NO_TERM: "There is no gyroscopic term: a body never flips by itself, and its momentum wanders unless it spins along an \
+         axis (the spin looks the same where the momentum is taken for it). Turn the momentum in the body (three exact turns a \
+         step). An engine's flag for gyroscopic forces makes it flip, and may lose a stable spin: record that." in PITFALL_FLIPS;
+    EXPLICIT: "The gyroscopic term is taken at the start of the step and adds energy to a body that wobbles. Turn the \
+         momentum instead of adding to it (three exact turns a step)." in REMEDY;
+    RESCALED: "The momentum's length is put right after an explicit step, its energy is not: a stable spin that wobbles drifts \
+         toward the separatrix, and flips. Turn the momentum instead (three exact turns a step)." in REMEDY;
+    ONE_IMPLICIT: "One implicit step takes energy and momentum from most bodies that tumble; of a step that turns by a radian or \
+         more it can multiply the energy. Use three exact turns a step." in REMEDY;
+    MEAN_SPIN: "The spin is of order 4, the attitude of order 2: the momentum of a body that wobbles wanders in the world. \
+         Correct the stages' spins to the turn since the start of the step." in STEPS;
+    EULER: "All is stepped straight ahead, and a body that wobbles gains energy: use three exact turns a step." in STEPS;
 }
 
 impl Advice {
     /// What follows from the rule that fits best and how well it fits; `floor` is the record's rounding,
-    /// `jumps` says whether some steps are not the rule's, `turns` whether there are attitudes.
+    /// `jumps` says whether some steps are not the rule's, `turns` whether there are attitudes, `scatter`
+    /// whether these do by more than the digits that are printed.
     pub(crate) fn of(
         confidence: Confidence,
         rule: &Rule,
         floor: Floor,
         whole: &Whole,
-        [jumps, turns]: [bool; 2],
+        [jumps, turns, scatter]: [bool; 3],
     ) -> Vec<Self> {
         let one = match confidence {
             Confidence::NoneFits | Confidence::SmallErrors if jumps => Self::JUMPS,
             Confidence::NoneFits | Confidence::Altered if whole.on_wrong_side => Self::SIDE,
+            Confidence::NoneFits | Confidence::Accurate if scatter => Self::TAKEN_BACK,
             Confidence::NoneFits if !floor.few => Self::COMPARE,
             Confidence::Accurate => Self::DRIFTS_ON,
             Confidence::Interpolated | Confidence::Repeated | Confidence::FewSteps => Self::EACH_STEP,
@@ -128,6 +127,7 @@ impl Advice {
             Confidence::MostSteps => Self::OTHERS,
             Confidence::ToRounding | Confidence::Near | Confidence::Altered => {
                 match Self::of_rule(rule, turns) {
+                    Self::TURNED_OTHERWISE if scatter => Self::TAKEN_BACK,
                     Self::NOTHING if floor.single => Self::SINGLE,
                     Self::NOTHING if !whole.kept => Self::ADDS_UP,
                     Self::NOTHING if whole.fails => Self::NAMED_HERE,
@@ -140,8 +140,8 @@ impl Advice {
             .then(|| Self::of_rule(&if jumps { *rule } else { Rule::plain(rule.base) }, turns));
         // A term that is found by the spin alone says nothing of what turns the attitude.
         let side = (whole.on_wrong_side && one != Self::SIDE && rule.is_of_spin()).then_some(Self::SIDE);
-        let right = [Self::NOTHING, Self::KEEPS_LAWS, Self::OF_ORDER];
-        std::iter::once(one).chain(side).chain(more.filter(|more| !right.contains(more))).collect()
+        let fine = [Self::NOTHING, Self::KEEPS_ALL, Self::KEEPS_SIZES, Self::KEEPS_MOMENTUM, Self::OF_ORDER];
+        std::iter::once(one).chain(side).chain(more.filter(|more| !fine.contains(more))).collect()
     }
 
     /// What follows from a rule that all steps are made by.
@@ -165,7 +165,7 @@ impl Advice {
             (None, Base::Engine(engine)) if engine.limits.rate.is_none() => Self::LIMITS,
             (None, Base::Method(method, _)) => Self::of_method(*method),
             (None, Base::Engine(engine)) => Self::of_method(engine.method),
-            (None, Base::PositionStage(_)) => Self::KEEPS_LAWS,
+            (None, Base::PositionStage(_)) => Self::KEEPS_ALL,
             (None, Base::FrozenTensor(..)) => Self::FROZEN,
             (None, Base::MomentumForSpin(_)) => Self::MOMENTUM,
             (None, Base::Straight(Method::ConstantSpin, _)) => Self::of_method(Method::ConstantSpin),
@@ -174,6 +174,7 @@ impl Advice {
     }
 
     const fn of_method(method: Method) -> Self {
+        let kept = method.info().conserved;
         match method {
             Method::ConstantSpin => Self::NO_TERM,
             Method::SemiImplicitEuler => Self::EXPLICIT,
@@ -181,8 +182,10 @@ impl Advice {
             Method::ImplicitOneNewton | Method::LinearisedImplicit => Self::ONE_IMPLICIT,
             Method::MeanSpinRungeKutta4 => Self::MEAN_SPIN,
             Method::ExplicitEuler => Self::EULER,
-            _ if method.info().conserved.reversible => Self::KEEPS_LAWS,
-            _ => Self::OF_ORDER,
+            _ if !kept.reversible => Self::OF_ORDER,
+            _ if !kept.energy => Self::KEEPS_MOMENTUM,
+            _ if !kept.direction => Self::KEEPS_SIZES,
+            _ => Self::KEEPS_ALL,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! How sure a diagnosis is, in steps that a reader can act on; and what is said of a record that no rule
 //! fits.
 
-use crate::read::{Floor, Known, Pair, median};
+use crate::read::{Floor, Known, Pair, median, unit};
 use crate::rule::diagnosis::{Jump, Ranked, jumps};
 use crate::rule::tried::explained;
 use crate::rule::{Alteration, Base, Explanation, PHYSICS_ENGINES, Rule, Subject, Turn, When};
@@ -35,10 +35,10 @@ confidences! {
     #[non_exhaustive]
     enum;
     /// Every step is the rule's to rounding.
-    ToRounding: "to rounding", "Every step is made by";
+    ToRounding: "to rounding", "Every step tried agrees, to the record's rounding, with";
     /// The steps are the rule's to rounding but for a few jumps, or the record breaks a law that the rule
     /// keeps.
-    MostSteps: "most steps", "Most steps, but not all, are made by";
+    MostSteps: "most steps", "Most steps, but not all, agree to rounding with";
     /// Nearer than any other by far, and not to rounding: such a rule, in some other form.
     Near: "near", "Most like";
     /// The steps are its own to rounding, and so they are of other rules; over the whole record it does not
@@ -171,15 +171,25 @@ pub(super) fn unnamed(
     if are_interpolated(pairs, floor) {
         return (ranked, Confidence::Interpolated, None);
     }
-    let scatter = scatter(subject, pairs).filter(|off| exact.median < OF_SCATTER * off);
+    let off = |x: &Pair| Some((x.to.omega - subject.spin_after(&Rule::EXACT, x)?) / x.to.omega.norm());
+    let scatter = scatter(pairs, off).filter(|off| exact.median < OF_SCATTER * off);
     (ranked, if scatter.is_some() { Confidence::Scattered } else { Confidence::NoneFits }, scatter)
 }
 
-/// By how much the spins scatter about a smooth motion, relative to them, if that is most of what they show:
-/// what one row is off by, the next step takes back, while the errors of a rule go on.
-fn scatter(subject: &Subject, pairs: &[Pair]) -> Option<f64> {
-    let off =
-        |pair: &Pair| Some((pair.to.omega - subject.spin_after(&Rule::EXACT, pair)?) / pair.to.omega.norm());
+/// Whether the attitudes scatter about what a rule makes of the rows, by more than the rounding of the digits
+/// that are printed: numbers that had fewer before, as those of a matrix may.
+pub(super) fn attitudes_scatter(subject: &Subject, pairs: &[Pair], base: Base, floor: Floor) -> bool {
+    // In the world, where the next step takes back the very vector.
+    let off = |pair: &Pair| {
+        let end = subject.next(&Rule::plain(base), &pair.from, pair.h)?;
+        Some(unit(&end.attitude?) * Pair { from: end, ..*pair }.turn()?)
+    };
+    scatter(pairs, off).is_some_and(|off| off > floor.limits()[1])
+}
+
+/// By how much rows scatter about a smooth motion, if that is most of what their steps are off by: what one
+/// row is off by, the next step takes back, while the errors of a rule go on.
+fn scatter(pairs: &[Pair], off: impl Fn(&Pair) -> Option<nalgebra::Vector3<f64>>) -> Option<f64> {
     let both =
         |two: &[Pair]| Some([off(&two[0])?, off(&two[1])?]).filter(|_| two[0].to.line == two[1].from.line);
     let (mut own, mut next, mut count) = (0.0, 0.0, 0.0);

@@ -3,7 +3,7 @@
 
 use crate::law::LawName;
 use crate::read::{Floor, Known, Pair, Row, angle_between};
-use crate::rule::confidence::{confidence_in, unnamed};
+use crate::rule::confidence::{attitudes_scatter, confidence_in, unnamed};
 use crate::rule::fitted::some;
 use crate::rule::tried::{alike_to_best, explained, tried};
 use crate::rule::{
@@ -130,8 +130,6 @@ impl Diagnosis {
     pub fn would_decide(&self) -> Option<&'static str> {
         let open = self.open || self.is_exact();
         match self.confidence {
-            Confidence::FewSteps => Some("a row at every step"),
-            Confidence::SmallErrors => Some("a faster spin, or longer steps"),
             other if !open || !other.names_a_rule() && other != Confidence::FewDigits => None,
             _ if self.single || self.few => Some(
                 "all digits that the engine has (17 of double precision), a faster spin, or longer steps",
@@ -322,6 +320,7 @@ pub(crate) fn diagnose(
     }
     let Ranked { best, alike, second } = ranked.placed(&found, floor);
     let turns = pairs.iter().any(|pair| pair.from.attitude.is_some());
+    let scatter = !sought && attitudes_scatter(subject, pairs, best.rule.base, floor);
     let header = known.said.engine.as_deref().unwrap_or_default();
     let named =
         confidence.names_a_rule() && (confidence != Confidence::ToRounding || best.rule != Rule::EXACT);
@@ -338,7 +337,7 @@ pub(crate) fn diagnose(
         settings: if whole.fails && named { settings(&own, &leading) } else { Vec::new() },
         leading: leading.iter().map(|rule| rule.times(subject.unit)).collect(),
         error,
-        advice: Advice::of(confidence, &best.rule, floor, whole, [!jumps.is_empty(), turns]),
+        advice: Advice::of(confidence, &best.rule, floor, whole, [!jumps.is_empty(), turns, scatter]),
         open: alike.iter().any(|rule| is_another(subject, pairs, &best.rule, rule)),
         jumps,
         single: floor.single,

@@ -23,10 +23,6 @@ impl Diagnosis {
     #[must_use]
     pub fn words(&self) -> &'static str {
         let words = match self.confidence {
-            Confidence::ToRounding if self.single => {
-                "To the rounding of single precision every step is that of"
-            }
-            Confidence::ToRounding if self.few => "To the record's rounding every step is that of",
             Confidence::NoneFits if self.few => {
                 "Too few digits to name a rule, and none of those known fits. Nearest is"
             }
@@ -47,8 +43,7 @@ impl Diagnosis {
             (Confidence::NoneFits | Confidence::SmallErrors, _) | (_, 0) => {
                 format!("{}: {}", self.words(), names.join("; or, with the same steps here: "))
             }
-            (_, 1) => format!("Every step but one, a jump, is made by: {}", names[0]),
-            (_, count) => format!("Every step but {count}, which are jumps, is made by: {}", names[0]),
+            (_, count) => format!("But for jumps ({count}) all steps agree to rounding with: {}", names[0]),
         };
         let mut lines = vec![words];
         let unsaid = {

@@ -14,7 +14,8 @@ use serde_json::{Value, json};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Outcome {
-    /// The file is sound, and every law is kept within the threshold, or within what the digits show.
+    /// The file is sound, and every law that it shows is kept within the threshold, or within what the digits
+    /// show.
     Passed,
     /// The file is not sound, or a law is broken.
     Failed,

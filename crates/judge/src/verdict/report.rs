@@ -146,7 +146,8 @@ impl Verdict {
         }
     }
 
-    /// What every law is kept within, and which are beyond it by what the digits leave open.
+    /// What every law that the record shows is kept within, and which are beyond it by what the digits leave
+    /// open.
     fn within(&self) -> String {
         let own = self.options.own().map(|(law, most)| format!(", {} within {most}", law.words()));
         let own: String = own.collect();
@@ -157,7 +158,7 @@ impl Verdict {
             [] => String::new(),
             open => format!("; or off by no more than its digits leave open: {}", open.join(", ")),
         };
-        format!("every law is kept within {}{own}{open}", self.options.threshold)
+        format!("every law that the record shows is kept within {}{own}{open}", self.options.threshold)
     }
 
     /// The laws, the separatrix and the flips.

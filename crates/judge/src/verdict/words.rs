@@ -22,7 +22,7 @@ pub enum Complaint {
         /// When first, s from the start.
         time: f64,
     },
-    /// The spin along the middle axis never changes sign, and should.
+    /// The spin along the middle axis never changes sign in the record, and should.
     NeverFlips {
         /// How often it should.
         exact: u64,
@@ -53,7 +53,7 @@ pub enum Complaint {
         /// How it turns instead, where that is seen.
         seen: Option<Seen>,
     },
-    /// Every step is made by a rule that no body goes by.
+    /// Every step agrees, to rounding, with a rule that no body goes by.
     WrongRule(Box<Rule>),
     /// The phase ran away from the exact one.
     WrongPace {
@@ -88,8 +88,8 @@ impl fmt::Display for Complaint {
                 write!(f, "the spin turns over at {time:.4} s about the axis that it should circle for ever")
             }
             Self::NeverFlips { exact } => {
-                let exact = times(*exact);
-                write!(f, "the spin along the middle axis never changes sign, and should do so {exact}")
+                let n = times(*exact);
+                write!(f, "the recorded spin along the middle axis never changes sign, and should do so {n}")
             }
             Self::Flips { found } => {
                 let found = times(*found);
@@ -114,9 +114,7 @@ impl fmt::Display for Complaint {
                 let off = 100.0 * off;
                 write!(f, "the attitude does not turn as the spin says, by up to {off:.1} % of it{how}")
             }
-            Self::WrongRule(rule) => {
-                write!(f, "every step is made by a rule that is wrong here: {}", rule.name())
-            }
+            Self::WrongRule(rule) => write!(f, "every step tried fits a rule that is wrong: {}", rule.name()),
             Self::WrongPace { off, periods, allowed } => write!(
                 f,
                 "the phase of the spin is off by {off:.2} periods after {periods:.2} periods of the exact motion (allowed: \

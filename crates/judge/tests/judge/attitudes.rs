@@ -1,7 +1,9 @@
 //! Records of attitudes alone.
 
-use crate::common::{Row, SPINS, exact, judged, written};
-use nalgebra::{Quaternion, Vector3};
+use crate::common::{Row, SPINS, csv, exact, judged, stepped, written};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use tumbling::attitude::rotation_matrix;
+use tumbling::step::Method;
 use tumbling_judge::{FileMistake, LawName, Options, Outcome, Rule, judge};
 
 fn attitudes(rows: &[Row]) -> String {
@@ -89,4 +91,18 @@ fn steps_near_half_a_turn_are_refused_in_plain_words() {
         "{verdict}"
     );
     assert!((verdict.record.duration - 298.0 * 0.02).abs() < 1e-9, "{}", verdict.record.duration);
+}
+
+#[test]
+fn attitudes_of_fewer_digits_than_are_printed_are_told_from_a_turn_that_is_wrong() {
+    let (a, b, c) = (Method::Rescaled, Method::TurnedRungeKutta4, Method::Gauss4);
+    for (method, places) in [(a, 1e5), (a, 1e7), (b, 1e7), (c, 1e5), (c, 1e7)] {
+        let mut rows = stepped(method, Vector3::new(1.0, 2.0, 1.5), 1.0 / 60.0, 400);
+        for (_, q, _) in &mut rows {
+            let matrix = rotation_matrix(q).map(|x| (x * places).round() / places);
+            *q = UnitQuaternion::from_matrix(&matrix).into_inner();
+        }
+        let said = judged(&csv(&rows)).to_string();
+        assert!(said.contains("off in one step and back in the next"), "{said}");
+    }
 }

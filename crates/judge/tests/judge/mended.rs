@@ -82,7 +82,10 @@ fn damping_in_each_step_is_named_where_only_every_third_is_written() {
             let said = judged(&every(3, header, &rows)).to_string();
             let rule =
                 format!("(0.1/s: 1.667e-3 of the spin each step, after the turn), {}, 3", method.info().name);
-            assert!(said.contains(&format!("Every step is made by: damping left on {rule}")), "{said}");
+            assert!(
+                said.contains(&format!("to the record's rounding, with: damping left on {rule}")),
+                "{said}"
+            );
         }
     }
 }
