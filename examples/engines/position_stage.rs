@@ -208,11 +208,10 @@ impl PositionStage {
         let c = three(|i| k[i] * (scaled[i] * rate));
         let b = three(|i| k[i] * (a[i] * (scaled[(i + 1) % 3] * sum[(i + 2) % 3])));
         let along = (c[0] * b[0] + c[1] * b[1]) + c[2] * b[2];
-        let stretched = (below * below + c[0] * c[0]) + (c[1] * c[1] + c[2] * c[2]);
-        let grown = stretched * length;
+        let square = ((below * below + c[0] * c[0]) + (c[1] * c[1] + c[2] * c[2])) * length;
         // The root and the division do not wait for each other.
-        let scale = 1.0 / (below * grown);
-        let over = (scale * below) * grown.sqrt();
+        let scale = 1.0 / (below * square);
+        let over = (scale * below) * square.sqrt();
         let change = three(|i| {
             let (j, l) = ((i + 1) % 3, (i + 2) % 3);
             below * (below * b[i] + (c[j] * b[l] - c[l] * b[j])) + c[i] * along

@@ -107,17 +107,6 @@ fn in_parts<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<
     (0..parts as u32).try_fold(start.clone(), |motion, _| prepared.step(&motion))
 }
 
-/// `1 / sqrt(square)`, of which a square next to 1, as one step leaves it, needs neither root nor quotient.
-#[inline]
-fn inverse_root<T: Analytic>(square: T) -> T {
-    let off = square.clone() - T::one();
-    // The next term of the series is three eighths of the square of this.
-    if off.size() < 0.5 * T::rounding().sqrt() {
-        return T::one() - off / T::integer(2);
-    }
-    T::one() / square.sqrt()
-}
-
 /// The free motion in the time of a step.
 #[inline]
 fn drifted<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
@@ -133,7 +122,10 @@ fn drifted<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<S
         in_parts(system, start, h)?
     };
     let square = motion.attitude.coords.dot(&motion.attitude.coords);
-    let inverse = inverse_root(square.clone());
+    let off = square.clone() - T::one();
+    // A step of one part leaves it next to 1, where the next term of the series is below rounding.
+    let near = off.size() < 0.5 * T::rounding().sqrt();
+    let inverse = if near { T::one() - off / T::integer(2) } else { T::one() / square.sqrt() };
     motion.attitude.coords.apply(|x| *x *= inverse.clone());
     // An attitude is finite where its square is, and costs no sum of its own.
     let size = motion.momentum.iter().fold(square.size(), |sum, x| sum + x.size());

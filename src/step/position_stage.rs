@@ -207,12 +207,11 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
         let turn = conserving_turn(&self.coefficients.coupling, &weights, &omega, &h, &rate, |x| x.sqrt());
         let (below, [tangents, _]) = turn;
         let [a, b, c] = tangents;
-        let stretched = (below * below + a * a) + (b * b + c * c);
         // What rounding left of the attitude's length is divided out.
-        let grown = stretched * length;
+        let square = ((below * below + a * a) + (b * b + c * c)) * length;
         // The root and the division do not wait for each other.
-        let scale = T::one() / (below * grown);
-        let factor = (scale * below) * grown.sqrt();
+        let scale = T::one() / (below * square);
+        let factor = (scale * below) * square.sqrt();
         // The change of the spin is relative to the attitude before: small, so that a steady spin keeps its
         // digits, which turning the spin to the body and back would not.
         let [u, v, t] = change_of_spin(&turn);

@@ -223,15 +223,11 @@ impl<T: Field> Corrections<T> {
         let twice_energy = momentum.dot(&self.ratios.component_mul(momentum));
         // sum of parts[j] square^(k - j) twice_energy^j.
         let joined = |parts: &[T]| {
-            let mut power = twice_energy.clone();
-            let (mut first, mut others) = (T::zero(), parts);
-            if let [part, more @ ..] = parts {
-                (first, others) = (part.clone(), more);
-            }
-            others.iter().fold(first, |total, part| {
-                let total = total * square.clone() + part.clone() * power.clone();
+            let [first, others @ ..] = parts else { return T::zero() };
+            let mut power = T::one();
+            others.iter().fold(first.clone(), |total, part| {
                 power *= twice_energy.clone();
-                total
+                total * square.clone() + part.clone() * power.clone()
             })
         };
         let [to_a, to_b] = &self.to_4;
