@@ -11,7 +11,8 @@ use nalgebra::Vector3;
 /// Principal moments in kg m², in the order given: finite, positive, and none above the sum of the other two
 /// by more than rounding (4 units in the last place of the largest).
 ///
-/// Vectors that go with them, such as a spin, are along the same three axes in the same order.
+/// Vectors that go with them, such as a spin, are along the same three axes in the same order. Of
+/// moments with rounded digits [`Inertia::within`] finds the nearest that a body can have, as a diagonal tensor.
 ///
 /// ```
 /// use tumbling::{Axis, PrincipalMoments};

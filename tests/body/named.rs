@@ -144,3 +144,50 @@ fn an_even_box_has_the_moments_of_the_body_that_is_made_of_it() {
         assert!((moments - expected).amax() <= 2e-16 * expected.amax(), "{even:?}");
     }
 }
+
+// The parts by integrals: an elliptic hoop and strings as sums over many points, not the library's bars.
+#[test]
+fn the_tennis_racket_is_its_hoop_strings_throat_and_handle() {
+    // Mass points in the xz plane, in metres and kilograms.
+    let mut points: Vec<(f64, f64, f64)> = Vec::new();
+    let mut line = |mass: f64, from: [f64; 2], to: [f64; 2]| {
+        // Simpson's weights are exact for a line's second moments.
+        for (share, t) in [(1.0 / 6.0, 0.0), (4.0 / 6.0, 0.5), (1.0 / 6.0, 1.0)] {
+            let at = |k: usize| from[k] + (to[k] - from[k]) * t;
+            points.push((mass * share, at(0), at(1)));
+        }
+    };
+    let corner = |i: f64| {
+        let angle = std::f64::consts::TAU * i / 48.0;
+        [0.122 * angle.cos(), 0.520 + 0.165 * angle.sin()]
+    };
+    for i in 0..48 {
+        line(0.150 / 48.0, corner(f64::from(i)), corner(f64::from(i + 1)));
+    }
+    let places = |n: i32| (1..=n).map(move |i| -1.0 + 2.0 * f64::from(i) / f64::from(n + 1));
+    let half = |at: f64| (1.0 - at * at).sqrt();
+    let length: f64 =
+        places(16).map(|at| 0.330 * half(at)).chain(places(19).map(|at| 0.244 * half(at))).sum();
+    for at in places(16) {
+        let reach = 0.165 * half(at);
+        line(0.017 * 2.0 * reach / length, [0.122 * at, 0.520 - reach], [0.122 * at, 0.520 + reach]);
+    }
+    for at in places(19) {
+        let reach = 0.122 * half(at);
+        line(0.017 * 2.0 * reach / length, [-reach, 0.520 + 0.165 * at], [reach, 0.520 + 0.165 * at]);
+    }
+    line(0.025, [0.012, 0.190], [0.080, 0.395]);
+    line(0.025, [-0.012, 0.190], [-0.080, 0.395]);
+    line(0.110, [0.0, 0.0], [0.0, 0.190]);
+    let mass: f64 = points.iter().map(|p| p.0).sum();
+    let centre = points.iter().map(|p| p.0 * p.2).sum::<f64>() / mass;
+    let wide: f64 = points.iter().map(|p| p.0 * p.1 * p.1).sum::<f64>() + 0.110 * 0.034 * 0.034 / 12.0;
+    let long: f64 = points.iter().map(|p| p.0 * (p.2 - centre).powi(2)).sum();
+    let thick = 0.110 * 0.029 * 0.029 / 12.0;
+    let racket = NamedBody::TennisRacket.properties().unwrap();
+    assert!((racket.mass() - 0.327).abs() < 1e-14 && (mass - 0.327).abs() < 1e-14);
+    assert!((racket.centre() - Vector3::new(0.0, 0.0, centre)).amax() < 1e-14);
+    let expected = Vector3::new(long + thick, wide + long, wide + thick);
+    let tensor = racket.inertia().matrix();
+    assert!((tensor - nalgebra::Matrix3::from_diagonal(&expected)).amax() < 1e-15, "{tensor} {expected}");
+}

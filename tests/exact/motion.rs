@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree as _;
 use serde_json::Value;
-use tumbling::exact::{FreeMotion, Instant};
+use tumbling::exact::{FreeMotion, Instant, Regime};
 use tumbling::{Axis, Body, ErrorKind, Inertia, PrincipalMoments};
 
 fn length(v: &[f64]) -> f64 {
@@ -202,6 +202,16 @@ fn a_spin_too_fast_to_be_turned_is_refused_and_none_comes_out_infinite() {
     let sphere = PrincipalMoments::new(1.0, 1.0, 1.0).unwrap();
     let speed = FreeMotion::new(sphere, &Vector3::new(-1.4e308, 1.5e308, 0.0));
     refused(speed, ErrorKind::Unrepresentable, "the greatest spin");
+}
+
+#[test]
+fn a_top_that_precesses_faster_than_any_number_is_refused() {
+    let moments = PrincipalMoments::new(1.0, 1.5, 1.0).unwrap();
+    let spin = Vector3::new(1.42e308, -8.1e307, 0.0);
+    refused(FreeMotion::new(moments, &spin), ErrorKind::Unrepresentable, "the greatest spin");
+    let slower = free_motion(moments, &(spin * 0.9)).regime();
+    let Regime::SymmetricTop { precession, nutation, .. } = slower else { panic!("{slower:?}") };
+    assert!(precession.is_finite() && nutation.is_finite(), "{slower:?}");
 }
 
 #[test]

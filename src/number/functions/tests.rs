@@ -90,3 +90,15 @@ fn a_whole_power_is_a_product_of_squares() {
     assert_eq!([powi(3.0, 0), powi(-3.0, 3), powi(2.0, -3), powi(10.0, -400)], [1.0, -27.0, 0.125, 0.0]);
     assert_eq!(powi(0.1, 6), (0.1 * 0.1) * ((0.1 * 0.1) * (0.1 * 0.1)));
 }
+
+#[test]
+fn cosine_and_sinc_of_a_root_are_those_of_the_angle_on_either_side_of_where_the_series_ends() {
+    for step in 1..=400 {
+        let square = 0.02 * f64::from(step);
+        let root = square.sqrt();
+        let ((cosine, sinc), (sine, expected)) = (super::cos_sinc_of_root(square), super::sin_cos(root));
+        // A rounding of the root moves the cosine by half of it times the sine's share.
+        assert!((cosine - expected).abs() <= 2.0 * f64::EPSILON, "{square}: {cosine} {expected}");
+        assert!((sinc - sine / root).abs() <= 2.0 * f64::EPSILON, "{square}: {sinc}");
+    }
+}

@@ -5,6 +5,21 @@ use crate::step::{System, Torque};
 use nalgebra::{Quaternion, Vector3};
 
 #[test]
+fn damping_however_strong_slows_a_kick_and_never_turns_it_round() {
+    let moments = Vector3::new(1.0, 2.0, 2.6);
+    let from = State { attitude: Quaternion::identity(), momentum: Vector3::new(1.0, 2.0, -3.0) };
+    for strength in [1e-2, 1.0, 1e2, 1e4, 1e6] {
+        let drag = vec![Torque::Damping(Vector3::new(strength, 0.5 * strength, 2.0 * strength))];
+        let system = System::with(moments.try_into().unwrap(), drag).unwrap();
+        let kicked = system.kick(&from, 1.0);
+        for i in 0..3 {
+            let left = kicked.momentum[i] / from.momentum[i];
+            assert!((0.0..1.0).contains(&left), "{strength}: {left}");
+        }
+    }
+}
+
+#[test]
 fn loss_inside_a_body_in_one_long_kick_is_the_limit_of_many_short_ones() {
     let moments = Vector3::new(1.0, 2.0, 2.6);
     let system = System::with(moments.try_into().unwrap(), vec![Torque::Dissipation(0.7)]).unwrap();
