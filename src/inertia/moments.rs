@@ -12,7 +12,7 @@ use nalgebra::Vector3;
 /// by more than rounding (4 units in the last place of the largest).
 ///
 /// Vectors that go with them, such as a spin, are along the same three axes in the same order. Of
-/// moments with rounded digits [`Inertia::within`] finds the nearest that a body can have, as a diagonal tensor.
+/// moments with rounded digits [`Inertia::within`] finds the nearest that are possible, of a diagonal tensor.
 ///
 /// ```
 /// use tumbling::{Axis, PrincipalMoments};
