@@ -127,6 +127,7 @@ fn a_size_or_a_mass_may_have_its_unit_and_a_number_that_lacks_it_is_questioned()
         "points = [[1, 0, 0, 0], [2, 5, 0, 0], [1, 0, 4, 0]]",
         "body = 'book'\nturn = [0, 0, 1, 1.5]",
         "body = 'book'\nturn = [0, 0, 1, 3]",
+        "body = 'book'\nturn = [0, 0, 1, 5.5]",
         "shape = 'plate'\nsides = [2, 1]\nmass = 0.001",
         "shape = 'tetrahedron'\nvertices = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 6]]\nmass = 20000",
     ] {
@@ -136,12 +137,12 @@ fn a_size_or_a_mass_may_have_its_unit_and_a_number_that_lacks_it_is_questioned()
         ("points = [[0.1, 77, 0, 0], [0.1, 0, 60, 0], [0.2, 0, 0, 9]]", "need 5.8e-7 kg/m³. Are the units"),
         ("points = [[0.1, 7.7, 0, 0], [0.1, 0, 6, 0], [0.2, 0, 0, 1]]", " kg/m³. Are the units right?"),
         ("body = 'book'\nturn = [0, 0, 1, 1.5708]", "by 1.5708° is small: is this in rad? In degrees"),
-        ("body = 'book'\nturn = [0, 0, 1, -0.785]", "in rad? In degrees it is -45"),
+        ("body = 'book'\nturn = [0, 0, 1, -0.79]", "in rad? In degrees it is -45"),
+        ("body = 'book'\nturn = [0, 0, 1, 6.28]", "is 360, which is no turn"),
+        ("points = [[1e300, 1, 0, 0], [1e300, 0, 1, 0], [1e300, 0, 0, 1]]", "3e300 kg and moments up"),
+        ("moments = [1, 1, 1]\nmass = 1e300\nsides = [1, 1, 1]", "1e300 kg and moments up to 1 kg m². Are"),
         ("moments = [1e-6, 1e-6, 1e-6]\nmass = 1000", "a ball with these would need 1.9e15 kg/m³. Are"),
-        (
-            "moments = [9, 9, 9]\nmass = 1\nsides = [0.2, 0.2, 0.1]",
-            "a ring with these has a radius of 3 m; the drawing reaches 0.15 m. Are",
-        ),
+        ("moments = [9, 9, 9]\nmass = 1\nsides = [0.2, 0.2, 0.1]", "of 3 m; the drawing reaches 0.15 m. Are"),
     ] {
         assert!(body(text).unwrap().question.unwrap().contains(words), "{text}");
     }
@@ -275,4 +276,14 @@ fn parts_add_up_as_a_compound_does_wherever_they_are_written() {
 fn printed_moments_are_taken_within_the_tolerance_that_the_file_has() {
     let moved = body("moments = [0.003333, 0.01333, 0.01667]\ntolerance = 1e-3").unwrap().moved;
     assert!(moved > 1e-4 && moved < 1e-3);
+}
+
+#[test]
+fn links_that_fixed_joints_hold_are_questioned_until_each_is_a_part() {
+    let asked = |rest: &str| {
+        let text = format!("[[part]]\nurdf = 'arm.urdf'\nlink = 'arm'\n[[part]]\n{rest}");
+        BodyModel::from_toml(&text, Path::new("tests/files")).unwrap().question
+    };
+    assert_eq!(asked("urdf = 'arm.urdf'\nlink = 'tool'\nat = [1, 0, 0]\nturn = [0, 0, 1, 90]"), None);
+    assert!(asked("body = 'book'").unwrap().starts_with("fixed joints hold `tool` to `arm`, read alone"));
 }
