@@ -58,11 +58,9 @@ const SHADES: [Shade; 11] = [
 impl Ink {
     /// The colour as CSS has it: the page's own, or else this one.
     pub(crate) fn css(self) -> String {
-        if self == Self::Text {
-            return "currentColor".into();
-        }
         let shade = &SHADES[self.index()];
-        format!("var({},{})", shade.property, shade.light)
+        let own = format!("var({},{})", shade.property, shade.light);
+        if self == Self::Text { "currentColor".into() } else { own }
     }
 
     /// A number that stands for this ink inside plotters, which knows only red, green and blue.
@@ -97,6 +95,12 @@ pub(crate) fn style_of(selector: &str) -> String {
         list(|s| s.light),
         list(|s| s.dark)
     )
+}
+
+/// The colours on a light and on a dark ground.
+#[cfg(test)]
+pub(crate) fn alone() -> [(&'static str, [&'static str; 11]); 2] {
+    [("alone", SHADES.map(|shade| shade.light)), ("alone, dark", SHADES.map(|shade| shade.dark))]
 }
 
 #[cfg(test)]
