@@ -109,8 +109,6 @@ mod tests {
 
     #[test]
     fn an_ink_survives_the_way_through_plotters() {
-        for shade in &SHADES {
-            assert_eq!(Ink::from_index(shade.ink.index()), shade.ink);
-        }
+        assert!(SHADES.iter().all(|shade| Ink::from_index(shade.ink.index()) == shade.ink));
     }
 }

@@ -57,15 +57,12 @@ fn what_is_wrong_is_named_with_its_line_and_its_field() {
         ("moments = [1, 2, 2.5]\nproducts = [5, 0, 0]", "line 2, `products`: the smallest principal"),
         (
             "[part]\nsides = [1, 2, 3]",
-            "line 1, `part`: a list is expected here, not map: each table of a list begins with `[[part]]`",
+            "`part`: a list is expected here, not map: each table of a list begins",
         ),
         ("[[body]]\nmoments = [1, 2, 3]", "line 1, `body`: a string is expected here, not sequence: each"),
         ("[[part]]\nsides = [1, 2, 3]\nmass = 1\nspin = 1", "line 4, `spin`: it is the whole body's"),
         ("mass = 1\nname = \"a\\u0000b\"\nsides = [1, 2, 3]", "line 2, `name`: '\\0' is not a character"),
-        (
-            &format!("name = '{}'\nsides = [1, 2, 3]\nmass = 1", "n".repeat(2_000_000)),
-            "line 1, `name`: a name of 2000000 characters: at most 100",
-        ),
+        (&format!("name = '{}'\nmoments = [1, 2, 2]", "n".repeat(2_000_000)), "`name`: a name of 2000000"),
         ("sides = [1, 2, 3]\nmass = 1\nattitude = [1, 0, 0, 0]", "line 3, `attitude`: it is of a body"),
         ("moments = [1, 2, 1e-400]", "line 1, `moments`: 1e-400 is closer to zero"),
         ("sides = [1, 2, 3]\nmass = 1\nat = [1e10, 0, 0]", "line 3, `at`: so far away that rounding"),
@@ -84,9 +81,8 @@ fn a_size_or_a_mass_may_have_its_unit_and_a_number_that_lacks_it_is_questioned()
     let [mixed_tensor, tensor] = [&mixed, &metres].map(|body| body.inertia.matrix());
     assert!((mixed_tensor - tensor).amax() < 1e-15 * tensor.amax());
     assert_eq!((mixed.mass, mixed.question, metres.question), (Some(0.2), None, None));
-    let both = "cm and kg, or in mm and g";
     for (sides, mass, units) in [
-        ("7.7, 0.78, 16", "0.2", both),
+        ("7.7, 0.78, 16", "0.2", "cm and kg, or in mm and g"),
         ("7.7, 0.78, 16", "200", "cm and g"),
         ("77, 7.8, 160", "200", "mm and g, or in cm and kg"),
         ("0.077, 0.0078, 0.16", "200", "m and g"),
@@ -209,8 +205,7 @@ fn the_field_that_is_made_bad_is_the_field_that_is_named() {
         body(good).unwrap_or_else(|error| panic!("{good}: {error}"));
         for (field, value) in bad {
             let mut lines = good.lines().enumerate();
-            let (line, given) =
-                lines.find(|(_, given)| given.split_once(" = ").unwrap().0 == *field).unwrap();
+            let (line, given) = lines.find(|(_, it)| it.split_once(" = ").unwrap().0 == *field).unwrap();
             let text = good.replacen(given, &format!("{field} = {value}"), 1);
             let error = body(&text).unwrap_err();
             let place = (error.line, error.field.as_deref());
@@ -280,10 +275,8 @@ fn printed_moments_are_taken_within_the_tolerance_that_the_file_has() {
 
 #[test]
 fn links_that_fixed_joints_hold_are_questioned_until_each_is_a_part() {
-    let asked = |rest: &str| {
-        let text = format!("[[part]]\nurdf = 'arm.urdf'\nlink = 'arm'\n[[part]]\n{rest}");
-        BodyModel::from_toml(&text, Path::new("tests/files")).unwrap().question
-    };
+    let text = |rest: &str| format!("[[part]]\nurdf = 'arm.urdf'\nlink = 'arm'\n[[part]]\n{rest}");
+    let asked = |rest| BodyModel::from_toml(&text(rest), Path::new("tests/files")).unwrap().question;
     assert_eq!(asked("urdf = 'arm.urdf'\nlink = 'tool'\nat = [1, 0, 0]\nturn = [0, 0, 1, 90]"), None);
     assert!(asked("body = 'book'").unwrap().starts_with("fixed joints hold `tool` to `arm`, read alone"));
 }
