@@ -58,11 +58,9 @@ const SHADES: [Shade; 11] = [
 impl Ink {
     /// The colour as CSS has it: the page's own, or else this one.
     pub(crate) fn css(self) -> String {
-        if self == Self::Text {
-            return "currentColor".into();
-        }
         let shade = &SHADES[self.index()];
-        format!("var({},{})", shade.property, shade.light)
+        let own = format!("var({},{})", shade.property, shade.light);
+        if self == Self::Text { "currentColor".into() } else { own }
     }
 
     /// A number that stands for this ink inside plotters, which knows only red, green and blue.
@@ -99,14 +97,18 @@ pub(crate) fn style_of(selector: &str) -> String {
     )
 }
 
+/// The colours on a light and on a dark ground.
+#[cfg(test)]
+pub(crate) fn alone() -> [(&'static str, [&'static str; 11]); 2] {
+    [("alone", SHADES.map(|shade| shade.light)), ("alone, dark", SHADES.map(|shade| shade.dark))]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn an_ink_survives_the_way_through_plotters() {
-        for shade in &SHADES {
-            assert_eq!(Ink::from_index(shade.ink.index()), shade.ink);
-        }
+        assert!(SHADES.iter().all(|shade| Ink::from_index(shade.ink.index()) == shade.ink));
     }
 }

@@ -93,10 +93,8 @@ impl Theme {
 }
 
 fn without_style(svg: &str) -> String {
-    match svg.split_once("<style>") {
-        Some((before, rest)) => format!("{before}{}", rest.split_once("</style>\n").map_or(rest, |(_, x)| x)),
-        None => svg.to_owned(),
-    }
+    let Some((before, rest)) = svg.split_once("<style>") else { return svg.to_owned() };
+    format!("{before}{}", rest.split_once("</style>\n").map_or(rest, |(_, x)| x))
 }
 
 /// With its height said, and a sheet of this colour below everything.
@@ -150,9 +148,9 @@ mod tests {
     }
 
     #[test]
-    fn every_ink_stands_out_from_its_ground_in_every_theme() {
-        for theme in Theme::ALL {
-            let colours = theme.colours();
+    fn every_ink_stands_out_from_its_ground_in_every_theme_and_in_a_drawing_alone() {
+        let themes = Theme::ALL.map(|theme| (theme.name(), *theme.colours()));
+        for (theme, colours) in themes.into_iter().chain(crate::ink::alone()) {
             let ratio = |ink: Ink| {
                 // From lightness back to luminance, for the contrast that WCAG defines.
                 let y = |hex| ((lightness(hex) + 16.0) / 116.0_f64).powi(3) + 0.05;
@@ -166,7 +164,7 @@ mod tests {
                     Ink::Text => 7.0,
                     _ => 3.0,
                 };
-                assert!(ratio(ink) >= least, "{theme:?} {ink:?}: {:.2}", ratio(ink));
+                assert!(ratio(ink) >= least, "{theme} {ink:?}: {:.2}", ratio(ink));
             }
         }
     }

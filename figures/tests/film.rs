@@ -98,8 +98,7 @@ fn the_spin_is_seen_from_where_the_body_is() {
         let attitude = film.motion().attitude(share * film.shows()).unwrap();
         let at = film.projection().tip(&(attitude * model.principal().axis(axis)));
         let svg = film.frame(share).unwrap();
-        let pin =
-            |line: &&str| line.contains("stroke:var(--fig-axis-min") && line.contains("stroke-width:50");
+        let pin = |at: &&str| at.contains("stroke:var(--fig-axis-min") && at.contains("stroke-width:50");
         let pin = numbers(svg.lines().find(pin).unwrap());
         let (x, y) = (at[0] - centre[0], at[1] - centre[1]);
         let aside = (x * pin[3] - y * pin[2]) / x.hypot(y) / pin[2].hypot(pin[3]);

@@ -328,9 +328,8 @@ mod tests {
     fn a_block_gives_what_it_asserts_and_what_its_notes_say() {
         let code =
             read("let x = [1.0, -2.0]; // (1, -2) rad/s; a half\nassert_eq!(format!(\"{x:.1}\"), \"7.4°\");");
-        let phrases: Vec<_> =
-            code.unwrap().phrases.into_iter().map(|p| (p.text, p.asserted, p.line)).collect();
-        assert_eq!(phrases, [("7.4°".into(), true, 1), ("(1, -2) rad/s".into(), false, 0)]);
+        let found = code.unwrap().phrases.into_iter().map(|found| (found.text, found.asserted, found.line));
+        assert_eq!(found.collect::<Vec<_>>(), [("7.4°".into(), true, 1), ("(1, -2) rad/s".into(), false, 0)]);
     }
 
     #[test]

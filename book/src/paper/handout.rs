@@ -64,15 +64,11 @@ fn story(body: &[Node]) -> Vec<Node> {
     rewritten(body[..end].to_vec(), &mut |element| on_sheet(element))
 }
 
-/// The place in the list of references that a link leads to.
-fn cited(element: &Element) -> Option<&str> {
-    element.get("href")?.split_once("references.html#").map(|(_, place)| place)
-}
-
 /// The entries of the list of references that the chapter cites, in the order of the list.
 fn sources(paper: &Paper, body: &[Node]) -> Vec<Node> {
     let mut places = BTreeSet::new();
-    each(body, &mut |element| places.extend(cited(element).map(str::to_owned)));
+    let cited = |link: &str| Some(link.split_once("references.html#")?.1.to_owned());
+    each(body, &mut |element| places.extend(element.get("href").and_then(cited)));
     let mut found = Vec::new();
     for page in paper.pages.iter().filter(|page| page.name == "references") {
         each(&page.body, &mut |item| {
@@ -94,9 +90,6 @@ fn on_sheet(element: Element) -> Vec<Node> {
     match element.name.as_str() {
         "h1" => Vec::new(),
         _ if dropped => vec![Node::Text(CUT.into())],
-        "a" if cited(&element).is_some() => {
-            [vec![Node::Text("[".into())], element.children, vec![Node::Text("]".into())]].concat()
-        }
         "a" => element.children,
         _ => vec![element.into()],
     }

@@ -18,8 +18,7 @@ fn every_page_of_the_epub_is_well_formed_and_its_links_lead_somewhere() {
     let texts = documents();
     let mut ids: BTreeMap<&str, BTreeSet<String>> = BTreeMap::new();
     let mut links = Vec::new();
-    let files: BTreeSet<String> =
-        epub::entries(&PAPER).unwrap().into_iter().map(|entry| entry.name).collect();
+    let files: BTreeSet<_> = epub::entries(&PAPER).unwrap().into_iter().map(|entry| entry.name).collect();
     for (name, text) in &texts {
         let read = roxmltree::ParsingOptions { allow_dtd: true, ..Default::default() };
         let document = roxmltree::Document::parse_with_options(text, read);

@@ -1,5 +1,5 @@
 //! No line ends inside `0.6 N m` or `198 × 20 mm`: the blanks there become no-break spaces, for pages and
-//! paper alike.
+//! paper alike. And a citation stands in square brackets there.
 
 use super::edits::Edits;
 use super::{Piece, Source};
@@ -9,13 +9,17 @@ use pulldown_cmark::{Event, Tag, TagEnd};
 /// What may stand behind a unit.
 const MARKS: [char; 6] = ['.', ',', ';', ':', ')', '?'];
 
-/// Replaces these blanks in the text of a chapter; code and descriptions of images stay as they are.
+/// Replaces these blanks in a chapter, and brackets its citations; code and descriptions of images stay.
 pub(super) fn replace(source: &Source<'_>, pieces: &[Piece<'_>], edits: &mut Edits) {
     let mut raw = false;
     for (event, range) in pieces {
         match event {
             Event::Start(Tag::CodeBlock(_) | Tag::Image { .. }) => raw = true,
             Event::End(TagEnd::CodeBlock | TagEnd::Image) => raw = false,
+            Event::Start(Tag::Link { dest_url, .. }) if dest_url.starts_with("references.md#") => {
+                edits.replace(range.start..range.start, "\\[".into());
+                edits.replace(range.end..range.end, "\\]".into());
+            }
             Event::Text(_) if !raw => {
                 // A formula takes the unit behind it along.
                 let after = source.text[..range.start].ends_with('$');

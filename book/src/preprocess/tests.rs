@@ -194,9 +194,11 @@ fn a_drawing_that_may_not_stand_in_a_page_says_why() {
 }
 
 #[test]
-fn other_images_and_links_stay() {
+fn other_images_and_links_stay_and_a_citation_stands_in_brackets() {
     let text = "![A](picture.png) and [the figure](#fig-arrows), [svg](../../figures/arrows.svg)\n";
     assert_eq!(shown(text).unwrap(), text);
+    let cited = shown("In *a* [LL76](references.md#ll76), of [all](references.md).\n").unwrap();
+    assert_eq!(cited, "In *a* \\[[LL76](references.md#ll76)\\], of [all](references.md).\n");
 }
 
 #[test]

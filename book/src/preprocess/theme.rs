@@ -182,8 +182,7 @@ mod tests {
 
     #[test]
     fn a_highlighter_without_its_licence_or_a_language_is_refused() {
-        let languages =
-            LANGUAGES.map(|language| format!("hljs.registerLanguage(\"{language}\",0);\n")).concat();
+        let languages = LANGUAGES.map(|name| format!("hljs.registerLanguage(\"{name}\",0);\n")).concat();
         let whole = format!("/* License: BSD-3-Clause */\nvar hljs;\n{languages}");
         let more = whole.replacen("hljs.reg", "hljs.registerLanguage(\"apache\",0);\nhljs.reg", 1);
         assert_eq!(highlighter(&more).as_ref(), Ok(&whole));

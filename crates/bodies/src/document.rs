@@ -13,8 +13,7 @@ pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
     // A field that the whole text lacks is missing at no line.
     let at = |error: toml::de::Error, why: String| match error.span() {
         Some(span) if span.start > 0 || !why.contains("is missing") => {
-            let hint = decimal_comma(text, span.start);
-            Error::at(text, &span, why + &hint)
+            Error::at(text, &span, why + &decimal_comma(text, span.start))
         }
         _ => Error::new(why),
     };
@@ -65,9 +64,7 @@ fn bad_number(field: &str, value: &toml::Spanned<DeValue<'_>>) -> Option<(String
     let number = match value.get_ref() {
         DeValue::Float(number) => number.as_str(),
         DeValue::Array(list) => return list.iter().find_map(|item| bad_number(field, item)),
-        DeValue::Table(table) => {
-            return table.iter().find_map(|(key, value)| bad_number(key.get_ref(), value));
-        }
+        DeValue::Table(table) => return table.iter().find_map(|(key, item)| bad_number(key.get_ref(), item)),
         _ => return None,
     };
     let read: f64 = number.replace('_', "").parse().ok()?;

@@ -18,6 +18,9 @@ use tumbling::{ErrorKind, Inertia, MassProperties};
 /// How many parts a body may have, and how many solids with those of the files that its parts name.
 const MOST_PARTS: usize = 10_000;
 
+/// Of this many parts all are compared with all.
+const MANY: usize = 1000;
+
 pub(crate) fn read(text: &str, files: &Files<'_>) -> Result<BodyModel, Error> {
     let table: Table = from_toml(text)?;
     for (field, span) in table.present() {
@@ -40,6 +43,8 @@ pub(crate) struct Reader<'a> {
     present: Vec<(&'static str, Range<usize>)>,
     /// The one field that says what the body is.
     by: &'static str,
+    /// The links of its robot that parts of one body name, this one among them; none where they are too many.
+    beside: Vec<&'a str>,
 }
 
 pub(crate) fn number(field: &Option<Spanned<f64>>) -> f64 {
@@ -71,7 +76,7 @@ impl<'a> Reader<'a> {
             let why = format!("what the body is is missing: one of {all}");
             return Err(Error::at(text, &span, why));
         };
-        let reader = Self { text, files, table, span, present, by };
+        let reader = Self { text, files, table, span, present, by, beside: Vec::new() };
         let sizes = match &table.shape {
             Some(shape) => reader.sizes_of(shape.get_ref())?,
             None => &["sides"][..usize::from(by == "sides")],
@@ -235,9 +240,14 @@ impl<'a> Reader<'a> {
     fn parts(&self) -> Result<BodyModel, Error> {
         let (mut whole, mut surfaces, mut question, mut places) =
             (Compound::new(), Vec::new(), None, Vec::new());
-        for part in self.table.part.iter().flat_map(Spanned::get_ref) {
+        let parts = self.table.part.as_ref().map_or(&[][..], |parts| parts.get_ref());
+        let robot = |part: &'a Spanned<Table>| Some(part.get_ref().urdf.as_ref()?.get_ref());
+        let link = |part: &'a Spanned<Table>| Some(part.get_ref().link.as_ref()?.get_ref().as_str());
+        for part in parts {
             let span = part.span();
-            let reader = Reader::new(self.text, part.get_ref(), span.clone(), self.files)?;
+            let mut reader = Reader::new(self.text, part.get_ref(), span.clone(), self.files)?;
+            let same = parts.iter().filter(|other| robot(other) == robot(part) && parts.len() <= MANY);
+            reader.beside = same.filter_map(link).collect();
             let found = reader.body()?;
             let of_whole = ["spin", "momentum", "attitude"];
             if let Some((field, _)) = reader.present.iter().find(|(field, _)| of_whole.contains(field)) {
@@ -293,8 +303,9 @@ impl<'a> Reader<'a> {
         let tolerance = number(&self.table.tolerance);
         let why = format!("{tolerance} is not a finite number, zero or above");
         self.unless(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", why)?;
-        let read = || urdf::read(&self.files.text(&path)?, link, tolerance);
-        self.files.body(&path, format!("{link:?} within {tolerance}"), read).map_err(|error| match link {
+        let meant = format!("{link:?} within {tolerance} with {:?}", self.beside);
+        let read = || urdf::read(&self.files.text(&path)?, link, &self.beside, tolerance);
+        self.files.body(&path, meant, read).map_err(|error| match link {
             // Without a line: not an element of the file, but the name that is not in it.
             Some(_) if error.line.is_none() && error.field.as_deref() == Some("link") => {
                 self.wrong("link", error.why)
@@ -342,12 +353,9 @@ impl<'a> Reader<'a> {
 }
 
 /// The tensor of a matrix, and how far it was moved: not at all, or by the tolerance at most.
-pub(crate) fn within(
-    matrix: Matrix3<f64>,
-    tolerance: Option<f64>,
-) -> Result<(Inertia, f64), tumbling::Error> {
+pub(crate) fn within(matrix: Matrix3<f64>, most: Option<f64>) -> Result<(Inertia, f64), tumbling::Error> {
     let as_given = || Inertia::try_from(matrix).map(|inertia| (inertia, 0.0));
-    tolerance.map_or_else(as_given, |tolerance| Inertia::within(&matrix, tolerance))
+    most.map_or_else(as_given, |most| Inertia::within(&matrix, most))
 }
 
 #[cfg(test)]

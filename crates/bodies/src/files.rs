@@ -44,6 +44,8 @@ impl Default for Left {
     }
 }
 
+type Found = Result<BodyModel, Error>;
+
 impl<'a> Files<'a> {
     pub(crate) fn new(folder: &'a Path, left: &'a Left) -> Self {
         Self { folder, depth: 0, left }
@@ -62,12 +64,7 @@ impl<'a> Files<'a> {
 
     /// The body that a file holds, or what of it is meant: read once, however often it is named. What has
     /// more faces than a solid is read each time, so that its bytes are counted each time.
-    pub(crate) fn body(
-        &self,
-        path: &Path,
-        meant: String,
-        read: impl FnOnce() -> Result<BodyModel, Error>,
-    ) -> Result<BodyModel, Error> {
+    pub(crate) fn body(&self, path: &Path, meant: String, read: impl FnOnce() -> Found) -> Found {
         let key = (path.canonicalize().unwrap_or_else(|_| path.to_owned()), meant);
         if let Some(known) = self.left.known.borrow().get(&key) {
             return Ok(known.clone());

@@ -73,10 +73,9 @@ impl BodyModel {
         let (mut surfaces, mut sides) = (Vec::new(), None);
         body.each_part(&mut |part| {
             surfaces.push(bar(&part));
+            let long = part.along.norm();
             sides = match part.section {
-                Section::Rectangle { wide, thick } if surfaces.len() == 1 => {
-                    Some([wide, thick, part.along.norm()])
-                }
+                Section::Rectangle { wide, thick } if surfaces.len() == 1 => Some([wide, thick, long]),
                 _ => None,
             };
         });
@@ -106,7 +105,7 @@ impl BodyModel {
     /// # Ok::<(), tumbling_bodies::Error>(())
     /// ```
     pub fn from_urdf(text: &str, link: Option<&str>) -> Result<Self, Error> {
-        urdf::read(text, link, 0.0)?.ready()
+        urdf::read(text, link, &[], 0.0)?.ready()
     }
 
     /// Refuses an ideal rod, whose spin about itself no momentum determines.

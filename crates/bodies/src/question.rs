@@ -25,8 +25,13 @@ fn with_unit(numbers: &str, unit: &str) -> String {
 }
 
 /// With two digits.
-fn plain(x: f64) -> f64 {
-    format!("{x:.1e}").parse().unwrap_or(x)
+fn plain(x: f64) -> String {
+    short(format!("{x:.1e}").parse().unwrap_or(x))
+}
+
+/// Without a row of zeros.
+fn short(x: f64) -> String {
+    if (1e-9..1e9).contains(&x) { x.to_string() } else { format!("{x:e}") }
 }
 
 const SOLIDS: std::ops::Range<f64> = 10.0..25_000.0;
@@ -100,14 +105,15 @@ fn dense(written: &str) -> Option<String> {
 pub(crate) fn filled(mass: f64, volume: f64, set: bool) -> Option<String> {
     let times = if set { 1.0 } else { 1e9 };
     let said = unlikely(mass / volume, times, "is the mesh in mm, `unit = 0.001`?")?;
-    Some(format!("{mass} kg in {} m³: {said}", plain(volume)))
+    Some(format!("{} kg in {} m³: {said}", short(mass), plain(volume)))
 }
 
-/// Of an angle in degrees: whether it is the quarter or the twelfth of a turn in rad.
+/// Of an angle in degrees, given to hundredths: whether it is a multiple of 15 degrees, in rad.
 pub(crate) fn turned(degrees: f64) -> Option<String> {
     let parts = (degrees / (PI / 12.0)).round();
-    let near = (degrees - parts * PI / 12.0).abs() < 0.002 && degrees.fract() != 0.0;
-    let asked = format!("a turn by {degrees}° is small: is this in rad? In degrees it is {}", 15.0 * parts);
+    let near = (degrees - parts * PI / 12.0).abs() < 0.005 && (10.0 * degrees).fract() != 0.0;
+    let (meant, none) = (15.0 * parts, if parts.abs() == 24.0 { ", which is no turn" } else { "" });
+    let asked = format!("a turn by {degrees}° is small: is this in rad? In degrees it is {meant}{none}");
     (near && (1.0..=24.0).contains(&parts.abs())).then_some(asked)
 }
 
@@ -115,12 +121,15 @@ pub(crate) fn turned(degrees: f64) -> Option<String> {
 pub(crate) fn spread(body: &BodyModel) -> Option<String> {
     let (mass, moments) = (body.mass?, body.principal().moments());
     let density = mass / (4.0 / 3.0 * PI * (5.0 / 6.0 * moments.sum() / mass).powf(1.5));
-    let [radius, reach] = [(moments.max() / mass).sqrt(), body.reach()].map(plain);
-    let large = format!("a ring with these has a radius of {radius} m; the drawing reaches {reach} m");
-    let large = (!(0.1..100.0).contains(&(reach / radius))).then_some(large);
-    let dense = format!("a ball with these would need {density:.1e} kg/m³");
+    let sizes = [(moments.max() / mass).sqrt(), body.reach()];
+    let [radius, reach] = sizes.map(plain);
+    let large = format!(": a ring with these has a radius of {radius} m; the drawing reaches {reach} m");
+    let large = (!(0.1..100.0).contains(&(sizes[1] / sizes[0]))).then_some(large);
+    let dense = format!(": a ball with these would need {density:.1e} kg/m³");
+    let dense = if density.is_finite() { dense } else { String::new() };
     let why = (!(1e-3..SOLIDS.end).contains(&density)).then_some(dense).or(large)?;
-    Some(format!("{mass} kg and moments up to {} kg m²: {why}. Are the units right?", moments.max()))
+    let [mass, most] = [mass, moments.max()].map(short);
+    Some(format!("{mass} kg and moments up to {most} kg m²{why}. Are the units right?"))
 }
 
 /// Of parts, each with its reach, m: whether one that equals another in its place was meant to be written

@@ -158,10 +158,8 @@ impl Surface {
 
 /// That what reaches so far, m, can be drawn.
 pub(crate) fn drawable(reach: f64) -> Result<(), String> {
-    if (SMALLEST..=LARGEST).contains(&reach) {
-        return Ok(());
-    }
-    Err(format!("it reaches {reach:?} m: what is drawn is from {SMALLEST:e} m to {LARGEST:e} m"))
+    let why = || format!("it reaches {reach:?} m: what is drawn is from {SMALLEST:e} m to {LARGEST:e} m");
+    (SMALLEST..=LARGEST).contains(&reach).then_some(()).ok_or_else(why)
 }
 
 /// Corners of a circle round the z axis, counter-clockwise from above.

@@ -84,9 +84,7 @@ table! {
 ///
 /// # Errors
 /// A list of more or fewer.
-pub fn list<'de, D: Deserializer<'de>, const N: usize>(
-    from: D,
-) -> Result<Option<Spanned<[f64; N]>>, D::Error> {
+pub fn list<'de, D: Deserializer<'de>, const N: usize>(from: D) -> Field<[f64; N], D::Error> {
     let found = Spanned::<Vec<f64>>::deserialize(from)?;
     Ok(Some(Spanned::new(found.span(), whole(found.into_inner(), "numbers").map_err(D::Error::custom)?)))
 }

@@ -109,15 +109,12 @@ fn degrees(link: Node<'_, '_>) -> Option<String> {
 }
 
 /// What of the link is a box, a cylinder or a sphere.
-fn surfaces(
-    link: Node<'_, '_>,
-    inertial: Node<'_, '_>,
-    centre: &Vector3<f64>,
-) -> Result<Vec<Surface>, Error> {
+fn surfaces(link: Node<'_, '_>, inertia: Node<'_, '_>, centre: &Vector3<f64>) -> Result<Vec<Surface>, Error> {
     let mut found = Vec::new();
-    let shape = |visual| Some((visual, child(visual, "geometry")?.children().find(Node::is_element)?));
-    for (visual, solid) in link.children().filter(|node| node.has_tag_name("visual")).filter_map(shape) {
+    for visual in link.children().filter(|node| node.has_tag_name("visual")) {
         let (place, turn) = origin(visual)?;
+        let solid = child(visual, "geometry").and_then(|shape| shape.children().find(Node::is_element));
+        let Some(solid) = solid else { continue };
         let size = |name: &str| needed(solid, name).map(|[x]| x);
         let surface = match solid.tag_name().name() {
             "box" => Surface::cuboid(&needed::<3>(solid, "size")?.into()),
@@ -133,7 +130,7 @@ fn surfaces(
         let reach = surface.reach();
         drawable(reach).map_err(|why| wrong(solid, why))?;
         if (place - centre).amax() > FARTHEST * reach {
-            let far = [visual, inertial].into_iter().find_map(|node| child(node, "origin"));
+            let far = [visual, inertia].into_iter().find_map(|node| child(node, "origin"));
             return Err(wrong(far.unwrap_or(solid), "so far away that rounding would change its shape"));
         }
         found.push(surface.mapped(|p| turn * p + place));
@@ -148,31 +145,35 @@ fn first(names: &[&str], most: usize) -> String {
     shown.join(", ") + &if more == 0 { String::new() } else { format!(" and {more} more") }
 }
 
-/// Of links with inertia that fixed joints hold to this one, and that are left out: simulators make one body
-/// of all.
-fn held(document: &Document<'_>, name: &str, heavy: &[&str]) -> Option<String> {
-    let mut below: HashMap<&str, Vec<&str>> = HashMap::new();
-    for joint in document.descendants().filter(|node| node.attribute("type") == Some("fixed")) {
-        let [from, to] = ["parent", "child"].map(|end| child(joint, end)?.attribute("link"));
-        below.entry(from.unwrap_or_default()).or_default().extend(to);
+/// Of links with inertia that fixed joints hold to this one, above it or below, and that are not in the
+/// body `with` it: simulators make one body of all.
+fn held(document: &Document<'_>, name: &str, heavy: &[&str], with: &[&str]) -> Option<String> {
+    let mut near: HashMap<&str, Vec<&str>> = HashMap::new();
+    let fixed = |node: &Node<'_, '_>| node.has_tag_name("joint") && node.attribute("type") == Some("fixed");
+    for joint in document.descendants().filter(fixed) {
+        let [one, other] = ["parent", "child"].map(|end| child(joint, end)?.attribute("link"));
+        near.entry(one.unwrap_or_default()).or_default().extend(other);
+        near.entry(other.unwrap_or_default()).or_default().extend(one);
     }
     // Each link's joints are taken once, so that a circle of joints ends.
     let (mut open, mut found) = (vec![name], HashSet::new());
-    while let Some(links) = open.pop().map(|link| below.remove(link).unwrap_or_default()) {
+    while let Some(links) = open.pop().map(|link| near.remove(link).unwrap_or_default()) {
         found.extend(links.iter().copied());
         open.extend(links);
     }
-    let left: Vec<_> = heavy.iter().copied().filter(|link| *link != name && found.contains(link)).collect();
+    let out = |link: &&str| *link != name && found.contains(link) && !with.contains(link);
+    let left: Vec<_> = heavy.iter().copied().filter(out).collect();
     let asked =
         "is it one body with them? Then name each in a `[[part]]`, by `urdf`, `link`, `at` and `turn`";
     let held = format!("fixed joints hold {} to `{name}`, read alone: {asked}", first(&left, 3));
     Some(held).filter(|_| !left.is_empty())
 }
 
-/// The link `name`, or the only one that has inertia. Its tensor may be moved by `tolerance`.
-pub(crate) fn read(text: &str, name: Option<&str>, tolerance: f64) -> Result<BodyModel, Error> {
-    bounded(text)?;
-    let document = Document::parse(text)
+/// The link `name`, or the only one that has inertia, of a body that has these links `with` it. Its tensor
+/// may be moved by `tolerance`.
+pub(crate) fn read(xml: &str, name: Option<&str>, with: &[&str], tolerance: f64) -> Result<BodyModel, Error> {
+    bounded(xml)?;
+    let document = Document::parse(xml)
         .map_err(|error| Error { line: usize::try_from(error.pos().row).ok(), ..Error::new(error) })?;
     let root = document.root_element();
     if !["robot", "link"].contains(&root.tag_name().name()) {
@@ -218,8 +219,8 @@ pub(crate) fn read(text: &str, name: Option<&str>, tolerance: f64) -> Result<Bod
     let surfaces = surfaces(link, inertial, &centre)?;
     let name = nameable(called(link)).map_err(|why| wrong(link, why))?.to_owned();
     let model = BodyModel { name, moved, ..BodyModel::of(properties, surfaces) };
-    let question =
-        degrees(link).or_else(|| question::spread(&model)).or_else(|| held(&document, &model.name, &names));
+    let held = || held(&document, &model.name, &names, with);
+    let question = degrees(link).or_else(|| question::spread(&model)).or_else(held);
     let model = BodyModel { question, ..model };
     model.drawable().map_err(|why| wrong(tensor, why))?;
     Ok(model)
@@ -228,6 +229,10 @@ pub(crate) fn read(text: &str, name: Option<&str>, tolerance: f64) -> Result<Bod
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn read(text: &str, name: Option<&str>, tolerance: f64) -> Result<BodyModel, Error> {
+        super::read(text, name, &[], tolerance)
+    }
 
     const ARM: &str = "<robot name='r'>\n<link name='world'/>\n<link name='arm'>\n<inertial>\n\
         <origin xyz='0.1 0.2 0.3' rpy='0 0 1.5707963267948966'/>\n<mass value='2'/>\n\
@@ -269,12 +274,7 @@ mod tests {
             ("xyz='0.1 0.2 0.3'", "xyz='1,0,0'", 5, "without the ${} of xacro\n"),
             ("iyz='0'", "", 7, "`iyz` is missing"),
             ("xyz='0.1 0.2 0.3'", "xyz='0.1 0.2'", 5, "3 finite numbers expected"),
-            (
-                "xyz='0.1 0.2 0.3'",
-                "xyz='0.1 inf 0.3'",
-                5,
-                "`origin`: xyz=\"0.1 inf 0.3\": 3 finite numbers expected",
-            ),
+            ("xyz='0.1 0.2 0.3'", "xyz='0.1 inf 0.3'", 5, "`origin`: xyz=\"0.1 inf 0.3\": 3 finite"),
             ("<mass", "<mass value='1'/>\n<mass", 7, "`mass`: one alone is expected"),
             ("</robot>", "<link name='arm'/></robot>", 10, "`link`: another link has this name too"),
             ("size='0.2 0.3 0.4'", "size='0.2 -0.3 0.4'", 9, "`box`: size=\"0.2 -0.3 0.4\": no size may be"),
@@ -282,6 +282,7 @@ mod tests {
             ("size='0.2 0.3 0.4'", "size='0 0 0'", 9, "drawn is from"),
             ("<visual>", "<visual>\n<origin xyz='1e300 0 0'/>", 10, "so far away"),
             ("xyz='0.1 0.2 0.3'", "xyz='0.1 1e300 0.3'", 5, "so far away"),
+            ("</link>\n</robot>", "\n<visual><origin xyz=''/></visual></link></robot>", 10, "3 finite"),
         ] {
             let error = read(&ARM.replace(from, to), Some("arm"), 0.0).unwrap_err();
             assert_eq!(error.line, Some(line), "{error}");
@@ -299,11 +300,7 @@ mod tests {
         assert_eq!(question("0 0 1.5707963267948966", "0 0 -6.283185307179586"), None);
         for (from, to, words) in [
             ("1.5707963267948966", "90", "rpy=\"0 0 90\" rad is more than a turn: is this in degrees?"),
-            (
-                "value='2'",
-                "value='1000'",
-                "1000 kg and moments up to 0.04 kg m²: a ball with these would need 3.7e8",
-            ),
+            ("value='2'", "value='1000'", "up to 0.04 kg m²: a ball with these would need 3.7e8"),
             ("value='2'", "value='1e-6'", "0.000001 kg and moments up to 0.04 kg m²: a ball with"),
             ("0.2 0.3 0.4", "200 300 400", "a radius of 0.14 m; the drawing reaches 270 m. Are the"),
         ] {
@@ -311,24 +308,27 @@ mod tests {
         }
     }
 
-    /// A tool of its own mass behind a flange without.
+    /// A tool of its own mass behind a flange without; a sensor is no joint.
     #[test]
-    fn what_a_fixed_joint_holds_and_is_left_out_is_questioned() {
+    fn what_a_fixed_joint_holds_and_is_left_out_is_questioned_from_both_sides() {
         let arm = &ARM[ARM.find("<link name='arm'>").unwrap()..ARM.find("</robot>").unwrap()];
         let joint = |kind: &str, from: &str, to: &str| {
             format!("<joint name='{to}' type='{kind}'><parent link='{from}'/><child link='{to}'/></joint>")
         };
-        let robot = |kind: &str| {
-            let ends = joint(kind, "flange", "tool")
-                + &joint("fixed", "arm", "flange")
-                + &joint("fixed", "tool", "arm");
+        let robot = |ends: &str, read: &str, with: &[&str]| {
             let links = format!("<link name='flange'/>{arm}{}", arm.replace("'arm'", "'tool'"));
-            read(&format!("<robot>{links}{ends}</robot>"), Some("arm"), 0.0).unwrap()
+            super::read(&format!("<robot>{links}{ends}</robot>"), Some(read), with, 0.0).unwrap().question
         };
-        let asked =
-            "fixed joints hold `tool` to `arm`, read alone: is it one body with them? Then name each in a";
-        assert!(robot("fixed").question.unwrap().starts_with(asked));
-        assert_eq!((robot("revolute").question, robot("fixed").mass), (None, Some(2.0)));
+        let line = |kind: &str| joint(kind, "flange", "tool") + &joint("fixed", "arm", "flange");
+        for ends in [line("fixed"), line("fixed") + &joint("fixed", "tool", "arm")] {
+            for [read, left] in [["arm", "tool"], ["tool", "arm"]] {
+                let asked = format!("fixed joints hold `{left}` to `{read}`, read alone: is it one body");
+                assert!(robot(&ends, read, &[]).unwrap().starts_with(&asked));
+                assert_eq!(robot(&ends, read, &[read, left]), None);
+            }
+        }
+        let sensor = line("fixed").replace("joint", "sensor");
+        assert_eq!([line("revolute"), sensor].map(|ends| robot(&ends, "arm", &[])), [None, None]);
     }
 
     #[test]

@@ -85,7 +85,7 @@ pub(crate) static ALL: &[Figure] = figures! {
     seen_from_body::draw, "seen-from-body", "eulers-equations", "An arrow fixed in the room, seen from a turning body";
     three_spins::draw, "three-spins", "eulers-equations", "The same small slip about each of the three axes: two wobble, one flips"
         => spins::three, "The spin in body axes, thrown about each axis in turn";
-    two_rods::draw, "two-rods", "why-the-middle-one", "Two crossed rods, spun about each axis and tilted a little, and how their masses are pulled outward";
+    two_rods::draw, "two-rods", "why-the-middle-one", "Two crossed rods, spun about each axis and tilted from it in two ways, and how their masses are pulled outward";
     engines_energy::draw, "engines-energy", "three-pitfalls", "Energy of a free box: the right engine, and the one with a frozen tensor";
     engines_paths::draw, "engines-paths", "three-pitfalls", "Spin about the middle axis: the right engine flips, two wrong ones refuse";
     polhodes::draw, "polhodes", "dzhanibekov", "Paths of the spin on the ellipsoid of equal energy, with the separatrix"

@@ -64,8 +64,7 @@ fn a_proof_shows_the_formulas_whose_numbers_it_cites() {
 #[test]
 fn an_altered_equation_is_refused() {
     let (name, equations) = chapters().into_iter().find(|(name, _)| name == "proofs").unwrap();
-    let laws =
-        equations.iter().enumerate().filter(|(_, equation)| equation.display && equation.tex.contains('='));
+    let laws = equations.iter().enumerate().filter(|(_, law)| law.display && law.tex.contains('='));
     assert!(laws.clone().count() >= 8);
     for (place, equation) in laws {
         let mut altered = equations.clone();
