@@ -40,8 +40,7 @@ advices! {
     COMPARE: "Compare the engine's rule with the known ones." in STEPS;
     DRIFTS_ON: "Its errors fall with its step or its tolerance; what drifts in the table goes on drifting." in STEPS;
     EACH_STEP: "Write a row at each of the engine's steps, once, and none in between, and judge it again.";
-    ALL_DIGITS_OR_FIT: "Write the engine's own numbers, with all their digits; of a sensor, fit a motion to many rows \
-         instead.";
+    ALL_DIGITS_OR_FIT: "Write the engine's own numbers, with all their digits.";
     FASTER: "Errors so close to rounding are those of many rules: record a faster spin, or longer steps, and judge it \
          again.";
     MORE_DIGITS: "Write the record with all digits (17 of double precision, 9 of single), and judge it again.";
