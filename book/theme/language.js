@@ -6,11 +6,14 @@
     const known = new RegExp(`(?<!\\p{L})(?:${parts.join("|")})(?!\\p{L})`, "gu");
     const said = (text) => tumblingWords[text] ?? text.replace(/(\d)\.(?=\d)/g, "$1,").replace(known, (part) => tumblingWords[part]);
     const LABELS = ["aria-label", "aria-valuetext", "title"];
+    const original = location.pathname.replace(/-[a-z]+(?=\.html$)/, "");
     function tell(node) {
         if (node.nodeType === Node.TEXT_NODE) {
             if (!node.parentElement?.closest("script, pre, #mdbook-sidebar strong") && said(node.data) !== node.data) node.data = said(node.data);
             return;
         }
+        // The table of contents leads to this chapter in its own language.
+        if (node.pathname === original && titles?.contains(node)) node.pathname = location.pathname;
         for (const label of LABELS) {
             const text = node.getAttribute?.(label);
             if (text && said(text) !== text) node.setAttribute(label, said(text));

@@ -133,7 +133,7 @@ export async function judge(page, wants) {
   });
   wants("turns.csv: what attitudes alone leave open is named", /nothing is known of turn against spin/.test(await page.textContent(verdict)));
 
-  // Options: limits by law, and a fitted start.
+  // Options: limits by law.
   const good = new URL("../../../crates/judge/data/mujoco-4.0.0-rk4--middle.csv", import.meta.url);
   await page.setInputFiles("#judge-file", fileURLToPath(good));
   await waitForText(verdict, "Passed: mujoco");

@@ -1,7 +1,7 @@
 //! What engines did, as recorded: the runs committed in `data`, and the table made of them.
 
 use crate::error::Error;
-use crate::read::{Raw, Rows};
+use crate::read::{Raw, Rows, Source};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::attitude;
 
@@ -96,7 +96,7 @@ impl Recorded {
         let torque = rows.header.torque.unwrap_or_default();
         let step = rows.header.step.unwrap_or(1.0);
         let mut read = Vec::new();
-        while let Some(Raw { line, t, attitude, vector, .. }) = rows.advance()? {
+        while let Some(Raw { line, t, attitude, vector, .. }) = rows.next()? {
             let none = || Error::Line { line, problem: "the row has no attitude".into() };
             let attitude = attitude.ok_or_else(none)?;
             let step = (t / step).round() as usize;

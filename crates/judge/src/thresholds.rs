@@ -30,6 +30,8 @@ pub(crate) const PROBE_ROWS: usize = 2048;
 pub(crate) const PROBE_PAIRS: usize = 256;
 /// Steps held against each rule, evenly from the whole record.
 pub(crate) const TRIED_STEPS: usize = 2048;
+/// Steps of a run that follow one another: an even stride would see one of two alternating kinds alone.
+pub(crate) const TRIED_RUN: usize = 8;
 /// Steps compared with each rule where its spin must first be found, step by step.
 pub(crate) const TRIED_TURNS: usize = 256;
 /// Share of the pairs of rows that must be one step apart for a rule to be named.
@@ -282,8 +284,8 @@ pub(crate) const ACCURATE: f64 = 1e-4;
 /// How many times as well the exact motion must explain a record once it is damped, or its gyroscopic term
 /// multiplied, for a rule not to be called accurate; and for that to be named.
 pub(crate) const ALTERED: [f64; 2] = [3.0, 32.0];
-/// Roundings within which three rows are on a straight line, and the share of all rows from which on they are
-/// interpolated.
+/// Roundings within which three rows are on a straight line, and the share of all rows from which on rows
+/// beside a plain bend are interpolated; also that from which on rows are written again.
 pub(crate) const STRAIGHT: [f64; 2] = [16.0, 0.05];
 /// Rounding from which on numbers have as few digits as half precision or a sensor has.
 pub(crate) const DIGITS_OF_A_SENSOR: f64 = 3e-4;

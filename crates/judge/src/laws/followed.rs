@@ -127,9 +127,7 @@ impl Laws {
     }
 
     fn put(&mut self, name: LawName, t: f64, error: f64) {
-        if error.is_finite()
-            && let Some((_, curve)) = self.curves.iter_mut().find(|curve| curve.0 == name)
-        {
+        if let Some((_, curve)) = self.curves.iter_mut().find(|curve| curve.0 == name && error.is_finite()) {
             curve.push(t, error);
         }
     }
@@ -153,9 +151,8 @@ impl Laws {
                 turned_away = Some(angle);
                 self.put(LawName::Direction, t, angle);
             }
-            if self.seen.last.attitude.is_some_and(|last| last.coords.dot(&q.coords) < 0.0) {
-                self.seen.sign_changes += 1;
-            }
+            let changes = self.seen.last.attitude.is_some_and(|last| last.coords.dot(&q.coords) < 0.0);
+            self.seen.sign_changes += u64::from(changes);
         }
         let wanted = self.exact.omega(t)?;
         let moved = (wanted - self.start.row.omega).norm() / self.start.row.omega.norm();

@@ -21,8 +21,8 @@ pub struct Gaps {
     pub longest: f64,
 }
 
-/// Of a stretch the first step is kept.
-impl Stretch for Pair {
+/// Of a stretch the first steps are kept.
+impl Stretch for [Pair; TRIED_RUN] {
     fn join(&self, _: &Self) -> Self {
         *self
     }
@@ -33,9 +33,15 @@ pub(crate) struct Trial {
     pub known: Known,
     pub laws: Laws,
     pub first: Row,
-    /// Steps of a record of any length, evenly from all of it, and how many there are.
-    pub sample: Stretches<Pair>,
+    /// Steps of a record of any length, evenly from all of it, in runs of steps that follow one another; the
+    /// run that is not full yet, and how many steps there are.
+    runs: Stretches<[Pair; TRIED_RUN]>,
+    run: Vec<Pair>,
     pub steps: u64,
+    /// How many rows repeat the row before them, how often such rows come to an end, and whether the last row
+    /// is one.
+    equal: [u64; 2],
+    is_equal: bool,
     jumps: Jumps,
     pub resets: Vec<Reset>,
     pub gaps: Option<Gaps>,
@@ -56,8 +62,11 @@ impl Trial {
         Ok(Self {
             laws: Laws::new(&moments, &first, known.floor)?,
             first,
-            sample: Stretches::new(TRIED_STEPS),
+            runs: Stretches::new(TRIED_STEPS / TRIED_RUN),
+            run: Vec::new(),
             steps: 0,
+            equal: [0; 2],
+            is_equal: false,
             jumps: Jumps { first, moments, torque, has_spin, floor, errors },
             known,
             resets: Vec::new(),
@@ -92,8 +101,7 @@ impl Trial {
                     self.laws.pair(&pair);
                 }
                 if self.jumps.has_spin || state.ahead.is_some() {
-                    self.sample.push(pair);
-                    self.steps += 1;
+                    self.step(pair);
                 }
             }
         }
@@ -101,6 +109,33 @@ impl Trial {
             self.laws.push(state, steps)?;
         }
         Ok(())
+    }
+
+    /// One more step, and whether its row is the row before it.
+    fn step(&mut self, pair: Pair) {
+        self.steps += 1;
+        let was = self.is_equal;
+        self.is_equal = pair.from.omega == pair.to.omega && pair.from.attitude == pair.to.attitude;
+        self.equal[0] += u64::from(self.is_equal);
+        self.equal[1] += u64::from(was && !self.is_equal);
+        self.run.push(pair);
+        if let Ok(run) = self.run[..].try_into() {
+            self.runs.push(run);
+            self.run.clear();
+        }
+    }
+
+    /// The steps that rules are tried on.
+    pub(crate) fn sample(&self) -> Vec<Pair> {
+        [&self.runs.all().concat()[..], &self.run].concat()
+    }
+
+    /// Whether rows are written again under other times. A body that comes to stay is none, nor is, of spins
+    /// alone, one whose spin stays between rare pushes.
+    pub(crate) fn repeats(&self) -> bool {
+        let ([equal, ends], steps) = (self.equal.map(|count| count as f64), self.steps as f64);
+        let stays = self.first.attitude.is_none() && 2.0 * equal > steps && ends * JUMP_EVERY as f64 <= steps;
+        ends > 1.0 && equal > STRAIGHT[1] * steps && !stays
     }
 }
 

@@ -164,9 +164,8 @@ impl Names {
         let plain = raw.iter().map(|name| plain(name)).collect();
         let names = Self { line, raw, plain };
         if names.plain.iter().any(|(name, _)| name.parse::<f64>().is_ok()) {
-            return Err(
-                names.wrong(format!("this must be the line of column names, and it has a number; {KNOWN}"))
-            );
+            let problem = format!("this must be the line of column names, and it has a number; {KNOWN}");
+            return Err(names.wrong(problem));
         }
         Ok(names)
     }
@@ -227,15 +226,11 @@ impl Names {
 
     fn attitude(&self) -> Result<Option<[usize; 4]>, Error> {
         let mut sets = Vec::new();
-        for prefix in ATTITUDE {
+        for prefix in ATTITUDE.into_iter().chain(ATTITUDE_WHOLE) {
             let replaced =
                 prefix == "q" && self.at("qx")?.is_none() && self.all(&ATTITUDE_NAMES[1])?.is_some();
-            if !replaced {
-                sets.extend(self.whole(prefix, &["w", "x", "y", "z"], "")?);
-            }
-        }
-        for prefix in ATTITUDE_WHOLE {
-            if self.at(&format!("{prefix}w"))?.is_some() {
+            let is_none = ATTITUDE_WHOLE.contains(&prefix) && self.at(&format!("{prefix}w"))?.is_none();
+            if !replaced && !is_none {
                 sets.extend(self.whole(prefix, &["w", "x", "y", "z"], "")?);
             }
         }
@@ -257,9 +252,8 @@ impl Names {
             }
             if let [_, other, ..] = &sets[..] {
                 let name = &self.raw[other[0]];
-                return Err(
-                    self.wrong(format!("there are two sets of columns for one vector, `{name}` among them"))
-                );
+                let problem = format!("there are two sets of columns for one vector, `{name}` among them");
+                return Err(self.wrong(problem));
             }
             if let Some(places) = sets.first() {
                 return Ok(places.as_slice().try_into().ok().map(|places| (kind, places)));
@@ -281,23 +275,19 @@ impl Names {
         if kind.is_momentum() {
             return Ok(1.0);
         }
-        spin_unit(first).ok_or_else(|| {
-            self.wrong(format!(
-                "the unit of `{name}` is not known here: known are rad/s, deg/s, dps, rpm and rev/s"
-            ))
-        })
+        spin_unit(first).ok_or_else(|| self.unknown(places[0], "rad/s, deg/s, dps, rpm and rev/s"))
+    }
+
+    fn unknown(&self, i: usize, known: &str) -> Error {
+        self.wrong(format!("the unit of `{}` is not known here: known are {known}", self.raw[i]))
     }
 
     fn per_second(&self, clock: TimeColumn) -> Result<f64, Error> {
         let TimeColumn::Time(i) = clock else { return Ok(1.0) };
         let (name, unit) = &self.plain[i];
         let by_name = unit_of_time(name).unwrap_or_default();
-        per_second(if unit.is_empty() { by_name } else { unit }).ok_or_else(|| {
-            self.wrong(format!(
-                "the unit of `{}` is not known here: known are s, ms, us, ns and min",
-                self.raw[i]
-            ))
-        })
+        let unit = if unit.is_empty() { by_name } else { unit };
+        per_second(unit).ok_or_else(|| self.unknown(i, "s, ms, us, ns and min"))
     }
 }
 

@@ -57,15 +57,15 @@ fn after<'a>(text: &'a str, word: &str) -> Option<&'a str> {
     Some(rest)
 }
 
-/// The first word or fraction there is a number, with its unit of time or of frequency if there is one. Words
-/// behind it that are no unit are a remark, or make it prose where no colon stands before it.
-fn seconds(text: &str, named: bool) -> Result<Option<f64>, String> {
-    let said = text.split([',', ';']).next().unwrap_or_default();
+/// The first word or fraction behind a name is a number, with its unit of time or of frequency if there is
+/// one. Words behind it that are no unit are a remark, or make it prose where no colon stands before it.
+fn seconds(text: &str, name: &str, named: bool) -> Result<Option<f64>, String> {
+    let whole = text.split([',', ';']).next().unwrap_or_default();
     let digits = |c: char| c.is_ascii_digit();
     // A fraction may stand with blanks about its stroke.
-    let parts = said.split_once('/').map(|(over, under)| (over.trim_end(), under.trim_start()));
+    let parts = whole.split_once('/').map(|(over, under)| (over.trim_end(), under.trim_start()));
     let is_one = |(over, under): &(&str, &str)| over.ends_with(digits) && under.starts_with(digits);
-    let said = parts.filter(is_one).map_or_else(|| said.into(), |(over, under)| format!("{over}/{under}"));
+    let said = parts.filter(is_one).map_or_else(|| whole.into(), |(over, under)| format!("{over}/{under}"));
     let mut words = said.split([' ', '\t', '(', ')', '[', ']']).filter(|word| !word.is_empty());
     let word = words.next().unwrap_or_default();
     let end = word.rfind(|c: char| c.is_ascii_digit() || c == '.').map_or(word.len(), |at| at + 1);
@@ -76,10 +76,14 @@ fn seconds(text: &str, named: bool) -> Result<Option<f64>, String> {
     let known = !unit.is_empty() || period(1.0, next).is_some();
     let frequency = !known && next.to_lowercase().ends_with("hz");
     let unit = if unit.is_empty() && (known || frequency) { next } else { unit };
-    // 1/60 Hz is 1/(60 Hz).
-    let is_rate = number.contains('/') && period(2.0, unit) < period(1.0, unit);
-    match period(if is_rate { under / over } else { over / under }, unit) {
-        Some(_) if !known && (!named || ["of", "/"].contains(&next)) => Ok(None),
+    // `step: 3 / 10` is the third of ten.
+    let counts = said != whole && name != "dt" && unit.is_empty();
+    match period(over / under, unit) {
+        Some(_) if number.contains('/') && period(2.0, unit) < period(1.0, unit) => {
+            let said = said.trim();
+            Err(format!("the step is given as {said}: 1/({number}) s or {number} s? Write it in s"))
+        }
+        Some(_) if counts || !known && (!named || ["of", "/"].contains(&next)) => Ok(None),
         Some(step) if step.is_finite() && step > 0.0 => Ok(Some(step)),
         Some(_) => Err(format!("the step is given as {}: it must be above zero", said.trim())),
         None if named && unit.starts_with(char::is_alphabetic) => {
@@ -95,15 +99,14 @@ fn numbers(text: &str) -> Vec<(f64, f64)> {
     words.map_while(|word| Some((word.parse().ok()?, 0.5 * last_place(word)))).collect()
 }
 
-/// Whether one of the first words is a number with a comma for a point.
-fn has_decimal_comma(text: &str, count: usize) -> bool {
-    let mut words = text.split([' ', ';', '\t']).filter(|word| !word.is_empty()).take(count);
-    let numbers: Vec<&str> = words.by_ref().map(|word| word.trim_end_matches(',')).collect();
-    numbers.iter().any(|word| word.contains(','))
-        && numbers.iter().all(|word| word.replacen(',', ".", 1).parse::<f64>().is_ok())
+/// None of the first words is a number with a comma for a point.
+fn no_decimal_comma(text: &str, count: usize) -> Result<(), String> {
+    let words = text.split([' ', ';', '\t', '(', ')', '[', ']']).map(|word| word.trim_end_matches(','));
+    let numbers: Vec<&str> = words.filter(|word| !word.is_empty()).take(count).collect();
+    let is_number = |word: &&str| word.replacen(',', ".", 1).parse::<f64>().is_ok();
+    let has = numbers.iter().any(|word| word.contains(',')) && numbers.iter().all(is_number);
+    if has { Err("a number has a decimal comma: write a point".into()) } else { Ok(()) }
 }
-
-const DECIMAL_COMMA: &str = "a number has a decimal comma: write a point";
 
 /// How many kg m² the unit behind the numbers of a tensor is; 1 for prose.
 fn unit(text: &str) -> Result<f64, String> {
@@ -132,9 +135,7 @@ fn tensor(text: &str, named: bool, known: bool) -> Result<Option<Parts>, String>
     if known && !(named && [3, 6, 9].contains(&count)) {
         return Ok(None);
     }
-    if has_decimal_comma(text, 3) {
-        return Err(DECIMAL_COMMA.into());
-    }
+    no_decimal_comma(text, 3)?;
     let places = match count {
         3 | 6 => [0, 1, 2],
         9 => [0, 4, 8],
@@ -181,34 +182,28 @@ impl Header {
             }
         }
         let texts = DIAGONAL.into_iter().chain(OFF_DIAGONAL).filter_map(|word| after(comment, word));
-        if texts.clone().any(|text| has_decimal_comma(text, 1)) {
-            self.wrong.get_or_insert((line, DECIMAL_COMMA.into()));
+        if let Some(problem) = texts.into_iter().find_map(|text| no_decimal_comma(text, 1).err()) {
+            self.wrong.get_or_insert((line, problem));
         }
         let one = |word: &str| after(comment, word).and_then(|text| numbers(text).first().copied());
         for (i, word) in DIAGONAL.into_iter().enumerate() {
             one(word).into_iter().for_each(|moment| self.take(i, moment, line));
         }
         self.products.extend(OFF_DIAGONAL.into_iter().filter_map(one).map(|product| (product.0, line)));
-        if self.torque.is_none()
-            && let Some(text) = after(comment, "torque")
-        {
-            if has_decimal_comma(text, 3) {
-                return Err(wrong(DECIMAL_COMMA.into()));
+        if let Some(text) = after(comment, "torque").filter(|_| self.torque.is_none()) {
+            no_decimal_comma(text, 3).map_err(wrong)?;
+            let all = numbers(text);
+            if all.len() > 3 {
+                return Err(wrong(format!("{} numbers are given for the torque: give three", all.len())));
             }
-            self.torque = numbers(text).get(..3).map(|three| Vector3::from_fn(|i, _| three[i].0));
+            self.torque = all.get(..3).map(|three| Vector3::from_fn(|i, _| three[i].0));
             unread = unread.or(self.torque.is_none().then_some("torque"));
         }
         for word in ["dt", "timestep", "step"] {
-            if self.step.is_none()
-                && let Some(text) = after(comment, word)
-            {
-                if has_decimal_comma(text, 1) {
-                    return Err(wrong(DECIMAL_COMMA.into()));
-                }
-                match seconds(text, named(text)).map_err(wrong)? {
-                    None => unread = unread.or(Some(word)),
-                    step => self.step = step,
-                }
+            if let Some(text) = after(comment, word).filter(|_| self.step.is_none()) {
+                no_decimal_comma(text, 1).map_err(wrong)?;
+                self.step = seconds(text, word, named(text)).map_err(wrong)?;
+                unread = unread.or(self.step.is_none().then_some(word));
             }
         }
         if let Some(word) = unread {

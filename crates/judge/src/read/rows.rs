@@ -102,9 +102,10 @@ impl<R: BufRead> Rows<R> {
         }
         Err(Error::Empty)
     }
+}
 
-    /// The next row; `None` after the last, or where the numbers end.
-    pub(crate) fn advance(&mut self) -> Result<Option<Raw>, Error> {
+impl<R: BufRead> Source for Rows<R> {
+    fn next(&mut self) -> Result<Option<Raw>, Error> {
         while self.ended.is_none() && self.lines.advance()? {
             let line = self.lines.line;
             let text = text_of(&self.lines.text, line)?.trim();
@@ -128,12 +129,6 @@ impl<R: BufRead> Rows<R> {
             return Ok(Some(raw));
         }
         Ok(None)
-    }
-}
-
-impl<R: BufRead> Source for Rows<R> {
-    fn next(&mut self) -> Result<Option<Raw>, Error> {
-        self.advance()
     }
 
     fn ended(&mut self) -> Option<Error> {
@@ -257,12 +252,8 @@ fn read(
 
 /// A field as an error shows it: not all of a long one.
 fn shown(field: &str) -> String {
-    let mut shown: String =
-        field.chars().take(FIELD_SHOWN).map(|c| if c.is_control() { '\u{fffd}' } else { c }).collect();
-    if field.chars().nth(FIELD_SHOWN).is_some() {
-        shown.push('…');
-    }
-    shown
+    let shown = field.chars().take(FIELD_SHOWN).map(|c| if c.is_control() { '\u{fffd}' } else { c });
+    shown.chain(field.chars().nth(FIELD_SHOWN).map(|_| '…')).collect()
 }
 
 /// What is wrong with a field that is no number.

@@ -40,8 +40,7 @@ advices! {
     COMPARE: "Compare the engine's rule with the known ones." in STEPS;
     DRIFTS_ON: "Its errors fall with its step or its tolerance; what drifts in the table goes on drifting." in STEPS;
     EACH_STEP: "Write a row at each of the engine's steps, once, and none in between, and judge it again.";
-    ALL_DIGITS_OR_FIT: "Write the engine's own numbers, with all their digits; of a sensor, fit a motion to many rows \
-         instead.";
+    ALL_DIGITS: "Write the engine's own numbers, with all their digits.";
     TAKEN_BACK: "The attitude is off in one step and back in the next: it has fewer digits than are printed, or noise. Write \
          it with all the engine's digits, and judge it again.";
     FASTER: "Errors so close to rounding fit many rules: record a faster spin, or longer steps, and judge it again.";
@@ -119,7 +118,7 @@ impl Advice {
             Confidence::NoneFits if !floor.few => Self::COMPARE,
             Confidence::Accurate => Self::DRIFTS_ON,
             Confidence::Interpolated | Confidence::Repeated | Confidence::FewSteps => Self::EACH_STEP,
-            Confidence::Scattered => Self::ALL_DIGITS_OR_FIT,
+            Confidence::Scattered => Self::ALL_DIGITS,
             Confidence::SmallErrors => Self::FASTER,
             Confidence::FewDigits if floor.single => Self::SINGLE,
             Confidence::FewDigits | Confidence::NoneFits => Self::MORE_DIGITS,

@@ -2,7 +2,7 @@
 //! fits.
 
 use crate::read::{Floor, Known, Pair, median, unit};
-use crate::rule::diagnosis::{Jump, Ranked, jumps};
+use crate::rule::diagnosis::{Jump, Ranked, Whole, jumps};
 use crate::rule::tried::explained;
 use crate::rule::{Alteration, Base, Explanation, PHYSICS_ENGINES, Rule, Subject, Turn, When};
 use crate::thresholds::*;
@@ -80,7 +80,7 @@ pub(super) fn confidence_in(
     pairs: &[Pair],
     ranked: &Ranked,
     known: &Known,
-    share: f64,
+    whole: &Whole,
 ) -> (Confidence, Vec<Jump>) {
     let (floor, best) = (known.floor, &ranked.best);
     let ratio = ranked.second.map_or(f64::INFINITY, |second| best.relative_to(&second));
@@ -95,10 +95,12 @@ pub(super) fn confidence_in(
     let jumps = if closely { jumps(subject, pairs, &best.rule, most) } else { None };
     // An exact spin alone says nothing of what turned the attitude.
     let of_spin = best.rule == Base::Exact.but(Alteration::Turned(Turn::Otherwise));
-    let confidence = if are_repeated(pairs) {
+    let confidence = if whole.repeats {
         Confidence::Repeated
-    } else if share < TRIED_SHARE {
+    } else if whole.share < TRIED_SHARE {
         Confidence::FewSteps
+    } else if are_interpolated(pairs, floor) {
+        Confidence::Interpolated
     } else if of_spin {
         Confidence::NoneFits
     } else if (closely || best.fits(floor)) && !clear {
@@ -142,7 +144,7 @@ fn explains_much(subject: &Subject, pairs: &[Pair], best: &Explanation, floor: F
 }
 
 /// The exact motion with a number altered, if that explains nearly all of its error; an accurate rule, and
-/// the error of its steps; interpolated rows; rows that scatter, and by how much; or none.
+/// the error of its steps; rows that scatter, and by how much; or none.
 pub(super) fn unnamed(
     subject: &Subject,
     pairs: &[Pair],
@@ -167,9 +169,6 @@ pub(super) fn unnamed(
     let error = accuracy(subject, pairs, exact, floor.size).filter(|_| !fails && times < ALTERED[0]);
     if error.is_some() {
         return (Ranked { second: ranked.second, ..alone(exact) }, Confidence::Accurate, error);
-    }
-    if are_interpolated(pairs, floor) {
-        return (ranked, Confidence::Interpolated, None);
     }
     let off = |x: &Pair| Some((x.to.omega - subject.spin_after(&Rule::EXACT, x)?) / x.to.omega.norm());
     let scatter = scatter(pairs, off).filter(|off| exact.median < OF_SCATTER * off);
@@ -223,23 +222,17 @@ fn altered<'a>(
     (best, best.map_or(0.0, times))
 }
 
-/// Whether some of the rows are the rows before them, under other times.
-pub(super) fn are_repeated(pairs: &[Pair]) -> bool {
-    let same = |pair: &Pair| pair.from.omega == pair.to.omega && pair.from.attitude == pair.to.attitude;
-    // A spin that comes to stay is no row written again and again.
-    let ends = pairs.windows(2).filter(|two| same(&two[0]) && !same(&two[1])).count();
-    ends > 1 && ends as f64 > STRAIGHT[1] * pairs.len() as f64
-}
-
-/// Whether some of the rows lie on a straight line between those before and after.
+/// Whether some of the rows lie on a straight line between those before and after, next to a plain bend: no
+/// smooth motion has that.
 fn are_interpolated(pairs: &[Pair], floor: Floor) -> bool {
     let bends = pairs.windows(2).filter(|two| two[0].to.line == two[1].from.line).map(|two| {
         let [first, second] = [two[0], two[1]].map(|pair| pair.to.omega - pair.from.omega);
         let rounding = STRAIGHT[0] * floor.size * two[0].from.omega.norm();
-        (first - second).norm() <= rounding && first.norm() > CLEAR * rounding
+        if first.norm() > CLEAR * rounding { (first - second).norm() / rounding } else { f64::NAN }
     });
-    let (straight, all) = bends.fold((0, 0), |(straight, all), is| (straight + u32::from(is), all + 1));
-    f64::from(straight) > STRAIGHT[1] * f64::from(all)
+    let bends: Vec<f64> = bends.collect();
+    let is_knot = |two: &&[f64]| two[0].min(two[1]) <= 1.0 && two[0].max(two[1]) > ABOVE_ROUNDING;
+    bends.windows(2).filter(is_knot).count() as f64 > STRAIGHT[1] * bends.len() as f64
 }
 
 /// The error of the middle step, as a share of what the gyroscopic term changes of the spin in the middle

@@ -104,6 +104,8 @@ pub(crate) struct Whole {
     pub kept: bool,
     /// The share of the pairs of rows that are one step apart.
     pub share: f64,
+    /// Whether rows are written more than once.
+    pub repeats: bool,
     /// Whether the attitude is turned on the wrong side.
     pub on_wrong_side: bool,
 }
@@ -299,7 +301,7 @@ pub(crate) fn diagnose(
     let pairs = &*if sought { some(sample, TRIED_TURNS) } else { sample.to_vec() };
     let found = tried(subject, pairs, known, sought);
     let (mut ranked, mut error) = (Ranked::of(&found, floor)?, None);
-    let (mut confidence, mut jumps) = confidence_in(subject, pairs, &ranked, known, whole.share);
+    let (mut confidence, mut jumps) = confidence_in(subject, pairs, &ranked, known, whole);
     if confidence == Confidence::Near && drifts_from(subject, pairs, &ranked.best, whole) {
         confidence = Confidence::NoneFits;
     }

@@ -13,7 +13,9 @@ use tumbling::step::Method;
 pub(crate) fn momentum_for_spin(subject: &Subject, pairs: &[Pair]) -> Option<Rule> {
     let mass = median(pairs.iter().filter_map(|pair| {
         let turn = pair.turn()?.norm();
-        if turn > 0.0 { Some(subject.system.momentum(&pair.from.omega).norm() * pair.h / turn) } else { None }
+        // A turn of the size of its rounding is none.
+        let mass = subject.system.momentum(&pair.from.omega).norm() * pair.h / turn;
+        (turn > TURN_ROUNDINGS * f64::EPSILON).then_some(mass)
     }));
     (mass.is_finite() && mass > 0.0).then_some(Rule::plain(Base::MomentumForSpin(mass)))
 }
@@ -139,13 +141,15 @@ fn of_term(subject: &Subject, few: &[Pair], base: Base, term: f64, turned: Optio
 
 /// Other times of a spin that stays, which the turns alone show.
 fn of_still(few: &[Pair], base: Base, turned: Option<f64>) -> Vec<Rule> {
-    let Some(ratio) = turned.filter(|ratio| *ratio > 0.0 && !is_limited(*ratio, few.iter().copied())) else {
+    let Some(ratio) = turned.filter(|ratio| !is_limited(*ratio, few.iter().copied())) else {
         return Vec::new();
     };
     let times = simplest(ratio);
     let left_out = (2.0..=WHOLE_MOST).contains(&times) && times.fract() == 0.0;
     let bases = [Some(base), left_out.then(|| base.in_parts(times as u32))];
-    let apart = (times - 1.0).abs().min((1.0 / times - 1.0).abs()) > PACE_APART;
+    // No times are so much too long: an attitude that turns less hardly turns.
+    let turns = times * WHOLE_MOST >= 1.0;
+    let apart = turns && (times - 1.0).abs().min((1.0 / times - 1.0).abs()) > PACE_APART;
     let all = bases.into_iter().flatten().filter(|_| apart);
     all.map(|base| base.but(Alteration::Times(times))).collect()
 }

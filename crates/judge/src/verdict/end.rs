@@ -32,8 +32,8 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, options: &Options) -> Ver
     let floor = trial.known.floor.size;
     let end = End { trial: &trial, subject, options, laws: &laws, flips: flips.as_ref(), still };
     let mut complaints = end.complaints();
-    let (whole, steps) = (end.whole(&complaints), trial.sample.all());
-    let mut diagnosis = if still { None } else { diagnose(subject, steps, &trial.known, &whole) };
+    let (whole, steps) = (end.whole(&complaints), trial.sample());
+    let mut diagnosis = if still { None } else { diagnose(subject, &steps, &trial.known, &whole) };
     if free && trial.rows >= ENOUGH_ROWS {
         complaints.extend(diagnosis.as_ref().and_then(wrong_rule));
     }
@@ -85,7 +85,7 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, options: &Options) -> Ver
 fn is_still(trial: &Trial, subject: &Subject) -> bool {
     let (laws, floor) = (&trial.laws, trial.known.floor.size);
     laws.seen.constant
-        && !subject.should_change(trial.sample.all(), floor)
+        && !subject.should_change(&trial.sample(), floor)
         && (laws.on_axis() || !laws.untraceable() && laws.seen.moved <= STILL * floor)
 }
 
@@ -118,6 +118,7 @@ impl End<'_> {
             unkept: unkept.map(|law| law.name).collect(),
             fails,
             kept: !laws.untraceable() && self.laws.iter().all(|law| law.growth.rank() == 0),
+            repeats: self.trial.repeats(),
             share: *steps as f64 / (*pairs).max(1) as f64,
             on_wrong_side: complaints.iter().any(|complaint| {
                 let seen = [Seen::BodyInWorld, Seen::WorldInBody].map(Some);
@@ -128,7 +129,7 @@ impl End<'_> {
 
     /// What is wrong besides the laws and the rule.
     fn complaints(&self) -> Vec<Complaint> {
-        let Trial { known, laws, sample, steps, stopped, ended, rows, .. } = self.trial;
+        let Trial { known, laws, steps, stopped, ended, rows, .. } = self.trial;
         let mut all = Vec::new();
         all.extend(ended.clone().map(|at| Complaint::Ended { at }));
         all.extend(self.flips.into_iter().flat_map(|flips| spin_faults(flips, laws.shows_flips())));
@@ -144,7 +145,8 @@ impl End<'_> {
         if *steps == 0 {
             all.push(Complaint::NoSteps);
         }
-        all.extend(self.otherwise().map(|off| Complaint::Otherwise { off, seen: turned(sample.all()) }));
+        let seen = || turned(&self.trial.sample());
+        all.extend(self.otherwise().map(|off| Complaint::Otherwise { off, seen: seen() }));
         if self.free() && *rows >= ENOUGH_ROWS {
             let first = laws.separatrix().map(|x| x[0]);
             all.extend(wrong_pace(self.laws, first, [laws.periods(), laws.pace_left_open()], self.options));

@@ -83,10 +83,8 @@ impl Verdict {
             }
             (FileMistake::Times(times), _) => {
                 // What stands in the record, and what was put in its place.
-                let steps = self
-                    .record
-                    .step
-                    .map(|step| format!(" (rows dt = {:.6} s, put right {step:.6} s)", step / times));
+                let steps = |step| format!(" (rows dt = {:.6} s, put right {step:.6} s)", step / times);
+                let steps = self.record.step.map(steps);
                 mistake.words().replacen(':', &(steps.unwrap_or_default() + ":"), 1)
             }
             _ => mistake.words(),
@@ -210,10 +208,8 @@ impl Verdict {
         let mut all: Vec<Section> =
             self.record.engine.iter().map(|engine| section("Engine", [engine.clone()])).collect();
         all.push(section("Body", [format!("moments {} kg m²", three(self.moments))]));
-        all.extend(
-            self.torque
-                .map(|torque| section("Torque", [format!("{} N m, constant in the world", three(torque))])),
-        );
+        let torque = self.torque.map(|torque| format!("{} N m, constant in the world", three(torque)));
+        all.extend(torque.map(|words| section("Torque", [words])));
         let step = match self.record.step {
             Some(step) => format!("steps of {step:.6} s"),
             None => "steps of various lengths".into(),
@@ -241,10 +237,8 @@ impl Verdict {
         }));
         all.extend(record.gaps.map(|Gaps { count, line, longest }| {
             let places = if count == 1 { "one place".into() } else { format!("{count} places") };
-            let words = format!(
-                "rows are missing in {places}, the first before line {line}; the longest is {longest:.0} steps"
-            );
-            ("Gaps", words)
+            let first = format!("rows are missing in {places}, the first before line {line}");
+            ("Gaps", format!("{first}; the longest is {longest:.0} steps"))
         }));
         if !record.missing.is_empty() {
             let names: Vec<&str> = record.missing.iter().map(|law| law.words()).collect();
@@ -256,8 +250,10 @@ impl Verdict {
         }
         if record.sign_changes > 0 {
             let times = record.sign_changes;
-            let words = format!("the quaternion changes its sign {times} times; the attitude does not");
-            all.push(("Signs", words));
+            all.push((
+                "Signs",
+                format!("the quaternion changes its sign {times} times; the attitude does not"),
+            ));
         }
         all.into_iter().map(|(title, line)| section(title, [line])).collect()
     }

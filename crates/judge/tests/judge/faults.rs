@@ -103,7 +103,10 @@ fn a_tensor_may_be_written_in_six_or_nine_numbers_and_a_step_in_place_of_times()
     for (dt, says) in [
         ("dt: 1/60", "Some(0.01666"),
         ("dt: 1 / 60 s", "Some(0.01666"),
-        ("dt: 1/60 Hz", "Some(0.01666"),
+        ("dt: 1 / 60", "Some(0.01666"),
+        ("step: 1 / 60 (s)", "Some(0.01666"),
+        ("dt: 1/60 Hz", "line 1: the step is given as 1/60 Hz: 1/(1/60) s or 1/60 s? Write it in s"),
+        ("dt: 1 / 2 Hz", "line 1: the step is given as 1/2 Hz: 1/(1/2) s or 1/2 s?"),
         ("dt: 5 ms / frame", "Some(0.005"),
         ("dt: 100Hz", "Some(0.01"),
         ("dt: 0.1 kHz", "Some(0.01"),
@@ -116,9 +119,13 @@ fn a_tensor_may_be_written_in_six_or_nine_numbers_and_a_step_in_place_of_times()
         ("dt: 0 Hz", "line 1: the step is given as 0 Hz: it must be above zero"),
         ("dt: 100 MHz", "line 1: the unit `MHz` is not known: s, ms"),
         ("torque: 0,5 0 0", "line 1: a number has a decimal comma"),
+        ("torque: (0,5 0 0)", "line 1: a number has a decimal comma"),
+        ("torque: [0,5; 0; 0] N m", "line 1: a number has a decimal comma"),
+        ("torque: 1 2 3 4", "line 1: 4 numbers are given for the torque: give three"),
         ("step 3 of the tutorial", UNTIMED),
         ("Step 1: integrate", UNTIMED),
         ("step: 3 of 10", UNTIMED),
+        ("step: 3 / 10", UNTIMED),
     ] {
         let text = untimed.replacen("2.5 kg m2", &format!("2.5; {dt}"), 1);
         let found = judge(text.as_bytes(), &Options::default()).map(|verdict| verdict.record.step);

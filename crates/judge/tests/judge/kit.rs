@@ -117,21 +117,15 @@ fn the_stories_cover_the_spins_and_their_times_fall_on_every_step() {
     let (steps, stories) = kit();
     assert_eq!(steps, ["1/30", "1/60", "1/240", "1/1000"]);
     for spin in [0.1, 1.0, 5.0, 30.0] {
-        assert!(
-            stories.iter().any(|(x, _)| (Vector3::from(x.spin).norm() / spin - 1.0).abs() < 0.01),
-            "{spin}"
-        );
+        let off = |story: &Story| (Vector3::from(story.spin).norm() / spin - 1.0).abs();
+        assert!(stories.iter().any(|(story, _)| off(story) < 0.01), "{spin}");
     }
     for (story, _) in &stories {
         for answer in &story.answers {
             for step in &steps {
                 let count = answer.time / seconds(step);
-                assert!(
-                    (count - count.round()).abs() < 1e-9 * count,
-                    "{} {} {step}",
-                    story.name,
-                    answer.time
-                );
+                let off = (count - count.round()).abs();
+                assert!(off < 1e-9 * count, "{} {} {step}", story.name, answer.time);
             }
         }
     }

@@ -8,7 +8,7 @@ use tumbling::attitude::product;
 use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, State, System};
-use tumbling_judge::{LawName, Note, Options, Outcome, judge};
+use tumbling_judge::{Confidence, LawName, Note, Options, Outcome, judge};
 
 const SPIN: Vector3<f64> = Vector3::new(1.0, 2.0, 1.5);
 
@@ -59,10 +59,8 @@ fn a_step_of_the_header_that_is_a_part_of_the_row_s_is_named_so_and_another_is_n
         judged(&lines.collect::<String>())
     };
     let verdict = short("# dt: 1/240\n");
-    assert!(
-        verdict.record.notes.iter().any(|note| matches!(note, Note::StepsPerRow { steps: 4, .. })),
-        "{verdict}"
-    );
+    let is_fourth = |note: &Note| matches!(note, Note::StepsPerRow { steps: 4, .. });
+    assert!(verdict.record.notes.iter().any(is_fourth), "{verdict}");
     assert!(!verdict.to_string().contains("are steps of the length"), "{verdict}");
     assert_eq!(verdict.record.step.map(|step| (step * 60.0 * 1e9).round()), Some(1e9));
     let verdict = judged(&every(4, "# dt: 0.007\n", &rows));
@@ -91,13 +89,48 @@ fn damping_in_each_step_is_named_where_only_every_third_is_written() {
 }
 
 #[test]
-fn a_spin_that_a_limit_cuts_once_and_that_stays_is_not_said_to_be_written_twice() {
+fn a_spin_that_a_limit_cuts_and_that_stays_is_not_said_to_be_written_twice() {
     let rows: Vec<Row> = stepped(Method::ConstantSpin, SPIN, 0.02, 300);
-    let cut = |(i, row): (usize, &Row)| (row.0, row.1, row.2 * if i == 0 { 1.03 } else { 1.0 });
-    let rows: Vec<Row> = rows.iter().enumerate().map(cut).collect();
-    let text = csv(&rows).replace("t,qw,qx,qy,qz,", "t,a,b,c,d,");
-    let found = judged(&text).diagnosis.unwrap();
-    assert!(found.jumps.len() == 1 && found.best.rule.name() == "no gyroscopic term", "{found}");
+    for cuts in [&[1][..], &[100, 200]] {
+        let cut = |(i, row): (usize, &Row)| {
+            (row.0, row.1, row.2 * 0.97_f64.powi(cuts.iter().filter(|at| i >= **at).count() as i32))
+        };
+        let rows: Vec<Row> = rows.iter().enumerate().map(cut).collect();
+        let text = csv(&rows).replace("t,qw,qx,qy,qz,", "t,a,b,c,d,");
+        let found = judged(&text).diagnosis.unwrap();
+        let name = found.best.rule.name();
+        assert!(found.jumps.len() == cuts.len() && name == "no gyroscopic term", "{found}");
+    }
+}
+
+/// The rows at these places of a run, under times of their own, between rows on the straight line.
+fn placed(rows: &[Row], places: impl Iterator<Item = f64>) -> String {
+    let at = |(i, place): (usize, f64)| {
+        let (a, b, share) = (rows[place as usize], rows[place.ceil() as usize], place.fract());
+        let spin = a.2 * (1.0 - share) + b.2 * share;
+        (0.01 * i as f64, a.1 * (1.0 - share) + b.1 * share, spin)
+    };
+    csv(&places.enumerate().map(at).collect::<Vec<_>>())
+}
+
+#[test]
+fn rows_that_are_written_again_or_interpolated_name_no_rule_however_many() {
+    for method in [Method::Gauss4, Method::SemiImplicitEuler] {
+        let rows = stepped(method, SPIN, 0.01, 3000);
+        let is = |wanted: Confidence, places: &mut dyn Iterator<Item = f64>| {
+            let found = judged(&placed(&rows, places)).diagnosis.unwrap();
+            assert!(found.confidence == wanted, "{} {found}", found.steps);
+        };
+        for (copies, count) in [(2, 1200), (3, 1200), (20, 1200), (25, 1200), (2, 6000)] {
+            is(Confidence::Repeated, &mut (0..count).map(|i: u32| f64::from(i / copies)));
+        }
+        let stalls = (0..600).flat_map(|i| vec![f64::from(i); if i % 200 == 100 { 31 } else { 1 }]);
+        is(Confidence::Repeated, &mut stalls.into_iter());
+        for (count, parts) in [(500, 2.0), (3000, 2.0), (3000, 5.0)] {
+            let count = count * parts as u32;
+            is(Confidence::Interpolated, &mut (0..count).map(|i| f64::from(i) / parts));
+        }
+    }
 }
 
 #[test]

@@ -69,9 +69,7 @@ fn a_spin_without_its_gyroscopic_term_fails_however_few_its_digits() {
 fn an_error_beyond_the_limit_is_never_kept_to_rounding_and_a_great_one_never_bounded() {
     for digits in [4, 5, 6] {
         let verdict = judged(&text(&plain(true, false, 1200), |x| significant(x, digits)));
-        for law in verdict.broken() {
-            assert!(law.growth.rank() > 0, "{law}");
-        }
+        assert!(verdict.broken().all(|law| law.growth.rank() > 0), "{verdict}");
     }
     // An energy that grows a millionfold in a second, and stays there.
     let mut text = String::from("# inertia: 1 2 2.5\nt,wx,wy,wz\n");

@@ -166,10 +166,8 @@ fn an_attitude_that_is_turned_on_the_wrong_side_or_twice_is_named_with_its_remed
             assert!(said.contains(name), "{said}");
             // The spin alone shows that it changes too far, and not why.
             let said = judged(&timed(BODIES[0], &rows, 1, 0.5)).to_string();
-            assert!(
-                said.contains("either twice the gyroscopic term, or times that are 2 times too short"),
-                "{said}"
-            );
+            let either = "either twice the gyroscopic term, or times that are 2 times too short";
+            assert!(said.contains(either), "{said}");
             assert!(said.contains("stands on the wrong side of the attitude"), "{said}");
             assert!(said.contains("first mend how the attitude turns"), "{said}");
         }
@@ -216,12 +214,16 @@ fn noise_scatters_and_the_roundings_of_a_fine_run_turned_on_the_wrong_side_do_no
 
 #[test]
 fn where_the_spin_stays_a_turn_twice_as_far_is_said_and_not_whether_step_or_times_are_wrong() {
-    for times in [0.5, 2.0] {
-        let rows = run(BODIES[0], SPINS[3].into(), Some(Method::ConstantSpin));
+    let rows = run(BODIES[0], SPINS[3].into(), Some(Method::ConstantSpin));
+    for times in [0.5, 2.0, 10.0] {
         let said = judged(&timed(BODIES[0], &rows, 1, times)).to_string();
         let rule = format!("turned {} times as far as the spin says, no gyroscopic", 1.0 / times);
         assert!(said.contains(&rule) && !said.contains("twice a step, no"), "{said}");
         let seen = format!("about the spin's axis, and {:.3} times as far", 1.0 / times);
         assert!(said.contains(&seen) && !said.contains("times that are"), "{said}");
     }
+    // What hardly turns is turned no number of times too far.
+    let stays = rows.iter().map(|(t, _, w)| (*t, Quaternion::from_parts(1.0, w * (5e-16 * t)), *w));
+    let said = judged(&timed(BODIES[0], &stays.collect::<Vec<_>>(), 1, 1.0)).to_string();
+    assert!(!said.contains("turned 0 times") && !said.contains("momentum taken for"), "{said}");
 }
