@@ -11,8 +11,8 @@ use nalgebra::Vector3;
 /// Principal moments in kg m², in the order given: finite, positive, and none above the sum of the other two
 /// by more than rounding (4 units in the last place of the largest).
 ///
-/// Vectors that go with them, such as a spin, are along the same three axes in the same order. Of
-/// moments with rounded digits [`Inertia::within`] finds the nearest that are possible, of a diagonal tensor.
+/// Vectors that go with them, such as a spin, are along the same three axes in the same order. For
+/// rounded moments, give [`Inertia::within`] a diagonal tensor: it finds the nearest possible one.
 ///
 /// ```
 /// use tumbling::{Axis, PrincipalMoments};

@@ -128,7 +128,7 @@ pub(crate) fn spread(body: &BodyModel) -> Option<String> {
     let dense = format!(": a ball with these would need {density:.1e} kg/m³");
     let dense = if density.is_finite() { dense } else { String::new() };
     let why = (!(1e-3..SOLIDS.end).contains(&density)).then_some(dense).or(large)?;
-    let [mass, most] = [mass, moments.max()].map(short);
+    let [mass, most] = [short(mass), plain(moments.max())];
     Some(format!("{mass} kg and moments up to {most} kg m²{why}. Are the units right?"))
 }
 

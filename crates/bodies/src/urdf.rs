@@ -165,7 +165,7 @@ fn held(document: &Document<'_>, name: &str, heavy: &[&str], with: &[&str]) -> O
     let left: Vec<_> = heavy.iter().copied().filter(out).collect();
     let asked =
         "is it one body with them? Then name each in a `[[part]]`, by `urdf`, `link`, `at` and `turn`";
-    let held = format!("fixed joints hold {} to `{name}`, read alone: {asked}", first(&left, 3));
+    let held = format!("without {}, which fixed joints hold to `{name}`: {asked}", first(&left, 3));
     Some(held).filter(|_| !left.is_empty())
 }
 
@@ -322,7 +322,7 @@ mod tests {
         let line = |kind: &str| joint(kind, "flange", "tool") + &joint("fixed", "arm", "flange");
         for ends in [line("fixed"), line("fixed") + &joint("fixed", "tool", "arm")] {
             for [read, left] in [["arm", "tool"], ["tool", "arm"]] {
-                let asked = format!("fixed joints hold `{left}` to `{read}`, read alone: is it one body");
+                let asked = format!("without `{left}`, which fixed joints hold to `{read}`: is it one body");
                 assert!(robot(&ends, read, &[]).unwrap().starts_with(&asked));
                 assert_eq!(robot(&ends, read, &[read, left]), None);
             }

@@ -69,14 +69,18 @@ macro_rules! compared {
                 parts_seen[end.parts.min(2) as usize] = true;
             }
             assert_eq!(parts_seen, [true; 3]);
+            let mut taken = [0; 2_000];
             $file::step_all(
                 &mut all[..],
                 0..2_000,
                 0.0625,
                 |all, k| (&all[k].1, all[k].2, all[k].3),
-                |all, k, q, w, _| (all[k].2, all[k].3) = (q, w),
+                |all, k, q, w, parts| (all[k].2, all[k].3, taken[k]) = (q, w, parts),
             );
-            for ((_, _, q, w), ((_, q_alone, w_alone), _)) in all.iter().zip(&together) {
+            for (((_, _, q, w), taken), ((_, q_alone, w_alone), parts)) in
+                all.iter().zip(taken).zip(&together)
+            {
+                assert_eq!(taken, *parts);
                 let [x, y, z, s] = q_alone.coords.into();
                 assert_eq!(q.map($of_bits), [s, x, y, z].map($of_bits));
                 assert_eq!(w.map($of_bits), <[$real; 3]>::from(*w_alone).map($of_bits));

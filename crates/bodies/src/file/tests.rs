@@ -278,5 +278,5 @@ fn links_that_fixed_joints_hold_are_questioned_until_each_is_a_part() {
     let text = |rest: &str| format!("[[part]]\nurdf = 'arm.urdf'\nlink = 'arm'\n[[part]]\n{rest}");
     let asked = |rest| BodyModel::from_toml(&text(rest), Path::new("tests/files")).unwrap().question;
     assert_eq!(asked("urdf = 'arm.urdf'\nlink = 'tool'\nat = [1, 0, 0]\nturn = [0, 0, 1, 90]"), None);
-    assert!(asked("body = 'book'").unwrap().starts_with("fixed joints hold `tool` to `arm`, read alone"));
+    assert!(asked("body = 'book'").unwrap().starts_with("without `tool`, which fixed joints hold to `arm`"));
 }
