@@ -86,8 +86,8 @@ advices! {
          phase are off, by less in shorter steps." in STEPS;
     KEEPS_MOMENTUM: "It keeps the momentum to rounding. Energy and phase are off, by less in shorter steps." in STEPS;
     OF_ORDER: "Its errors add up: take shorter steps, or for long runs a method that keeps the laws." in STEPS;
-    NO_TERM: "There is no gyroscopic term: a body never flips by itself, and its momentum wanders unless it spins along an \
-         axis (the spin looks the same where the momentum is taken for it). Turn the momentum in the body (three exact turns a \
+    NO_TERM: "There is no gyroscopic term: a body never flips by itself, and its momentum wanders unless it spins along a \
+         principal axis (the spin looks the same where the momentum is taken for it). Turn the momentum in the body (three exact turns a \
          step). An engine's flag for gyroscopic forces makes it flip, and may lose a stable spin: record that." in PITFALL_FLIPS;
     EXPLICIT: "The gyroscopic term is taken at the start of the step and adds energy to a body that wobbles. Turn the \
          momentum instead of adding to it (three exact turns a step)." in REMEDY;
