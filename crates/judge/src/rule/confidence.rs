@@ -57,8 +57,8 @@ confidences! {
     Altered: "altered", "None of the known rules fits. What is seen is";
     /// Rows lie on straight lines between others: they are interpolated.
     Interpolated: "interpolated", "The rows are interpolated between the engine's steps, and name no rule. Nearest is";
-    /// Rows are written more than once, under other times.
-    Repeated: "repeated", "Rows are written twice, and name no rule. Nearest is";
+    /// Rows repeat the row before them, under other times.
+    Repeated: "repeated", "Rows repeat the row before them, and name no rule. Nearest is";
     /// Rows scatter about a smooth motion: half precision, or a noisy sensor.
     Scattered: "scattered", "The rows scatter about a smooth motion, and name no rule. Nearest is";
     /// None of the rules known here.

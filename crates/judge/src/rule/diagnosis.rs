@@ -104,7 +104,7 @@ pub(crate) struct Whole {
     pub kept: bool,
     /// The share of the pairs of rows that are one step apart.
     pub share: f64,
-    /// Whether rows are written more than once.
+    /// Whether rows repeat the row before them.
     pub repeats: bool,
     /// Whether the attitude is turned on the wrong side.
     pub on_wrong_side: bool,

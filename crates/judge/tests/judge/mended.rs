@@ -89,7 +89,7 @@ fn damping_in_each_step_is_named_where_only_every_third_is_written() {
 }
 
 #[test]
-fn a_spin_that_a_limit_cuts_and_that_stays_is_not_said_to_be_written_twice() {
+fn a_spin_that_a_limit_cuts_and_that_stays_is_not_said_to_repeat_rows() {
     let rows: Vec<Row> = stepped(Method::ConstantSpin, SPIN, 0.02, 300);
     for cuts in [&[1][..], &[100, 200]] {
         let cut = |(i, row): (usize, &Row)| {
