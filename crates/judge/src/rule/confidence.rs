@@ -56,11 +56,11 @@ confidences! {
     /// gyroscopic term, explains nearly all that is seen.
     Altered: "altered", "None of the known rules fits. What is seen is";
     /// Rows lie on straight lines between others: they are interpolated.
-    Interpolated: "interpolated", "The rows are interpolated between the engine's steps, and name no rule. Nearest is";
+    Interpolated: "interpolated", "The rows are interpolated between the engine's steps, and name no rule";
     /// Rows repeat the row before them, under other times.
-    Repeated: "repeated", "Rows repeat the row before them, and name no rule. Nearest is";
+    Repeated: "repeated", "Rows repeat the row before them, and name no rule";
     /// Rows scatter about a smooth motion: half precision, or a noisy sensor.
-    Scattered: "scattered", "The rows scatter about a smooth motion, and name no rule. Nearest is";
+    Scattered: "scattered", "The rows scatter about a smooth motion, and name no rule";
     /// None of the rules known here.
     NoneFits: "none fits", "None of the known rules fits. Nearest is";
 }

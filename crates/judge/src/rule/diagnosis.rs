@@ -121,9 +121,10 @@ impl Diagnosis {
     /// Whether nothing is known of the rule of a record that fails: that the exact motion is the nearest of
     /// those known says nothing for it.
     pub(crate) fn is_open(&self) -> bool {
-        let nearest = self.best.rule.base == Base::Exact && !matches!(self.confidence, Confidence::Altered);
+        use Confidence::{Altered, Interpolated, Repeated, Scattered};
+        let nearest = self.best.rule.base == Base::Exact && self.confidence != Altered;
         let unnamed = !self.confidence.names_a_rule() && self.confidence != Confidence::FewDigits;
-        let of_rows = matches!(self.confidence, Confidence::Repeated | Confidence::Scattered);
+        let of_rows = matches!(self.confidence, Interpolated | Repeated | Scattered);
         of_rows || self.fails && nearest && unnamed
     }
 
