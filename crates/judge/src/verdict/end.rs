@@ -145,7 +145,7 @@ impl End<'_> {
         if *steps == 0 {
             all.push(Complaint::NoSteps);
         }
-        let seen = || turned(&self.trial.sample());
+        let seen = || turned(&self.trial.sample()).filter(|_| !self.trial.repeats());
         all.extend(self.otherwise().map(|off| Complaint::Otherwise { off, seen: seen() }));
         if self.free() && *rows >= ENOUGH_ROWS {
             let first = laws.separatrix().map(|x| x[0]);
