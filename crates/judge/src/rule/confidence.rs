@@ -91,8 +91,7 @@ pub(super) fn confidence_in(
     let fitted = usize::from(has_fitted_number(&best.rule, known.clock.per_row));
     let much = |above: f64| explains_much(subject, pairs, best, floor, above);
     let clear = is_exact || much(ERROR_ABOVE[fitted]);
-    let most = floor.limits()[1];
-    let jumps = if closely { jumps(subject, pairs, &best.rule, most) } else { None };
+    let jumps = if closely { jumps(subject, pairs, &best.rule, floor.limits()[1]) } else { None };
     // An exact spin alone says nothing of what turned the attitude.
     let of_spin = best.rule == Base::Exact.but(Alteration::Turned(Turn::Otherwise));
     let confidence = if whole.repeats {

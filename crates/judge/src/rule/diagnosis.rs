@@ -100,6 +100,8 @@ pub(crate) struct Whole {
     pub unkept: Vec<LawName>,
     /// Whether it fails, whatever its rule.
     pub fails: bool,
+    /// Whether it fails by its columns, by resets or by how the attitude turns alone, and not by a rule.
+    pub fails_otherwise: bool,
     /// Whether all is kept to rounding.
     pub kept: bool,
     /// The share of the pairs of rows that are one step apart.
