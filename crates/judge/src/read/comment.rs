@@ -76,8 +76,8 @@ fn seconds(text: &str, name: &str, named: bool) -> Result<Option<f64>, String> {
     let known = !unit.is_empty() || period(1.0, next).is_some();
     let frequency = !known && next.to_lowercase().ends_with("hz");
     let unit = if unit.is_empty() && (known || frequency) { next } else { unit };
-    // `step: 3 / 10` is the third of ten.
-    let counts = said != whole && name != "dt" && unit.is_empty();
+    // `step: 3 / 10` is the third of ten, but a time step is no count.
+    let counts = said != whole && name == "step" && unit.is_empty();
     match period(over / under, unit) {
         Some(_) if number.contains('/') && period(2.0, unit) < period(1.0, unit) => {
             let said = said.trim();
@@ -199,7 +199,7 @@ impl Header {
             self.torque = all.get(..3).map(|three| Vector3::from_fn(|i, _| three[i].0));
             unread = unread.or(self.torque.is_none().then_some("torque"));
         }
-        for word in ["dt", "timestep", "step"] {
+        for word in ["dt", "timestep", "time step", "time_step", "time-step", "step size", "step"] {
             if let Some(text) = after(comment, word).filter(|_| self.step.is_none()) {
                 no_decimal_comma(text, 1).map_err(wrong)?;
                 self.step = seconds(text, word, named(text)).map_err(wrong)?;

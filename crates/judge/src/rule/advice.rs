@@ -50,6 +50,7 @@ advices! {
     ADDS_UP: "Each step is right to the record's rounding, and over the whole record the laws named here are not kept: \
          errors below that rounding add up. Record all digits, or longer steps, and judge it again.";
     NAMED_HERE: "To the record's rounding the steps are the motion itself: what fails is named here, and is not the rule.";
+    NOT_THE_RULE: "What fails is named here, and is not the rule.";
     OTHER_BODY: "The engine steps a body with other moments, or about other axes, than the record says: look for a wrong \
          order of axes, a principal frame that is left out, or a shape that replaces the moments set. A free body shows \
          their ratios, never their common scale." in AXES;
@@ -66,7 +67,7 @@ advices! {
     TURN_FIRST: "The attitude does not turn by the spin: first mend how the attitude turns, and judge again.";
     SIDE: "The turn of a step stands on the wrong side of the attitude: with q from body to world write q * dq where dq is \
          made of a spin in body axes, and dq * q where it is made of a spin in world axes.";
-    OWN_UPDATE: "The turn does not belong to the spin: take attitude and spin at the end of the step both from this rule, \
+    OWN_TURN: "The turn does not belong to the spin: take attitude and spin at the end of the step both from this rule, \
          after all that changes the spin, and take out the engine's own update of the attitude." in STAGE;
     ONE_INSTANT: "A row's spin and attitude are of two instants: turn by the new spin, and write both after the step.";
     TURNED_OTHERWISE: "The spin goes by this rule, and the attitude does not follow it: look at how the spin turns the \
@@ -86,8 +87,8 @@ advices! {
          phase are off, by less in shorter steps." in STEPS;
     KEEPS_MOMENTUM: "It keeps the momentum to rounding. Energy and phase are off, by less in shorter steps." in STEPS;
     OF_ORDER: "Its errors add up: take shorter steps, or for long runs a method that keeps the laws." in STEPS;
-    NO_TERM: "There is no gyroscopic term: a body never flips by itself, and its momentum wanders unless it spins along an \
-         axis (the spin looks the same where the momentum is taken for it). Turn the momentum in the body (three exact turns a \
+    NO_TERM: "There is no gyroscopic term: a body never flips by itself, and its momentum wanders unless it spins along a \
+         principal axis (the spin looks the same where the momentum is taken for it). Turn the momentum in the body (three exact turns a \
          step). An engine's flag for gyroscopic forces makes it flip, and may lose a stable spin: record that." in PITFALL_FLIPS;
     EXPLICIT: "The gyroscopic term is taken at the start of the step and adds energy to a body that wobbles. Turn the \
          momentum instead of adding to it (three exact turns a step)." in REMEDY;
@@ -140,7 +141,8 @@ impl Advice {
         // A term that is found by the spin alone says nothing of what turns the attitude.
         let side = (whole.on_wrong_side && one != Self::SIDE && rule.is_of_spin()).then_some(Self::SIDE);
         let fine = [Self::NOTHING, Self::KEEPS_ALL, Self::KEEPS_SIZES, Self::KEEPS_MOMENTUM, Self::OF_ORDER];
-        std::iter::once(one).chain(side).chain(more.filter(|more| !fine.contains(more))).collect()
+        let other = (whole.fails_otherwise && fine[1..4].contains(&one)).then_some(Self::NOT_THE_RULE);
+        other.into_iter().chain([one]).chain(side).chain(more.filter(|more| !fine.contains(more))).collect()
     }
 
     /// What follows from a rule that all steps are made by.
@@ -154,9 +156,7 @@ impl Advice {
             (Some(Alteration::TermOrTimes(_)), _) if turns => Self::TURN_FIRST,
             (Some(Alteration::TermOrTimes(_)), _) => Self::TERM_OR_TIMES,
             (Some(Alteration::Turned(Turn::BodyInWorld | Turn::WorldInBody)), _) => Self::SIDE,
-            (Some(Alteration::Turned(Turn::TwiceBefore | Turn::TwiceAfter | Turn::Own)), _) => {
-                Self::OWN_UPDATE
-            }
+            (Some(Alteration::Turned(Turn::TwiceBefore | Turn::TwiceAfter | Turn::Own)), _) => Self::OWN_TURN,
             (Some(Alteration::Turned(Turn::Old | Turn::Late | Turn::Early)), _) => Self::ONE_INSTANT,
             (Some(Alteration::Turned(Turn::Otherwise)), _) => Self::TURNED_OTHERWISE,
             (Some(Alteration::Capped(_)), _) => Self::CAP,

@@ -56,11 +56,11 @@ confidences! {
     /// gyroscopic term, explains nearly all that is seen.
     Altered: "altered", "None of the known rules fits. What is seen is";
     /// Rows lie on straight lines between others: they are interpolated.
-    Interpolated: "interpolated", "The rows are interpolated between the engine's steps, and name no rule. Nearest is";
-    /// Rows are written more than once, under other times.
-    Repeated: "repeated", "Rows are written twice, and name no rule. Nearest is";
+    Interpolated: "interpolated", "The rows are interpolated between the engine's steps, and name no rule";
+    /// Rows repeat the row before them, under other times.
+    Repeated: "repeated", "Rows repeat the row before them, and name no rule";
     /// Rows scatter about a smooth motion: half precision, or a noisy sensor.
-    Scattered: "scattered", "The rows scatter about a smooth motion, and name no rule. Nearest is";
+    Scattered: "scattered", "The rows scatter about a smooth motion, and name no rule";
     /// None of the rules known here.
     NoneFits: "none fits", "None of the known rules fits. Nearest is";
 }
@@ -91,8 +91,7 @@ pub(super) fn confidence_in(
     let fitted = usize::from(has_fitted_number(&best.rule, known.clock.per_row));
     let much = |above: f64| explains_much(subject, pairs, best, floor, above);
     let clear = is_exact || much(ERROR_ABOVE[fitted]);
-    let most = floor.limits()[1];
-    let jumps = if closely { jumps(subject, pairs, &best.rule, most) } else { None };
+    let jumps = if closely { jumps(subject, pairs, &best.rule, floor.limits()[1]) } else { None };
     // An exact spin alone says nothing of what turned the attitude.
     let of_spin = best.rule == Base::Exact.but(Alteration::Turned(Turn::Otherwise));
     let confidence = if whole.repeats {

@@ -100,11 +100,13 @@ pub(crate) struct Whole {
     pub unkept: Vec<LawName>,
     /// Whether it fails, whatever its rule.
     pub fails: bool,
+    /// Whether it fails by its columns, by resets or by how the attitude turns alone, and not by a rule.
+    pub fails_otherwise: bool,
     /// Whether all is kept to rounding.
     pub kept: bool,
     /// The share of the pairs of rows that are one step apart.
     pub share: f64,
-    /// Whether rows are written more than once.
+    /// Whether rows repeat the row before them.
     pub repeats: bool,
     /// Whether the attitude is turned on the wrong side.
     pub on_wrong_side: bool,
@@ -121,9 +123,10 @@ impl Diagnosis {
     /// Whether nothing is known of the rule of a record that fails: that the exact motion is the nearest of
     /// those known says nothing for it.
     pub(crate) fn is_open(&self) -> bool {
-        let nearest = self.best.rule.base == Base::Exact && !matches!(self.confidence, Confidence::Altered);
+        use Confidence::{Altered, Interpolated, Repeated, Scattered};
+        let nearest = self.best.rule.base == Base::Exact && self.confidence != Altered;
         let unnamed = !self.confidence.names_a_rule() && self.confidence != Confidence::FewDigits;
-        let of_rows = matches!(self.confidence, Confidence::Repeated | Confidence::Scattered);
+        let of_rows = matches!(self.confidence, Interpolated | Repeated | Scattered);
         of_rows || self.fails && nearest && unnamed
     }
 

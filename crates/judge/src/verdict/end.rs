@@ -113,7 +113,9 @@ impl End<'_> {
         let broken: Vec<LawName> = self.broken().map(|law| law.name).collect();
         let fails = !sound || !broken.is_empty() || !complaints.is_empty();
         let unkept = self.laws.iter().filter(|law| is_length(law.name) && law.growth.rank() > 0);
+        let of_rows = |x: &Complaint| matches!(x, Complaint::Ended { .. } | Complaint::Otherwise { .. });
         Whole {
+            fails_otherwise: fails && broken.is_empty() && complaints.iter().all(of_rows),
             broken,
             unkept: unkept.map(|law| law.name).collect(),
             fails,
@@ -145,7 +147,7 @@ impl End<'_> {
         if *steps == 0 {
             all.push(Complaint::NoSteps);
         }
-        let seen = || turned(&self.trial.sample());
+        let seen = || turned(&self.trial.sample()).filter(|_| !self.trial.repeats());
         all.extend(self.otherwise().map(|off| Complaint::Otherwise { off, seen: seen() }));
         if self.free() && *rows >= ENOUGH_ROWS {
             let first = laws.separatrix().map(|x| x[0]);
@@ -190,11 +192,10 @@ fn turned(pairs: &[Pair]) -> Option<Seen> {
     let body = middle(&|turn, spin, start| across(start * turn, spin));
     let world = middle(&|turn, spin, start| across(turn, start * spin));
     let times = middle(&|turn, spin, _| turn.dot(&spin) / spin.norm_squared());
-    let agrees = |off: f64| off < TURNS_AGREE;
-    match (agrees(plain), agrees(own), agrees(body.min(world))) {
-        (true, ..) => None,
-        (_, true, _) => ((times - 1.0).abs() > PACE_APART).then_some(Seen::Times(times)),
-        (.., true) => Some(if body <= world { Seen::BodyInWorld } else { Seen::WorldInBody }),
+    match [plain, own, body.min(world)].map(|off| off < TURNS_AGREE) {
+        [true, ..] => None,
+        [_, true, _] => ((times - 1.0).abs() > PACE_APART).then_some(Seen::Times(times)),
+        [.., true] => Some(if body <= world { Seen::BodyInWorld } else { Seen::WorldInBody }),
         _ => (own > NEARER_READING).then_some(Seen::OtherAxis),
     }
 }
@@ -217,9 +218,8 @@ fn missing(attitude: bool, kind: Kind) -> Vec<LawName> {
 fn spin_faults(flips: &FlipCount, [axis, shown]: [bool; 2]) -> impl Iterator<Item = Complaint> + use<> {
     let over = flips.turned_over.filter(|_| axis).map(|time| Complaint::TurnedOver { time });
     let counted = match (flips.found, flips.exact) {
-        _ if !shown => None,
-        (0, exact) if exact > 0 => Some(Complaint::NeverFlips { exact }),
-        (found, 0) if found > 0 => Some(Complaint::Flips { found }),
+        (0, exact) if shown && exact > 0 => Some(Complaint::NeverFlips { exact }),
+        (found, 0) if shown && found > 0 => Some(Complaint::Flips { found }),
         _ => None,
     };
     over.into_iter().chain(counted)

@@ -1,6 +1,6 @@
 //! A diagnosis in words.
 
-use crate::rule::{Advice, Confidence, Diagnosis, Jump, Rule};
+use crate::rule::{Advice, Base, Confidence, Diagnosis, Jump, Rule};
 use crate::thresholds::*;
 use crate::verdict::plain_number;
 use std::fmt;
@@ -46,10 +46,8 @@ impl Diagnosis {
             (_, count) => format!("But for jumps ({count}) all steps agree to rounding with: {}", names[0]),
         };
         let mut lines = vec![words];
-        let unsaid = {
-            use Confidence::{FewDigits, NoneFits, Repeated, Scattered};
-            matches!(self.confidence, FewDigits | NoneFits | Repeated | Scattered)
-        };
+        let unsaid =
+            self.is_open() || matches!(self.confidence, Confidence::FewDigits | Confidence::NoneFits);
         if !self.engines.is_empty() && !unsaid {
             lines.push(format!("as in {}", self.engines.join("; or in ")));
         }
@@ -65,8 +63,9 @@ impl Diagnosis {
     pub(crate) fn details(&self) -> Vec<String> {
         let (half, most) = (plain_number(self.best.median), plain_number(self.best.percentile_95));
         let mut lines: Vec<String> = self.jumps.iter().map(Jump::words).collect();
-        let (steps, of) = (self.steps, if self.is_open() { " of the exact motion's" } else { "" });
-        lines.push(format!("of {steps} steps half are within {half}{of}, 95 in 100 within {most}"));
+        let nearest = if self.best.rule.base == Base::Exact { "exact motion" } else { "nearest known rule" };
+        let of = if self.is_open() { format!(" of the {nearest}'s") } else { String::new() };
+        lines.push(format!("of {} steps half are within {half}{of}, 95 in 100 within {most}", self.steps));
         if self.share < 1.0 {
             lines.push(format!("{:.0} % of the rows follow the one before by one step", 100.0 * self.share));
         }

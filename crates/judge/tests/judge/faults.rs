@@ -100,11 +100,12 @@ fn a_tensor_may_be_written_in_six_or_nine_numbers_and_a_step_in_place_of_times()
         assert!(error.starts_with(says), "{error}");
         assert!(with(Some(Vector3::new(1.0, 2.0, 2.5)), bad).is_ok(), "{bad}");
     }
-    for (dt, says) in [
-        ("dt: 1/60", "Some(0.01666"),
-        ("dt: 1 / 60 s", "Some(0.01666"),
-        ("dt: 1 / 60", "Some(0.01666"),
-        ("step: 1 / 60 (s)", "Some(0.01666"),
+    let times = "dt: 1/60|dt: 1 / 60 s|dt: 1 / 60|step: 1 / 60 (s)|timestep: 1 / 60|time step: 1 / 60|\
+                 time_step: 1 / 60|step size: 1 / 60"
+        .split('|');
+    let counts = "step 3 of the tutorial|Step 1: integrate|step: 3 of 10|step: 3 / 10".split('|');
+    let read = times.map(|dt| (dt, "Some(0.01666")).chain(counts.map(|dt| (dt, UNTIMED)));
+    for (dt, says) in read.chain([
         ("dt: 1/60 Hz", "line 1: the step is given as 1/60 Hz: 1/(1/60) s or 1/60 s? Write it in s"),
         ("dt: 1 / 2 Hz", "line 1: the step is given as 1/2 Hz: 1/(1/2) s or 1/2 s?"),
         ("dt: 5 ms / frame", "Some(0.005"),
@@ -122,11 +123,7 @@ fn a_tensor_may_be_written_in_six_or_nine_numbers_and_a_step_in_place_of_times()
         ("torque: (0,5 0 0)", "line 1: a number has a decimal comma"),
         ("torque: [0,5; 0; 0] N m", "line 1: a number has a decimal comma"),
         ("torque: 1 2 3 4", "line 1: 4 numbers are given for the torque: give three"),
-        ("step 3 of the tutorial", UNTIMED),
-        ("Step 1: integrate", UNTIMED),
-        ("step: 3 of 10", UNTIMED),
-        ("step: 3 / 10", UNTIMED),
-    ] {
+    ]) {
         let text = untimed.replacen("2.5 kg m2", &format!("2.5; {dt}"), 1);
         let found = judge(text.as_bytes(), &Options::default()).map(|verdict| verdict.record.step);
         let found = found.map_or_else(|error| error.to_string(), |step| format!("{step:?}"));

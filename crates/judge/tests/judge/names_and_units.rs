@@ -1,8 +1,8 @@
 //! What is read from column names, units and comments, and what is said of those that are not read.
 
-use crate::common::{MOMENTS, Row, csv, exact, judged};
+use crate::common::{MOMENTS, Row, csv, exact, judged, stepped};
 use nalgebra::{Quaternion, Vector3};
-use tumbling::attitude::rotation_matrix;
+use tumbling::{attitude::rotation_matrix, step::Method};
 use tumbling_judge::{FileMistake, Options, Outcome, Verdict, judge};
 
 const SPIN: Vector3<f64> = Vector3::new(1.0, 2.0, 1.5);
@@ -159,9 +159,11 @@ fn a_momentum_under_the_names_of_a_spin_is_named() {
 
 #[test]
 fn an_inverse_of_the_common_order_is_named_by_the_common_names() {
-    let rows = altered(|(t, q, w)| (*t, Quaternion::new(-q.i, -q.j, -q.k, q.w), *w));
-    let verdict = judged(&csv(&rows));
+    let inverse = |(t, q, w): Row| (t, Quaternion::new(-q.i, -q.j, -q.k, q.w), w);
+    let rows = stepped(Method::ImplicitMidpoint, SPIN, H, 400).into_iter().map(inverse);
+    let verdict = judged(&csv(&rows.collect::<Vec<_>>()));
     assert_eq!(verdict.file_mistakes, [FileMistake::Order, FileMistake::Inverse], "{verdict}");
+    assert!(verdict.to_string().contains("What fails is named here, and is not the rule"), "{verdict}");
 }
 
 #[test]

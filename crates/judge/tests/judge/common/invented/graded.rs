@@ -223,7 +223,6 @@ fn praise(verdict: &Verdict) -> Option<&'static str> {
     }
     let text = verdict.to_string().to_lowercase();
     let accurate = verdict.diagnosis.as_ref().map(|found| found.confidence) == Some(Confidence::Accurate);
-    let words = "accurate|is: the exact motion|with: the exact motion|nothing to do|good method|\
-                 conserves what it should";
+    let words = "accurate|is: the exact motion|with: the exact motion|nothing to do|it keeps";
     words.split('|').find(|words| text.contains(words)).or(accurate.then_some("accurate"))
 }
