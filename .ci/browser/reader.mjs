@@ -183,10 +183,13 @@ export async function questions(open, base, pages, fault) {
         const slider = box.locator("input");
         const read = async () => parseFloat(asInEnglish(await box.locator("output").textContent()));
         await slider.scrollIntoViewIfNeeded();
+        // How a control was last used sets how large it is, which moves what stands below: used once like this, it stays.
+        const first = await slider.boundingBox();
+        await finger(page, [first.x + 4, first.y + 4], [[first.x + 6, first.y + 4]]);
         const { x, y, width, height } = await slider.boundingBox();
         const at = (part) => [x + part * width, y + height / 2];
         await finger(page, at(0.2), Array.from({ length: 15 }, (_, i) => at(0.2 + 0.04 * i)));
-        // A finger makes controls a little larger, and a font that arrives moves the page; a page that scrolls goes further.
+        // A font that arrives moves the page a little; a page that scrolls goes further.
         const scrolled = Math.abs((await slider.boundingBox()).y - y);
         const most = Number(await slider.getAttribute("max"));
         wants(`dragged by a finger it stands at ${await read()} of ${most}, and has moved away by ${scrolled} px`, Math.abs((await read()) / most - 0.76) < 0.05 && scrolled < 10);
