@@ -62,15 +62,6 @@ impl System<f64> {
 }
 
 impl<T: Field> System<T> {
-    /// A system of any number type, unchecked: a moment of zero is divided by as the number type does.
-    #[must_use]
-    pub fn of_numbers(moments: Vector3<T>, torques: Vec<Torque<T>>) -> Self {
-        let inverse = moments.map(|moment| T::one() / moment);
-        let sum = Torques::of(&torques);
-        let corrections = Corrections::of(&inverse);
-        Self { moments, inverse, torques, sum, time: T::zero(), corrections }
-    }
-
     /// Principal moments, kg m².
     #[must_use]
     pub fn moments(&self) -> &Vector3<T> {
@@ -113,6 +104,15 @@ impl<T: Field> System<T> {
 }
 
 impl<T: Analytic> System<T> {
+    /// A system of any number type, unchecked: a moment of zero is divided by as the number type does.
+    #[must_use]
+    pub fn of_numbers(moments: Vector3<T>, torques: Vec<Torque<T>>) -> Self {
+        let inverse = moments.map(|moment| T::one() / moment);
+        let sum = Torques::of(&torques);
+        let corrections = Corrections::of(&moments);
+        Self { moments, inverse, torques, sum, time: T::zero(), corrections }
+    }
+
     /// The sum of all torques in body axes, N m, at the start of a step.
     #[must_use]
     #[inline]

@@ -8,7 +8,12 @@ all three axes (it checks the third), and solves for the coefficients of a and b
 
     h^2,  C = y.y,  T = y.y/I (twice the energy),  and the elementary symmetric functions e1, e2, e3 of the 1/I_j,
 
-checking them on bodies beyond those that settle them. It prints the sums that src/step/methods/moser_veselov.rs holds.
+checking them on bodies beyond those that settle them. Of a needle these sums cancel: its 1/I_1 is large, and a and b are not. So
+they are put in numbers of the size of 1. With the mean of 1/I_2 and 1/I_3 for the unit of the 1/I_j, these are
+
+    w = I_1,  1/I_2 = 1 - d,  1/I_3 = 1 + d,  s = (d/w)^2,  t = d^2,  T = C + w U,
+
+in which all negative powers of w cancel (the program checks it). It prints the sums that src/step/methods/moser_veselov.rs holds.
 Found first by McLachlan and Zanna (2005) and Hairer and Vilmart (2006); derived here afresh.
 
     python3 crates/proofs/programs/moser_veselov.py
@@ -121,17 +126,49 @@ def main():
             s = (sum(y * y for y in y0), sum(j * y * y for j, y in zip(J, y0)), sum(J),
                  J[0] * J[1] + J[1] * J[2] + J[2] * J[0], J[0] * J[1] * J[2])
             samples.append((s, ab(J, y0)))
-    names = ["e1", "e2", "e3"]
     for k in range(1, 5):
         for name, which, degree in (("a", 0, 2 * k), ("b", 1, 2 * k + 1)):
             ms = monomials(k, degree)
             c = solve([[value(m, s) for m in ms] for s, _ in samples], [r[which][2 * k] for _, r in samples])
             below = math.lcm(*[x.denominator for x in c])
-            print(f"// {name}, h^{2 * k}, over {below}: by rising powers of T")
+            total = {}
+            for m, x in zip(ms, c):
+                for power, y in product([VARIABLES[i] for i, p in enumerate(m) for _ in range(p)]).items():
+                    total[power] = total.get(power, 0) + x * below * y
+            total = {power: x for power, x in total.items() if x}
+            assert all(power[2] >= 0 for power in total), "a negative power of w is left"
+            print(f"// {name}, h^{2 * k}, over {below}: by rising powers of U")
             for j in range(k + 1):
-                terms = [f"{x * below} " + " ".join(n for n, p in zip(names, m[2:]) for _ in range(p))
-                         for m, x in zip(ms, c) if x and m[1] == j]
-                print("sum!(" + ", ".join(terms) + "),")
+                terms = sorted((s, w, x) for (_, u, w, s), x in total.items() if u == j)
+                print("sum!(" + ", ".join(term(w, s, x) for s, w, x in terms) + "),")
+
+
+# C, T, e1, e2 and e3 as sums of powers of C, U, w and s.
+VARIABLES = [
+    {(1, 0, 0, 0): 1},
+    {(1, 0, 0, 0): 1, (0, 1, 1, 0): 1},
+    {(0, 0, -1, 0): 1, (0, 0, 0, 0): 2},
+    {(0, 0, -1, 0): 2, (0, 0, 0, 0): 1, (0, 0, 2, 1): -1},
+    {(0, 0, -1, 0): 1, (0, 0, 1, 1): -1},
+]
+
+
+def product(factors):
+    total = {(0, 0, 0, 0): F(1)}
+    for factor in factors:
+        new = {}
+        for m, x in total.items():
+            for n, y in factor.items():
+                power = tuple(p + q for p, q in zip(m, n))
+                new[power] = new.get(power, 0) + x * y
+        total = new
+    return total
+
+
+def term(w, s, x):
+    """x w^w s^s, with t for w^2 s as often as it is in it."""
+    t = min(w // 2, s)
+    return " ".join([str(x)] + ["w"] * (w - 2 * t) + ["s"] * (s - t) + ["t"] * t)
 
 
 main()

@@ -22,6 +22,7 @@ use super::implicit::{cramer, whole};
 use crate::attitude;
 use crate::body::State;
 use crate::error::{Error, Refusal, Subject};
+use crate::inertia::ascending;
 use crate::number::functions::atan2;
 use crate::number::{Analytic, Field};
 use crate::step::system::System;
@@ -57,10 +58,13 @@ const MOST_ALTERED: f64 = 0.5;
 /// What a step needs of the body and of what the motion conserves.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Prepared<T: nalgebra::Scalar> {
-    /// The moments given to the algorithm, the body's first moment for a unit.
+    /// The moments given to the algorithm, in units of [`Corrections`].
     moments: Vector3<T>,
     /// Their inverses.
     inverse: Vector3<T>,
+    /// The third less the second, the first less the third, the second less the first: of a needle's nearly
+    /// equal moments the differences would not have the digits.
+    differences: Vector3<T>,
     /// Takes a momentum to `h L / 2` in that unit.
     scale: T,
 }
@@ -73,30 +77,27 @@ impl<T: Analytic> Prepared<T> {
     #[inline]
     pub(crate) fn new(system: &System<T>, momentum: &Vector3<T>, h: &T, order: u32) -> Result<Self, Error> {
         let corrections = &system.corrections;
-        let inverse = corrections.ratios.clone();
-        let whole = system.inverse.x.clone() * h.clone();
-        let inverse = if order > 2 {
-            let turned = momentum.map(|x| x * whole.clone());
-            let (a, b) = corrections.at(&turned, order);
-            let altered = inverse.map(|x| a.clone() * x + b.clone());
-            for (before, after) in inverse.as_slice().iter().zip(altered.as_slice()) {
-                let change = (after.clone() - before.clone()).size();
-                if change >= MOST_ALTERED * before.size() {
-                    let value = change / before.size();
-                    return Err(Refusal::NotBelow {
-                        what: Subject::AlteredMoment,
-                        value,
-                        limit: MOST_ALTERED,
-                    }
-                    .into());
-                }
-            }
-            altered
+        let whole = corrections.unit.clone() * h.clone();
+        let (a, b) = if order > 2 {
+            corrections.at(&momentum.map(|x| x * whole.clone()), order)
         } else {
-            inverse
+            (T::one(), T::zero())
         };
+        let inverse = corrections.ratios.map(|x| a.clone() * x + b.clone());
+        for (before, after) in corrections.ratios.as_slice().iter().zip(inverse.as_slice()) {
+            let change = (after.clone() - before.clone()).size();
+            if change >= MOST_ALTERED * before.size() {
+                let value = change / before.size();
+                let refusal = Refusal::NotBelow { what: Subject::AlteredMoment, value, limit: MOST_ALTERED };
+                return Err(refusal.into());
+            }
+        }
         let moments = inverse.map(|x| T::one() / x);
-        Ok(Self { moments, inverse, scale: whole / T::integer(2) })
+        let [x, y, z] = [&moments.x, &moments.y, &moments.z].map(|x| a.clone() * x.clone());
+        let products =
+            Vector3::new(y.clone() * moments.z.clone(), z * moments.x.clone(), x * moments.y.clone());
+        let differences = corrections.differences.component_mul(&products);
+        Ok(Self { moments, inverse, differences, scale: whole / T::integer(2) })
     }
 
     /// One step of the free motion.
@@ -106,7 +107,7 @@ impl<T: Analytic> Prepared<T> {
     #[inline(always)]
     pub(crate) fn step(&self, start: &State<T>) -> Result<State<T>, Error> {
         let half = start.momentum.map(|x| x * self.scale.clone());
-        let c = tangents(&self.moments, &self.inverse, &half)?;
+        let c = self.tangents(&half)?;
         let square = c.dot(&c);
         if square.size() >= 1.0 {
             let turn = 2.0 * atan2(square.size().sqrt(), 1.0);
@@ -120,113 +121,152 @@ impl<T: Analytic> Prepared<T> {
         let momentum = attitude::rotate_inverse(&turned, &start.momentum);
         Ok(State { attitude: attitude::product(&start.attitude, &turned), momentum })
     }
+
+    /// The small root of `K c + c x K c = (1 + |c|^2) m`, by Newton's iteration.
+    #[inline]
+    fn tangents(&self, m: &Vector3<T>) -> Result<Vector3<T>, Error> {
+        // Three rounds of c = (1 + |c|^2) u - J (c x K c) with u = J m, each of which gains an order.
+        let (k, inverse) = (&self.moments, &self.inverse);
+        let u = inverse.component_mul(m);
+        let bending = inverse.component_mul(&self.differences);
+        let bend = |c: &Vector3<T>| {
+            bending.component_mul(&Vector3::new(times(&c.y, &c.z), times(&c.z, &c.x), times(&c.x, &c.y)))
+        };
+        let near = &u - bend(&u);
+        let grown = T::one() + u.dot(&u);
+        let nearer = u.map(|x| x * grown.clone()) - bend(&near);
+        let grown = T::one() + nearer.dot(&nearer);
+        let mut c = u.map(|x| x * grown.clone()) - bend(&nearer);
+        // An error e leaves one of the order of e^2: below this it leaves less than rounding.
+        let enough = T::rounding().sqrt() / 8.0;
+        // Half a turn this small is none; of a body at rest but for the smallest numbers there are no digits
+        // to find.
+        let square = T::rounding() * T::rounding();
+        let least = square * square;
+        let mut moved = f64::NAN;
+        for _ in 0..ROUNDS {
+            let grown = T::one() + c.dot(&c);
+            let [x, y, z] = [0, 1, 2].map(|i| self.differences.map(|d| d * c[i].clone()));
+            let across = Vector3::new(times(&y.x, &c.z), times(&z.y, &c.x), times(&x.z, &c.y));
+            let miss = k.component_mul(&c) + across - m.map(|x| x * grown.clone());
+            // Columns of the derivative.
+            let twice = m + m;
+            let column = |j: usize, first: [&T; 3]| {
+                Vector3::from(first.map(T::clone)) - twice.map(|x| x * c[j].clone())
+            };
+            let columns =
+                [column(0, [&k.x, &z.y, &y.z]), column(1, [&z.x, &k.y, &x.z]), column(2, [&y.x, &x.y, &k.z])];
+            let change = cramer(columns, &miss);
+            let size = |v: &Vector3<T>| v.as_slice().iter().map(Analytic::size).sum::<f64>();
+            moved = size(&change);
+            c -= change;
+            if moved <= enough * size(&c) || moved < least {
+                return Ok(c);
+            }
+            if !moved.is_finite() {
+                break;
+            }
+        }
+        Err(Refusal::NotConverged { what: Subject::MoserVeselovTurn, iterations: ROUNDS, residual: moved }
+            .into())
+    }
+}
+
+fn times<T: Field>(x: &T, y: &T) -> T {
+    x.clone() * y.clone()
 }
 
 /// The most rounds of Newton's iteration: each doubles the digits, so one that has a solution near needs few.
 const ROUNDS: usize = 40;
 
-/// The small root of `K c + c x K c = (1 + |c|^2) m`, by Newton's iteration.
-#[inline]
-fn tangents<T: Analytic>(k: &Vector3<T>, inverse: &Vector3<T>, m: &Vector3<T>) -> Result<Vector3<T>, Error> {
-    // Three rounds of c = (1 + |c|^2) u - J (c x K c) with u = J m, each of which gains an order.
-    let u = inverse.component_mul(m);
-    let bend = |c: &Vector3<T>| inverse.component_mul(&c.cross(&k.component_mul(c)));
-    let near = &u - bend(&u);
-    let grown = T::one() + u.dot(&u);
-    let nearer = u.map(|x| x * grown.clone()) - bend(&near);
-    let grown = T::one() + nearer.dot(&nearer);
-    let mut c = u.map(|x| x * grown.clone()) - bend(&nearer);
-    // An error e leaves one of the order of e^2: below this it leaves less than rounding.
-    let enough = T::rounding().sqrt() / 8.0;
-    // Half a turn this small is none; of a body at rest but for the smallest numbers there are no digits to
-    // find.
-    let square = T::rounding() * T::rounding();
-    let least = square * square;
-    let mut moved = f64::NAN;
-    for _ in 0..ROUNDS {
-        let kc = k.component_mul(&c);
-        let twice = m + m;
-        let grown = T::one() + c.dot(&c);
-        let miss = &kc + c.cross(&kc) - m.map(|x| x * grown.clone());
-        // Columns of the derivative: K_j e_j + (K_j c - K c) x e_j - 2 c_j m.
-        let difference = |i: usize, j: usize| k[i].clone() - k[j].clone();
-        let (xy, yz, zx) = (difference(0, 1), difference(1, 2), difference(2, 0));
-        let p = |x: &T, y: &T| x.clone() * y.clone();
-        let column = |j: usize, first: Vector3<T>| first - twice.map(|x| x * c[j].clone());
-        let x = column(0, Vector3::new(k.x.clone(), -p(&zx, &c.z), -p(&xy, &c.y)));
-        let y = column(1, Vector3::new(-p(&yz, &c.z), k.y.clone(), -p(&xy, &c.x)));
-        let z = column(2, Vector3::new(-p(&yz, &c.y), -p(&zx, &c.x), k.z.clone()));
-        let change = cramer([x, y, z], &miss);
-        let size = |v: &Vector3<T>| v.as_slice().iter().map(Analytic::size).sum::<f64>();
-        moved = size(&change);
-        c -= change;
-        if moved <= enough * size(&c) || moved < least {
-            return Ok(c);
-        }
-        if !moved.is_finite() {
-            break;
-        }
-    }
-    Err(Refusal::NotConverged { what: Subject::MoserVeselovTurn, iterations: ROUNDS, residual: moved }.into())
-}
-
-/// Sums of integers times products of the elementary symmetric functions.
+/// Sums of integers times products.
 macro_rules! sum {
-    ($($n:literal $first:ident $($rest:ident)*),*) => {
-        T::zero() $(+ whole::<T>($n) * $first.clone() $(* $rest.clone())*)*
+    ($($n:literal $($factor:ident)*),*) => {
+        T::zero() $(+ whole::<T>($n) $(* $factor.clone())*)*
     };
 }
 
 /// What the two numbers `a` and `b` of `1/K = a/I + b` take of the body alone: to order 8, since that is
 /// what steps at a fixed rate take at each step.
+///
+/// All in numbers that a needle does not make large, so that its sums do not cancel. In units of the mean of
+/// the other two, the inverse moments are `1/w` for the smallest moment and `1 - d`, `1 + d`.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Corrections<T: nalgebra::Scalar> {
-    /// The inverse moments in units of the first: with the step as unit of time everything is a pure number,
-    /// and small where the step is.
+    /// The mean: with the step as unit of time everything is a pure number, and small where the step is.
+    unit: T,
+    /// The inverse moments in this unit.
     ratios: Vector3<T>,
-    /// Their elementary symmetric functions.
-    symmetric: [T; 3],
+    /// The second of these less the third, the third less the first, the first less the second.
+    differences: Vector3<T>,
+    /// What squares of the momentum make `U` of: twice the energy is `|L|^2 + w U`.
+    weights: Vector3<T>,
+    /// `w`, `(d/w)^2` and `d^2`.
+    shape: [T; 3],
     to_4: [[T; 2]; 2],
     to_6: [[T; 3]; 2],
     to_8: [[T; 4]; 2],
 }
 
-impl<T: Field> Corrections<T> {
-    pub(crate) fn of(inverse: &Vector3<T>) -> Self {
-        let unit = &inverse.x;
-        let ratio = |x: &T| x.clone() / unit.clone();
-        let ratios = Vector3::new(T::one(), ratio(&inverse.y), ratio(&inverse.z));
-        let [x, y, z] = [&ratios.x, &ratios.y, &ratios.z];
-        let p = |x: &T, y: &T| x.clone() * y.clone();
-        let e1 = x.clone() + y.clone() + z.clone();
-        let e2 = p(x, y) + p(y, z) + p(z, x);
-        let e3 = p(&p(x, y), z);
+impl<T: Analytic> Corrections<T> {
+    pub(crate) fn of(moments: &Vector3<T>) -> Self {
+        let x = ascending(&moments.map(|moment| moment.size()))[0];
+        let (y, z) = ((x + 1) % 3, (x + 2) % 3);
+        let [first, second, third] = [x, y, z].map(|i| &moments[i]);
+        let more = T::one() + second.clone() / third.clone();
+        let d = (second.clone() - third.clone()) / third.clone() / more.clone();
+        let w = first.clone() / second.clone() * more.clone() / T::integer(2);
+        let bend = d.clone() / w.clone();
+        let inverse = T::one() / w.clone();
+        let along = |first: T, second: T, third: T| {
+            let mut vector = Vector3::from_element(first);
+            (vector[y], vector[z]) = (second, third);
+            vector
+        };
+        let ratios = along(inverse.clone(), T::one() - d.clone(), T::one() + d.clone());
+        let over_mean = inverse.clone() - T::one();
+        let differences =
+            along(-(d.clone() + d.clone()), d.clone() - over_mean.clone(), d.clone() + over_mean.clone());
+        let weights = along(over_mean * inverse, -bend.clone(), bend.clone());
+        let shape = [w, times(&bend, &bend), times(&d, &d)];
+        let [w, s, t] = &shape;
         Self {
-            to_4: over(12, [[sum!(1 e2), sum!(-2 e1)], [sum!(-2 e3), sum!(1 e2)]]),
+            unit: more / second.clone() / T::integer(2),
+            to_4: over(12, [[sum!(-3, -1 t), sum!(-2, -4 w)], [sum!(1, 2 w s, -1 t), sum!(2, 1 w, -1 w t)]]),
             to_6: over(
                 240,
                 [
-                    [sum!(2 e2 e2, -6 e1 e3), sum!(-2 e1 e2, 8 e3), sum!(2 e1 e1, -1 e2)],
-                    [sum!(-1 e2 e3), sum!(-1 e2 e2, 8 e1 e3), sum!(-1 e1 e2, -6 e3)],
+                    [
+                        sum!(5, 6 s, -2 w s, 1 t, 2 t t),
+                        sum!(10, 10 w, -6 t, 6 w t),
+                        sum!(2, 6 w, 7 w w, 1 w w t),
+                    ],
+                    [
+                        sum!(-3, -6 s, -3 w s, 4 t, -1 w s t, -1 t t),
+                        sum!(-10, -5 w, -8 w s, 2 t, 6 w t, -1 w t t),
+                        sum!(-2, -11 w, -2 w w, 7 w t, 2 w w t),
+                    ],
                 ],
             ),
-            to_8: over(20_160, to_order_8([&e1, &e2, &e3])),
+            to_8: over(20_160, to_order_8([w, s, t])),
             ratios,
-            symmetric: [e1, e2, e3],
+            differences,
+            weights,
+            shape,
         }
     }
 
-    /// `a` and `b` for the momentum times the step, in units of the first moment.
+    /// `a` and `b` for the momentum times the step, in units of the mean inverse moment.
     #[inline]
     fn at(&self, momentum: &Vector3<T>, order: u32) -> (T, T) {
         let square = momentum.dot(momentum);
-        let twice_energy = momentum.dot(&self.ratios.component_mul(momentum));
-        // sum of parts[j] square^(k - j) twice_energy^j.
+        let bent = momentum.dot(&self.weights.component_mul(momentum));
+        // sum of parts[j] square^(k - j) bent^j.
         let joined = |parts: &[T]| {
             let [first, others @ ..] = parts else { return T::zero() };
             let mut power = T::one();
             others.iter().fold(first.clone(), |total, part| {
-                power *= twice_energy.clone();
+                power *= bent.clone();
                 total * square.clone() + part.clone() * power.clone()
             })
         };
@@ -244,8 +284,8 @@ impl<T: Field> Corrections<T> {
             b += joined(to_b);
         }
         if order > 8 {
-            let [e1, e2, e3] = &self.symmetric;
-            let [to_a, to_b] = over(725_760, to_order_10([e1, e2, e3]));
+            let [w, s, t] = &self.shape;
+            let [to_a, to_b] = over(725_760, to_order_10([w, s, t]));
             a += joined(&to_a);
             b += joined(&to_b);
         }
@@ -259,39 +299,72 @@ fn over<T: Field, const N: usize>(whole: u32, parts: [[T; N]; 2]) -> [[T; N]; 2]
 }
 
 /// What the order 8 adds to `a` and `b`: the parts that [`Corrections::at`] joins, times 20_160.
-fn to_order_8<T: Field>([e1, e2, e3]: [&T; 3]) -> [[T; 4]; 2] {
+fn to_order_8<T: Field>([w, s, t]: [&T; 3]) -> [[T; 4]; 2] {
     [
         [
-            sum!(17 e2 e2 e2, -66 e1 e2 e3, 100 e3 e3),
-            sum!(-36 e1 e2 e2, 132 e1 e1 e3, -30 e2 e3),
-            sum!(6 e1 e1 e2, 41 e2 e2, -212 e1 e3),
-            sum!(-4 e1 e1 e1, 4 e1 e2, 72 e3),
+            sum!(-14, -126 s, 112 w s, -21 t, 34 s t, -96 w s t, 20 t t, -17 t t t),
+            sum!(-70, -14 w, -132 s, 88 w s, 136 t, -92 w t, -66 t t, 10 w t t),
+            sum!(-42, -56 w, -7 w w, 206 t, 8 w t, -130 w w t, 41 w w t t),
+            sum!(-4, -16 w, 44 w w, -24 w w w, -76 w w t, -8 w w w t),
         ],
         [
-            sum!(-19 e2 e2 e3, 72 e1 e3 e3),
-            sum!(2 e2 e2 e2, -2 e1 e2 e3, -176 e3 e3),
-            sum!(13 e1 e2 e2, -64 e1 e1 e3, 110 e2 e3),
-            sum!(2 e1 e1 e2, -26 e2 e2, 60 e1 e3),
+            sum!(10, 126 s, -77 w s, -14 t, 72 w s s, -110 s t, 74 w s t, 6 t t, 19 w s t t, -2 t t t),
+            sum!(70, 132 s, 122 w s, -276 t, 22 w t, -178 w s t, 254 t t, -20 w t t, -2 w t t t),
+            sum!(42, 91 w, -28 w w, 64 w s, -202 t, -166 w t, 80 w w t, 123 w t t, -52 w w t t),
+            sum!(4, -26 w, 40 w w, -18 w w w, -62 w t, -24 w w t, 44 w w w t, -26 w w w t t),
         ],
     ]
 }
 
 /// What the order 10 adds to `a` and `b`: the parts that [`Corrections::at`] joins, times 725_760.
-fn to_order_10<T: Field>([e1, e2, e3]: [&T; 3]) -> [[T; 5]; 2] {
+fn to_order_10<T: Field>([w, s, t]: [&T; 3]) -> [[T; 5]; 2] {
     [
         [
-            sum!(62 e2 e2 e2 e2, -342 e1 e2 e2 e3, 378 e1 e1 e3 e3, 291 e2 e3 e3),
-            sum!(-154 e1 e2 e2 e2, 612 e1 e1 e2 e3, 282 e2 e2 e3, -2256 e1 e3 e3),
-            sum!(156 e1 e1 e2 e2, 18 e2 e2 e2, -612 e1 e1 e1 e3, 180 e1 e2 e3, 1908 e3 e3),
-            sum!(-4 e1 e1 e1 e2, -264 e1 e2 e2, 1104 e1 e1 e3, -828 e2 e3),
-            sum!(2 e1 e1 e1 e1, -3 e1 e1 e2, 153 e2 e2, -486 e1 e3),
+            sum!(
+                9, 378 s, -504 w s, 168 t, 378 s s, -918 w s s, 495 s t, 420 w s t, -249
+                t t, 51 s t t, 60 w s t t, 42 t t t, 62 t t t t
+            ),
+            sum!(
+                84, -12 w, 1188 s, -1716 w s, 120 t, 408 w t, -1644 s t, 2628 w s t,
+                -108 t t, -540 w t t, -128 t t t, 272 w t t t
+            ),
+            sum!(
+                126, 612 s, -612 w s, -2682 t, 2232 w t, 198 w w t, 2244 t t, -2184 w t
+                t, 12 w w t t, -18 w w t t t
+            ),
+            sum!(
+                36, 60 w, -228 w w, 132 w w w, -1100 t, 276 w t, 1416 w w t, -88 w w w
+                t, -1092 w w t t, 84 w w w t t
+            ),
+            sum!(
+                2, 10 w, 147 w w, -332 w w w, 173 w w w w, 489 w w t, 372 w w w t, -294
+                w w w w t, 153 w w w w t t
+            ),
         ],
         [
-            sum!(-61 e2 e2 e2 e3, 243 e1 e2 e3 e3, -610 e3 e3 e3),
-            sum!(-1 e2 e2 e2 e2, 222 e1 e2 e2 e3, -864 e1 e1 e3 e3, 684 e2 e3 e3),
-            sum!(-30 e1 e2 e2 e2, 114 e1 e1 e2 e3, -798 e2 e2 e3, 2136 e1 e3 e3),
-            sum!(-30 e1 e1 e2 e2, 194 e2 e2 e2, 128 e1 e1 e1 e3, -552 e1 e2 e3, -1296 e3 e3),
-            sum!(-1 e1 e1 e1 e2, -6 e1 e2 e2, -126 e1 e1 e3, 459 e2 e3),
+            sum!(
+                -7, -378 s, 462 w s, -126 t, -378 s s, 189 w s s, 852 s t, -1053 w s t,
+                264 t t, 367 w s s t, -1026 s t t, 636 w s t t, -130 t t t, -61 w s t t
+                t, -1 t t t t
+            ),
+            sum!(
+                -84, 21 w, -1188 s, 1086 w s, 636 t, -534 w t, -864 w s s, 3300 s t,
+                -1908 w s t, -1836 t t, 972 w t t, -906 w s t t, 1220 t t t, -458 w t t
+                t, -1 w t t t t
+            ),
+            sum!(
+                -126, -42 w, 42 w w, -612 s, 270 w s, 2532 t, -1032 w t, -654 w w t,
+                2250 w s t, -4278 t t, 150 w t t, 1134 w w t t, 828 w t t t, -522 w w t
+                t t
+            ),
+            sum!(
+                -36, 66 w, -24 w w, -6 w w w, -128 w s, 964 t, 1044 w t, -1792 w w t,
+                -214 w w w t, -1878 w t t, 1752 w w t t, 414 w w w t t, -194 w w w t t t
+            ),
+            sum!(
+                -2, -163 w, 312 w w, -127 w w w, -20 w w w w, 127 w t, -384 w w t, -342
+                w w w t, 32 w w w w t, 453 w w w t t, -12 w w w w t t
+            ),
         ],
     ]
 }
