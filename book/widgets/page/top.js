@@ -26,13 +26,14 @@ tumblingLive.widget("top", async (stage, from) => {
         "swings as a pendulum’s, without spin", "rises toward upright and falls back",
     ];
     const FINE = 0.004; // s from one sample to the next
+    const ROUGH = 0.008; // the same while a slider moves
     const [PIECE, INSTANTS] = [800, 1000]; // as in top/src/lib.rs
     const TRAIL = 3; // s of the path that are drawn
     const [ASTRAY, UPRIGHT] = [5, 10]; // degrees
     const [UNTIL, UNTIL_DRAGGED] = [1.5, 16];
     const DEGREES = 180 / Math.PI;
 
-    const state = { t: 0, turn: 20, tilt: 28, steady: false, facts: null, exact: [], stepped: [], each: FINE, told: 0, solid: null };
+    const state = { t: 0, turn: 20, tilt: 28, steady: false, facts: null, exact: [], stepped: [], fine: FINE, each: FINE, told: 0, curved: true, solid: null };
     const given = () => [Number(spin.value), Number(lean.value), state.steady ? NaN : Number(push.value)];
     const until = () => (drag.checked ? UNTIL_DRAGGED : UNTIL);
     /** Where a start is shown first: with the whole of its path, or while it may still sleep. */
@@ -49,11 +50,11 @@ tumblingLive.widget("top", async (stage, from) => {
     function drum([radius, low, high]) {
         const end = 1.9 * high;
         const [places, model] = [[], []];
-        const AROUND = 24;
-        const round = (size, at) => Array.from({ length: AROUND }, (_, i) =>
+        const round = (size, at, AROUND) => Array.from({ length: AROUND }, (_, i) =>
             places.push([size * Math.cos(2 * Math.PI * i / AROUND), size * Math.sin(2 * Math.PI * i / AROUND), at].map((x) => x / end)) - 1);
         function cylinder(size, from, to, quarters) {
-            const [below, above] = [round(size, from), round(size, to)];
+            const AROUND = quarters ? 24 : 8;
+            const [below, above] = [from, to].map((at) => round(size, at, AROUND));
             const [under, over] = [from, to].map((at) => places.push([0, 0, at / end]) - 1);
             const kind = (i) => (quarters && Math.floor(4 * i / AROUND) % 2 === 1 ? "front" : "plain");
             const faces = [];
@@ -76,8 +77,10 @@ tumblingLive.widget("top", async (stage, from) => {
     /** The stepped motion, from its start to the end or as far as it goes: attitudes, the spin after each. */
     function run() {
         const h = Number(step.value) / 1000;
-        const each = Math.max(1, Math.round(FINE / h));
-        const count = Math.floor(until() / (each * h) + 1e-9);
+        const each = Math.max(1, Math.round(state.fine / h));
+        // While a slider moves, with drag, no further than is shown.
+        const end = state.fine > FINE && drag.checked ? state.t : until();
+        const count = Math.floor(end / (each * h) + 1e-9);
         let now = top.answer(2, ...given());
         const samples = [[...now.slice(0, 4), given()[0]]];
         while (samples.length <= count) {
@@ -92,11 +95,12 @@ tumblingLive.widget("top", async (stage, from) => {
     }
     /** The closed form, at the same instants as the finest samples. */
     function closed() {
-        const count = Math.round(UNTIL / FINE);
+        const { fine } = state;
+        const count = Math.round(UNTIL / fine);
         state.exact = [];
         for (let i = 0; i <= count; i += INSTANTS) {
             const last = Math.min(i + INSTANTS - 1, count);
-            const found = top.answer(1, ...given(), i * FINE, last * FINE, last - i + 1);
+            const found = top.answer(1, ...given(), i * fine, last * fine, last - i + 1);
             for (let k = 0; k + 3 < found.length; k += 4) state.exact.push(axisOf(found, k));
         }
     }
@@ -106,7 +110,7 @@ tumblingLive.widget("top", async (stage, from) => {
         const place = Math.min(t / state.each, state.stepped.length - 1);
         const i = Math.floor(place + 1e-9);
         const [a, b] = [state.stepped[i], state.stepped[Math.min(i + 1, state.stepped.length - 1)]];
-        if (state.each > FINE) return a;
+        if (Number(step.value) / 1000 > FINE) return a;
         const sign = Math.sign(a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]) || 1;
         const part = Math.max(0, place - i);
         const q = [0, 1, 2, 3].map((k) => (1 - part) * a[k] + part * sign * b[k]);
@@ -214,7 +218,7 @@ tumblingLive.widget("top", async (stage, from) => {
             pen.stroke();
             pen.globalAlpha = 1;
         };
-        draw(exact, FINE, colours.faint, 6, 0.55);
+        draw(exact, state.fine, colours.faint, 6, 0.55);
         draw(stepped, state.each, ink(), 1.8, 1);
         if (drag.checked && state.wakes > 0) {
             pen.strokeStyle = pen.fillStyle = colours.separatrix;
@@ -255,7 +259,7 @@ tumblingLive.widget("top", async (stage, from) => {
         const wakes = state.stepped.findIndex((sample) => sample[4] < critical);
         state.wakes = wakes < 0 ? NaN : wakes * state.each;
         state.astray = !drag.checked && (state.axes.length * state.each < UNTIL
-            || state.axes.some((axis, i) => !(between(axis, state.exact[Math.min(Math.round(i * state.each / FINE), state.exact.length - 1)]) < ASTRAY)));
+            || state.axes.some((axis, i) => !(between(axis, state.exact[Math.min(Math.round(i * state.each / state.fine), state.exact.length - 1)]) < ASTRAY)));
         shown("closed").hidden = drag.checked;
         shown("stepped").className = state.astray ? "live-key-wrong" : "live-key-stepped";
         shown("stepped").textContent = drag.checked ? "stepped: with drag there is no closed form" : state.astray ? "stepped, astray" : "stepped";
@@ -269,7 +273,7 @@ tumblingLive.widget("top", async (stage, from) => {
         for (const what of ["leans", "nods", "round"]) shown(what).parentElement.hidden = drag.checked; // nothing of it stays
         shown("critical").textContent = `${fixed(critical, 0)} rad/s`;
         scrub.max = until();
-        curve.prepare();
+        if (state.fine === FINE) curve.prepare();
         return at(Math.min(state.t, until()));
     }
     /** The numbers beside the sliders, and which button they are as. */
@@ -295,7 +299,7 @@ tumblingLive.widget("top", async (stage, from) => {
         body.draw();
         curve.draw();
         const now = performance.now();
-        if (clocked.playing() && now - state.told < 100) return "";
+        if (state.fine > FINE || (clocked.playing() && now - state.told < 100)) return "";
         state.told = now;
         const sample = steppedAt(t);
         const stopped = t > state.axes.length * state.each;
@@ -354,18 +358,37 @@ tumblingLive.widget("top", async (stage, from) => {
         drag.checked = said.get("drag") === "1";
     }
 
+    let [moved, resting] = [-Infinity, 0];
     const change = () => {
+        clearTimeout(resting);
+        state.fine = FINE;
+        coarsen(1);
         say(begin());
         keep();
     };
-    for (const field of [spin, lean, step]) field.addEventListener("input", change);
+    /** While a slider moves on there are fewer samples, drawn coarser, and the curve has each second frame; where it rests all of them. */
+    function slid() {
+        const now = performance.now();
+        const on = now - moved < 250;
+        moved = now;
+        if (!on) return change();
+        clearTimeout(resting);
+        resting = setTimeout(change, 260);
+        state.fine = ROUGH;
+        coarsen(0.5);
+        if (state.curved || drag.checked) begin();
+        else curve.prepare();
+        state.curved = !state.curved;
+    }
+    step.addEventListener("input", change);
+    for (const field of [spin, lean]) field.addEventListener("input", slid);
     drag.addEventListener("input", () => {
         state.t = whole();
         change();
     });
     push.addEventListener("input", () => {
         state.steady = false;
-        change();
+        slid();
     });
     for (const button of stage.querySelectorAll("[data-start]")) {
         button.addEventListener("click", () => {
@@ -380,6 +403,7 @@ tumblingLive.widget("top", async (stage, from) => {
     }
     scrub.addEventListener("input", () => {
         pause();
+        if (state.fine > FINE) change();
         say(at(Number(scrub.value)));
     });
     dragged(canvas("body"), (right, down) => {
