@@ -273,7 +273,8 @@ tumblingLive.widget("top", async (stage, from) => {
         for (const what of ["leans", "nods", "round"]) shown(what).parentElement.hidden = drag.checked; // nothing of it stays
         shown("critical").textContent = `${fixed(critical, 0)} rad/s`;
         scrub.max = until();
-        if (state.fine === FINE) curve.prepare();
+        state.curved = state.fine === FINE || (!state.curved && !drag.checked);
+        if (state.curved) curve.prepare();
         return at(Math.min(state.t, until()));
     }
     /** The numbers beside the sliders, and which button they are as. */
@@ -376,9 +377,7 @@ tumblingLive.widget("top", async (stage, from) => {
         resting = setTimeout(change, 260);
         state.fine = ROUGH;
         coarsen(0.5);
-        if (state.curved || drag.checked) begin();
-        else curve.prepare();
-        state.curved = !state.curved;
+        begin();
     }
     step.addEventListener("input", change);
     for (const field of [spin, lean]) field.addEventListener("input", slid);
