@@ -3,7 +3,7 @@
 
 tumblingLive.widget("top", async (stage, from) => {
     const { load, module, fixed, sayer } = tumblingLive;
-    const [top] = await Promise.all([module("top"), load(`${from}live.bodies.js`)]);
+    const [top] = await Promise.all([module("top"), load(`${from}live.bodies.js`), load(`${from}top.drum.js`)]);
     const { dot, rows, through, upright, orbit, palette, paper, path, paint, clock, dragged } = tumblingLive.bodies;
     const control = (id) => stage.querySelector(`#top-${id}`);
     const [play, scrub, pace, step, drag, spin, lean, push] = ["play", "scrub", "pace", "step", "drag", "spin", "lean", "push"].map(control);
@@ -45,33 +45,6 @@ tumblingLive.widget("top", async (stage, from) => {
     };
     const leanOf = ([x, y, z]) => DEGREES * Math.atan2(Math.hypot(x, y), z);
     const between = (a, b) => DEGREES * 2 * Math.asin(Math.min(1, 0.5 * Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2])));
-
-    /** A drum on a pin, the pin's end at 1; two quarters of the drum in another colour, so that it is seen to turn. */
-    function drum([radius, low, high]) {
-        const end = 1.9 * high;
-        const [places, model] = [[], []];
-        const round = (size, at, AROUND) => Array.from({ length: AROUND }, (_, i) =>
-            places.push([size * Math.cos(2 * Math.PI * i / AROUND), size * Math.sin(2 * Math.PI * i / AROUND), at].map((x) => x / end)) - 1);
-        function cylinder(size, from, to, quarters) {
-            const AROUND = quarters ? 24 : 8;
-            const [below, above] = [from, to].map((at) => round(size, at, AROUND));
-            const [under, over] = [from, to].map((at) => places.push([0, 0, at / end]) - 1);
-            const kind = (i) => (quarters && Math.floor(4 * i / AROUND) % 2 === 1 ? "front" : "plain");
-            const faces = [];
-            for (let i = 0; i < AROUND; i += 1) {
-                const next = (i + 1) % AROUND;
-                const middle = 2 * Math.PI * (i + 0.5) / AROUND;
-                faces.push({ at: [below[i], below[next], above[next], above[i]], normal: [Math.cos(middle), Math.sin(middle), 0], kind: kind(i), smooth: true });
-                faces.push({ at: [over, above[i], above[next]], normal: [0, 0, 1], kind: kind(i), smooth: true });
-                faces.push({ at: [under, below[i], below[next]], normal: [0, 0, -1], kind: kind(i), smooth: true });
-            }
-            model.push({ faces, middle: places.push([0, 0, 0.5 * (from + to) / end]) - 1 });
-        }
-        cylinder(0.025 * end, 0, low, false);
-        cylinder(radius, low, high, true);
-        cylinder(0.025 * end, high, 0.97 * end, false);
-        return { model, lines: [], places: Float64Array.from(places.flat()) };
-    }
 
     // ---- What the module answers.
     /** The stepped motion, from its start to the end or as far as it goes: attitudes, the spin after each. */
@@ -253,7 +226,7 @@ tumblingLive.widget("top", async (stage, from) => {
         }
         const [kind, least, greatest, period, round, , critical, ...shape] = found;
         state.facts = { kind, leans: [least, greatest], critical };
-        state.solid ??= drum(shape);
+        state.solid ??= tumblingLive.drum(shape);
         run();
         closed();
         const wakes = state.stepped.findIndex((sample) => sample[4] < critical);
