@@ -333,13 +333,16 @@ tumblingLive.widget("top", async (stage, from) => {
     }
 
     let [moved, resting] = [-Infinity, 0];
-    const change = () => {
+    function fully() {
         clearTimeout(resting);
         state.fine = FINE;
         coarsen(1);
         say(begin());
+    }
+    function change() {
+        fully();
         keep();
-    };
+    }
     /** While a slider moves on there are fewer samples, drawn coarser, and the curve has each second frame; where it rests all of them. */
     function slid() {
         const now = performance.now();
@@ -347,10 +350,11 @@ tumblingLive.widget("top", async (stage, from) => {
         moved = now;
         if (!on) return change();
         clearTimeout(resting);
-        resting = setTimeout(change, 260);
+        resting = setTimeout(fully, 260);
         state.fine = ROUGH;
         coarsen(0.5);
         begin();
+        keep();
     }
     step.addEventListener("input", change);
     for (const field of [spin, lean]) field.addEventListener("input", slid);
@@ -375,7 +379,7 @@ tumblingLive.widget("top", async (stage, from) => {
     }
     scrub.addEventListener("input", () => {
         pause();
-        if (state.fine > FINE) change();
+        if (state.fine > FINE) fully();
         say(at(Number(scrub.value)));
     });
     dragged(canvas("body"), (right, down) => {
