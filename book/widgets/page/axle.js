@@ -103,7 +103,7 @@ tumblingLive.widget("axle", async (stage, from) => {
         const [x, y, z] = built(state.axle);
         // A slider that is moved stays where it was put, or keys could never leave a principal axis.
         if (byHand) [around.value, above.value] = [Math.atan2(y, x) * 180 / Math.PI, Math.asin(Math.max(-1, Math.min(1, z))) * 180 / Math.PI];
-        const words = near < 0 ? `Off its principal axes, by ${fixed(Math.min(...away), 0)}° at least. Let go, the axle wobbles.` : `True: on the axis of the ${NAMES[near]} moment. Let go, the axle stays.`;
+        const words = near < 0 ? `${fixed(Math.min(...away), 0)}° from the nearest principal axis. Let go, and the axle wobbles.` : `True: on the axis of the ${NAMES[near]} moment. Let go, the axle stays.`;
         shown("words").textContent = words;
         for (const slider of [around, above]) slider.setAttribute("aria-valuetext", `${fixed(Number(slider.value), 0)}°: ${words}`);
         return `${words} Gap ${shown("gap").textContent}. ${go(0)}`;

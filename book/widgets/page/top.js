@@ -3,7 +3,7 @@
 
 tumblingLive.widget("top", async (stage, from) => {
     const { load, module, fixed, sayer } = tumblingLive;
-    const [top] = await Promise.all([module("top"), load(`${from}live.bodies.js`)]);
+    const [top] = await Promise.all([module("top"), load(`${from}live.bodies.js`), load(`${from}top.drum.js`)]);
     const { dot, rows, through, upright, orbit, palette, paper, path, paint, clock, dragged } = tumblingLive.bodies;
     const control = (id) => stage.querySelector(`#top-${id}`);
     const [play, scrub, pace, step, drag, spin, lean, push] = ["play", "scrub", "pace", "step", "drag", "spin", "lean", "push"].map(control);
@@ -26,13 +26,14 @@ tumblingLive.widget("top", async (stage, from) => {
         "swings as a pendulum’s, without spin", "rises toward upright and falls back",
     ];
     const FINE = 0.004; // s from one sample to the next
+    const ROUGH = 0.008; // the same while a slider moves
     const [PIECE, INSTANTS] = [800, 1000]; // as in top/src/lib.rs
     const TRAIL = 3; // s of the path that are drawn
     const [ASTRAY, UPRIGHT] = [5, 10]; // degrees
     const [UNTIL, UNTIL_DRAGGED] = [1.5, 16];
     const DEGREES = 180 / Math.PI;
 
-    const state = { t: 0, turn: 20, tilt: 28, steady: false, facts: null, exact: [], stepped: [], each: FINE, told: 0, solid: null };
+    const state = { t: 0, turn: 20, tilt: 28, steady: false, facts: null, exact: [], stepped: [], fine: FINE, each: FINE, told: 0, curved: true, solid: null };
     const given = () => [Number(spin.value), Number(lean.value), state.steady ? NaN : Number(push.value)];
     const until = () => (drag.checked ? UNTIL_DRAGGED : UNTIL);
     /** Where a start is shown first: with the whole of its path, or while it may still sleep. */
@@ -45,39 +46,14 @@ tumblingLive.widget("top", async (stage, from) => {
     const leanOf = ([x, y, z]) => DEGREES * Math.atan2(Math.hypot(x, y), z);
     const between = (a, b) => DEGREES * 2 * Math.asin(Math.min(1, 0.5 * Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2])));
 
-    /** A drum on a pin, the pin's end at 1; two quarters of the drum in another colour, so that it is seen to turn. */
-    function drum([radius, low, high]) {
-        const end = 1.9 * high;
-        const [places, model] = [[], []];
-        const AROUND = 24;
-        const round = (size, at) => Array.from({ length: AROUND }, (_, i) =>
-            places.push([size * Math.cos(2 * Math.PI * i / AROUND), size * Math.sin(2 * Math.PI * i / AROUND), at].map((x) => x / end)) - 1);
-        function cylinder(size, from, to, quarters) {
-            const [below, above] = [round(size, from), round(size, to)];
-            const [under, over] = [from, to].map((at) => places.push([0, 0, at / end]) - 1);
-            const kind = (i) => (quarters && Math.floor(4 * i / AROUND) % 2 === 1 ? "front" : "plain");
-            const faces = [];
-            for (let i = 0; i < AROUND; i += 1) {
-                const next = (i + 1) % AROUND;
-                const middle = 2 * Math.PI * (i + 0.5) / AROUND;
-                faces.push({ at: [below[i], below[next], above[next], above[i]], normal: [Math.cos(middle), Math.sin(middle), 0], kind: kind(i), smooth: true });
-                faces.push({ at: [over, above[i], above[next]], normal: [0, 0, 1], kind: kind(i), smooth: true });
-                faces.push({ at: [under, below[i], below[next]], normal: [0, 0, -1], kind: kind(i), smooth: true });
-            }
-            model.push({ faces, middle: places.push([0, 0, 0.5 * (from + to) / end]) - 1 });
-        }
-        cylinder(0.025 * end, 0, low, false);
-        cylinder(radius, low, high, true);
-        cylinder(0.025 * end, high, 0.97 * end, false);
-        return { model, lines: [], places: Float64Array.from(places.flat()) };
-    }
-
     // ---- What the module answers.
     /** The stepped motion, from its start to the end or as far as it goes: attitudes, the spin after each. */
     function run() {
         const h = Number(step.value) / 1000;
-        const each = Math.max(1, Math.round(FINE / h));
-        const count = Math.floor(until() / (each * h) + 1e-9);
+        const each = Math.max(1, Math.round(state.fine / h));
+        // While a slider moves, with drag, no further than is shown.
+        const end = state.fine > FINE && drag.checked ? state.t : until();
+        const count = Math.floor(end / (each * h) + 1e-9);
         let now = top.answer(2, ...given());
         const samples = [[...now.slice(0, 4), given()[0]]];
         while (samples.length <= count) {
@@ -92,11 +68,12 @@ tumblingLive.widget("top", async (stage, from) => {
     }
     /** The closed form, at the same instants as the finest samples. */
     function closed() {
-        const count = Math.round(UNTIL / FINE);
+        const { fine } = state;
+        const count = Math.round(UNTIL / fine);
         state.exact = [];
         for (let i = 0; i <= count; i += INSTANTS) {
             const last = Math.min(i + INSTANTS - 1, count);
-            const found = top.answer(1, ...given(), i * FINE, last * FINE, last - i + 1);
+            const found = top.answer(1, ...given(), i * fine, last * fine, last - i + 1);
             for (let k = 0; k + 3 < found.length; k += 4) state.exact.push(axisOf(found, k));
         }
     }
@@ -106,7 +83,7 @@ tumblingLive.widget("top", async (stage, from) => {
         const place = Math.min(t / state.each, state.stepped.length - 1);
         const i = Math.floor(place + 1e-9);
         const [a, b] = [state.stepped[i], state.stepped[Math.min(i + 1, state.stepped.length - 1)]];
-        if (state.each > FINE) return a;
+        if (Number(step.value) / 1000 > FINE) return a;
         const sign = Math.sign(a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + a[3] * b[3]) || 1;
         const part = Math.max(0, place - i);
         const q = [0, 1, 2, 3].map((k) => (1 - part) * a[k] + part * sign * b[k]);
@@ -214,7 +191,7 @@ tumblingLive.widget("top", async (stage, from) => {
             pen.stroke();
             pen.globalAlpha = 1;
         };
-        draw(exact, FINE, colours.faint, 6, 0.55);
+        draw(exact, state.fine, colours.faint, 6, 0.55);
         draw(stepped, state.each, ink(), 1.8, 1);
         if (drag.checked && state.wakes > 0) {
             pen.strokeStyle = pen.fillStyle = colours.separatrix;
@@ -249,13 +226,13 @@ tumblingLive.widget("top", async (stage, from) => {
         }
         const [kind, least, greatest, period, round, , critical, ...shape] = found;
         state.facts = { kind, leans: [least, greatest], critical };
-        state.solid ??= drum(shape);
+        state.solid ??= tumblingLive.drum(shape);
         run();
         closed();
         const wakes = state.stepped.findIndex((sample) => sample[4] < critical);
         state.wakes = wakes < 0 ? NaN : wakes * state.each;
         state.astray = !drag.checked && (state.axes.length * state.each < UNTIL
-            || state.axes.some((axis, i) => !(between(axis, state.exact[Math.min(Math.round(i * state.each / FINE), state.exact.length - 1)]) < ASTRAY)));
+            || state.axes.some((axis, i) => !(between(axis, state.exact[Math.min(Math.round(i * state.each / state.fine), state.exact.length - 1)]) < ASTRAY)));
         shown("closed").hidden = drag.checked;
         shown("stepped").className = state.astray ? "live-key-wrong" : "live-key-stepped";
         shown("stepped").textContent = drag.checked ? "stepped: with drag there is no closed form" : state.astray ? "stepped, astray" : "stepped";
@@ -269,7 +246,8 @@ tumblingLive.widget("top", async (stage, from) => {
         for (const what of ["leans", "nods", "round"]) shown(what).parentElement.hidden = drag.checked; // nothing of it stays
         shown("critical").textContent = `${fixed(critical, 0)} rad/s`;
         scrub.max = until();
-        curve.prepare();
+        state.curved = state.fine === FINE || (!state.curved && !drag.checked);
+        if (state.curved) curve.prepare();
         return at(Math.min(state.t, until()));
     }
     /** The numbers beside the sliders, and which button they are as. */
@@ -295,7 +273,7 @@ tumblingLive.widget("top", async (stage, from) => {
         body.draw();
         curve.draw();
         const now = performance.now();
-        if (clocked.playing() && now - state.told < 100) return "";
+        if (state.fine > FINE || (clocked.playing() && now - state.told < 100)) return "";
         state.told = now;
         const sample = steppedAt(t);
         const stopped = t > state.axes.length * state.each;
@@ -354,18 +332,39 @@ tumblingLive.widget("top", async (stage, from) => {
         drag.checked = said.get("drag") === "1";
     }
 
-    const change = () => {
+    let [moved, resting] = [-Infinity, 0];
+    function fully() {
+        clearTimeout(resting);
+        state.fine = FINE;
+        coarsen(1);
         say(begin());
+    }
+    function change() {
+        fully();
         keep();
-    };
-    for (const field of [spin, lean, step]) field.addEventListener("input", change);
+    }
+    /** While a slider moves on there are fewer samples, drawn coarser, and the curve has each second frame; where it rests all of them. */
+    function slid() {
+        const now = performance.now();
+        const on = now - moved < 250;
+        moved = now;
+        if (!on) return change();
+        clearTimeout(resting);
+        resting = setTimeout(fully, 260);
+        state.fine = ROUGH;
+        coarsen(0.5);
+        begin();
+        keep();
+    }
+    step.addEventListener("input", change);
+    for (const field of [spin, lean]) field.addEventListener("input", slid);
     drag.addEventListener("input", () => {
         state.t = whole();
         change();
     });
     push.addEventListener("input", () => {
         state.steady = false;
-        change();
+        slid();
     });
     for (const button of stage.querySelectorAll("[data-start]")) {
         button.addEventListener("click", () => {
@@ -380,6 +379,7 @@ tumblingLive.widget("top", async (stage, from) => {
     }
     scrub.addEventListener("input", () => {
         pause();
+        if (state.fine > FINE) fully();
         say(at(Number(scrub.value)));
     });
     dragged(canvas("body"), (right, down) => {

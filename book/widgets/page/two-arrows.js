@@ -92,7 +92,7 @@ tumblingLive.widget("two-arrows", async (stage, origin) => {
         draw("text", svg, { class: "live-momentum", x: tip[0] - aside, y: low, "text-anchor": "end" }, "L");
         if (free.t > 0) { // what follows belongs to a spin that is still held
             const moved = Math.hypot(...at(now.from, reach).map((part, k) => part - omega[k]));
-            if (now.gap < 0.01 && moved < 1) draw("text", svg, { x: 0.97 * width, y: 0.03 * height + 12, "text-anchor": "end" }, "both arrows stay");
+            if (now.gap < 0.01 && moved < 1) draw("text", svg, { x: 0.97 * width, y: 0.03 * height + 12, "text-anchor": "end" }, "on an axis: both arrows stay");
             return;
         }
         draw("text", svg, { x: omega[0] + 10, y: beside + (now.from < 20 ? -17 : 17) }, "drag");

@@ -18,7 +18,7 @@ tumblingLive.widget("your-box", async (stage, from) => {
     let [time, turned, rate] = [0, RISE, null]; // since it was let go; the box's axes in the room, as rows; its spin along them
 
     // The eye: at first it looks nearly along z, so that angles between x and y are seen as they are. Dragged, it goes round.
-    let [turn, tilt] = [-0.18, 0.4];
+    let [turn, tilt] = [-0.18, 0.2];
     /** To the right, up, and toward the eye, in the box's own axes. */
     const eye = () => {
         const [c, s, low, high] = [Math.cos(turn), Math.sin(turn), Math.cos(tilt), Math.sin(tilt)];
@@ -72,7 +72,7 @@ tumblingLive.widget("your-box", async (stage, from) => {
         };
         const [[ox, oy], [mx, my]] = [toward(end), toward(tip)];
         const side = my * (end[0] - tip[0]) - mx * (end[1] - tip[1]) > 0 ? -1 : 1;
-        draw("text", svg, { class: "live-omega", x: end[0] + 15 * ox, y: end[1] + 15 * oy + 5, "text-anchor": "middle" }, "ω");
+        draw("text", svg, { class: "live-omega", x: end[0] + 15 * ox, y: Math.max(14, end[1] + 15 * oy + 5), "text-anchor": "middle" }, "ω");
         draw("text", svg, { class: "live-momentum", x: tip[0] + side * 20 * my - 6 * mx, y: tip[1] - side * 20 * mx - 6 * my + 6, "text-anchor": "middle" }, "L");
         svg.shows = { time, spin, momentum }; // for those who test it
         if (length(spin) > 0 && time === 0) {

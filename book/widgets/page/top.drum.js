@@ -1,0 +1,29 @@
+// What the top is made of.
+"use strict";
+
+/** A drum on a pin, the pin's end at 1; two quarters of the drum in another colour, so that it is seen to turn. */
+tumblingLive.drum = ([radius, low, high]) => {
+    const end = 1.9 * high;
+    const [places, model] = [[], []];
+    const round = (size, at, AROUND) => Array.from({ length: AROUND }, (_, i) =>
+        places.push([size * Math.cos(2 * Math.PI * i / AROUND), size * Math.sin(2 * Math.PI * i / AROUND), at].map((x) => x / end)) - 1);
+    function cylinder(size, from, to, quarters) {
+        const AROUND = quarters ? 24 : 8;
+        const [below, above] = [from, to].map((at) => round(size, at, AROUND));
+        const [under, over] = [from, to].map((at) => places.push([0, 0, at / end]) - 1);
+        const kind = (i) => (quarters && Math.floor(4 * i / AROUND) % 2 === 1 ? "front" : "plain");
+        const faces = [];
+        for (let i = 0; i < AROUND; i += 1) {
+            const next = (i + 1) % AROUND;
+            const middle = 2 * Math.PI * (i + 0.5) / AROUND;
+            faces.push({ at: [below[i], below[next], above[next], above[i]], normal: [Math.cos(middle), Math.sin(middle), 0], kind: kind(i), smooth: true });
+            faces.push({ at: [over, above[i], above[next]], normal: [0, 0, 1], kind: kind(i), smooth: true });
+            faces.push({ at: [under, below[i], below[next]], normal: [0, 0, -1], kind: kind(i), smooth: true });
+        }
+        model.push({ faces, middle: places.push([0, 0, 0.5 * (from + to) / end]) - 1 });
+    }
+    cylinder(0.025 * end, 0, low, false);
+    cylinder(radius, low, high, true);
+    cylinder(0.025 * end, high, 0.97 * end, false);
+    return { model, lines: [], places: Float64Array.from(places.flat()) };
+};
