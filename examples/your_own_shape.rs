@@ -16,16 +16,9 @@ fn main() -> Result<(), Error> {
         Compound::new().at(handle, &Vector3::zeros()).at(head.turned(tilted)?, &Vector3::new(0.0, 0.0, 0.18));
     report("a mallet of two parts", &mallet.properties()?)?;
 
-    // A wedge from six vertices and eight triangles, counter-clockwise seen from outside.
-    let vertices = [
-        [0.0, 0.0, 0.0],
-        [0.3, 0.0, 0.0],
-        [0.0, 0.2, 0.0],
-        [0.0, 0.0, 0.1],
-        [0.3, 0.0, 0.1],
-        [0.0, 0.2, 0.1],
-    ]
-    .map(Vector3::from);
+    // A wedge from a triangle at two heights and eight triangles around, counter-clockwise seen from outside.
+    let corners = |z| [[0.0, 0.0, z], [0.3, 0.0, z], [0.0, 0.2, z]].map(Vector3::from);
+    let vertices = [corners(0.0), corners(0.1)].concat();
     let faces = [[0, 2, 1], [3, 4, 5], [0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4], [2, 0, 3], [2, 3, 5]];
     report("a wedge of eight triangles", &Mesh::new(&vertices, &faces)?.with_mass(0.5)?)?;
 
