@@ -4,8 +4,8 @@
 //! then costs the same, however far it is. The spin is Jacobi's ([LL76](crate::references), section 37), by
 //! theta functions of the phase; the attitude two more theta functions, which are its Cayley-Klein parameters
 //! ([KS97](crate::references); by theta functions too, but of the rotation matrix:
-//! [vZS07](crate::references)). Nothing is integrated in time, so nothing drifts: in tests, an error
-//! is what the rounding of the inputs already makes of the answer, a few units of it.
+//! [vZS07](crate::references)). Nothing is integrated in time, so no errors of steps add up: in tests, an
+//! error is what the rounding of the inputs already makes of the answer, a few units of it.
 //!
 //! ```
 //! use nalgebra::Vector3;

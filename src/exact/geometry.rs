@@ -32,12 +32,13 @@ pub(super) fn seconds(what: Subject, scaled: f64, exponent: i32) -> Result<f64, 
 }
 
 /// The time between two flips of a free body, s: half the period of its spin in body axes.
-/// `None` where it never flips: a steady spin, two equal moments, or exactly on the separatrix.
+/// `None` where no flip follows another: a steady spin, two equal moments, or exactly on the separatrix, on
+/// which there is one at the most.
 ///
 /// The spin (rad/s) is along the principal axes. A flip is when the spin component along the middle axis
-/// changes sign; every free motion but those named does that, a stable libration too, where it is small and
-/// quick. From a start with that component exactly zero, which is a flip at time 0, it is the time of the
-/// first flip after the start.
+/// changes sign; every free motion but those named does that again and again, a stable libration too, where
+/// it is small and quick. From a start with that component exactly zero, which is a flip at time 0, it is the
+/// time of the first flip after the start.
 ///
 /// The formula is `2 K / rate` [LL76](crate::references), section 37, with the elliptic integral `K` from the
 /// arithmetic-geometric mean [Gau99](crate::references). The small differences on which it depends are taken

@@ -46,10 +46,8 @@ fn the_box(canvas: &Canvas) {
     canvas.line((centre.0, centre.1 + b + 20.0), (centre.0, 40.0), axis);
     canvas.label((476.0, centre.1 + 5.0), &Label::new("$x$"));
     canvas.label((centre.0 - 5.0, 30.0), &Label::new("$y$"));
-    canvas.label(
-        (centre.0 - 0.5 * a, centre.1 + b + 24.0),
-        &Label::new(format!("$a$ = {:.0} m", BOX_EDGES[0])).middle(),
-    );
+    let label = Label::new(format!("$a$ = {:.0} m", BOX_EDGES[0])).middle();
+    canvas.label((centre.0 - 0.5 * a, centre.1 + b + 24.0), &label);
     canvas.label((centre.0 - a + 10.0, centre.1 + 30.0), &Label::new(format!("$b$ = {:.0} m", BOX_EDGES[1])));
 }
 

@@ -12,10 +12,8 @@ pub(super) fn draw() -> Drawing {
     let canvas = Canvas::sized(500, 430);
     let plot = Plot::new(&canvas, [66.0, 56.0, 484.0, 356.0], 0.0..END, 0.5..1.3);
     plot.x_axis((0..=4).map(|s| (10.0 * f64::from(s), (10 * s).to_string())), "time $t$ (s)");
-    plot.y_axis(
-        [60, 80, 100, 120].map(|y| (0.01 * f64::from(y), format!("{y} %"))),
-        "kinetic energy, relative to the start",
-    );
+    let ticks = [60, 80, 100, 120].map(|y| (0.01 * f64::from(y), format!("{y} %")));
+    plot.y_axis(ticks, "kinetic energy, relative to the start");
     let energies = |engine| -> Result<Vec<(f64, f64)>, tumbling::Error> {
         let run = motion::timed(engine, &body, STEP, (END / STEP).round() as usize)?;
         Ok(run.iter().map(|(t, b)| (*t, b.energy() / body.energy())).collect())

@@ -14,10 +14,8 @@ pub(super) fn draw() -> Drawing {
     let rate = motion::growth(&m, SPIN)?;
     let canvas = Canvas::sized(500, 450);
     let plot = Plot::new(&canvas, [50.0, 56.0, 484.0, 376.0], Scale::log(1e-12..1.0), 0.0..14.0);
-    plot.x_axis(
-        (-6..=0).map(|n| (10_f64.powi(2 * n), power_of_ten(2 * n))),
-        "slip, as a fraction of the spin",
-    );
+    let ticks = (-6..=0).map(|n| (10_f64.powi(2 * n), power_of_ten(2 * n)));
+    plot.x_axis(ticks, "slip, as a fraction of the spin");
     plot.y_axis((0..=7).map(|n| (2.0 * f64::from(n), (2 * n).to_string())), "time between two flips (s)");
     let time = |push| exact(&m, push);
     let curve: Result<Vec<_>, _> = (0..=240)

@@ -40,20 +40,16 @@ pub(super) fn draw() -> Drawing {
     let canvas = Canvas::sized(500, 400);
     let (x, y) = (-324.0..0.0, 0.0..350.0);
     let plot = Plot::new(&canvas, [50.0, 56.0, 486.0, 336.0], x, y);
-    plot.x_axis(
-        (-3..=0).map(|n| (100.0 * f64::from(n), power_of_ten(100 * n))),
-        "slip, as a fraction of the spin",
-    );
+    let ticks = (-3..=0).map(|n| (100.0 * f64::from(n), power_of_ten(100 * n)));
+    plot.x_axis(ticks, "slip, as a fraction of the spin");
     plot.y_axis((0..=3).map(|n| (100.0 * f64::from(n), (100 * n).to_string())), "time between two flips (s)");
     let line: Result<Vec<_>, Box<dyn Error>> =
         (0..=322).map(|i| -f64::from(i) - 1.0).map(|x| Ok((x, exact(&m, 10_f64.powf(x))?))).collect();
     plot.curve(line?, Pen::new(Ink::Text, 3.0))?;
     let start = plot.at(-323.3, least);
     canvas.disc(start, 5.0, Fill::new(Ink::Text), None);
-    canvas.label(
-        (start.0 + 40.0, start.1 - 18.0),
-        &Label::new(format!("{least:.0} s: the smallest slip that")),
-    );
+    let label = Label::new(format!("{least:.0} s: the smallest slip that"));
+    canvas.label((start.0 + 40.0, start.1 - 18.0), &label);
     canvas.label((start.0 + 40.0, start.1 + 4.0), &Label::new("a computer’s number can be"));
     let end = plot.at(last, exact(&m, 10_f64.powf(last))?);
     let pen = Pen::new(Ink::Wrong, 3.0);

@@ -8,6 +8,7 @@ use tumbling::{Error, Inertia};
 mod a_top;
 mod box_arrows;
 mod box_moments;
+mod closed_form;
 mod coin;
 mod cover;
 mod engines_energy;
@@ -101,6 +102,10 @@ pub(crate) static ALL: &[Figure] = figures! {
         => spins::jacobi, "Its spin in Jacobi’s elliptic functions";
     flip_time_deep::draw, "flip-time-deep", "exact-motion", "Time between flips down to the smallest slip that a computer knows";
     series_terms::draw, "series-terms", "closed-form", "Number of terms that the two series of the closed form need";
+    closed_form::complements, "complements", "closed-form", "The complement of the modulus for starts next to the middle axis";
+    closed_form::psi, "psi", "closed-form", "The angle about the momentum that the closed form adds up";
+    closed_form::zeros, "theta-zeros", "closed-form", "Zeros and poles of the attitude's two numbers in the plane of the argument";
+    closed_form::both_numbers, "pair", "closed-form", "The attitude's two complex numbers through a period";
     exact_errors::draw, "exact-errors", "exact-motion", "Errors of the exact motion over many bodies, relative to what a rounded input does";
     a_top::draw, "a-top", "a-top", "The axis of a top that was let go: it nods and goes round";
     four_steps::draw, "four-steps", "stepping-through-time", "What four methods make of the energy of a tumbling box";

@@ -108,10 +108,8 @@ fn small(canvas: &Canvas, plate: &Inertia) -> Result<Vec<String>, tumbling::Erro
         );
         canvas.arrow(centre, dot_at, Pen::new(Ink::Omega, 1.6));
         canvas.disc(centre, 2.4, Fill::new(Ink::Text), None);
-        canvas.label(
-            (centre.0, centre.1 + 40.0),
-            &Label::new(format!("{degrees:.0}°")).ink(Ink::Omega).middle(),
-        );
+        let label = Label::new(format!("{degrees:.0}°")).ink(Ink::Omega).middle();
+        canvas.label((centre.0, centre.1 + 40.0), &label);
         let gap = format!("{:.1}°", a.gap.to_degrees());
         canvas.label((centre.0, centre.1 + 64.0), &Label::new(gap.clone()).middle().bold());
         gaps.push(format!("{gap} at {degrees:.0}°"));

@@ -14,10 +14,8 @@ pub(super) fn draw() -> Drawing {
     let canvas = Canvas::sized(500, 450);
     let plot = Plot::new(&canvas, [66.0, 56.0, 484.0, 376.0], 0.0..7.0, Scale::log(1e-7..30.0));
     plot.x_axis((0..=7).map(|s| (f64::from(s), s.to_string())), "time $t$ (s)");
-    plot.y_axis(
-        (-3..=0).map(|n| (10_f64.powi(2 * n), power_of_ten(2 * n))),
-        "angle between the spin and the middle axis (rad)",
-    );
+    let ticks = (-3..=0).map(|n| (10_f64.powi(2 * n), power_of_ten(2 * n)));
+    plot.y_axis(ticks, "angle between the spin and the middle axis (rad)");
     // A slip about the largest axis, half growing, half fading: `cosh`, with `sinh` about the smallest.
     let other = ((m[2] - m[1]) * m[2] / ((m[1] - m[0]) * m[0])).sqrt();
     let mut said = Vec::new();
@@ -29,14 +27,10 @@ pub(super) fn draw() -> Drawing {
         let angle = |w: Vector3<f64>| w.x.hypot(w.z).atan2(w.y.abs());
         let share = 0.5 * other.hypot(1.0) * push;
         let full = (3.0 / share).ln() / rate;
-        plot.curve(
-            [(0.0, share), (full, share * (rate * full).exp())],
-            Pen::new(Ink::Text, 7.0).opacity(0.22),
-        )?;
-        plot.curve(
-            run.iter().step_by(10).map(|(t, body)| (*t, angle(body.omega_body()))),
-            Pen::new(Ink::Text, 2.2),
-        )?;
+        let line = [(0.0, share), (full, share * (rate * full).exp())];
+        plot.curve(line, Pen::new(Ink::Text, 7.0).opacity(0.22))?;
+        let line = run.iter().step_by(10).map(|(t, body)| (*t, angle(body.omega_body())));
+        plot.curve(line, Pen::new(Ink::Text, 2.2))?;
         let tail = plot.at(whole, push);
         let power = power_of_ten(exponent);
         if exponent == -2 {

@@ -120,10 +120,8 @@ pub(crate) fn turned(subject: &Subject<'_>) -> Drawing {
     let plane = [Axis::Smallest, Axis::Largest];
     let canvas = Canvas::sized(500, 540);
     large(&canvas, subject, plane, 30.0);
-    canvas.label(
-        (14.0, 402.0),
-        &Label::new("the spin turned from one axis to the other, and the gap:").size(15.5),
-    );
+    let label = Label::new("the spin turned from one axis to the other, and the gap:").size(15.5);
+    canvas.label((14.0, 402.0), &label);
     let mut gaps = Vec::new();
     for i in 0..7_u32 {
         let degrees = f64::from(15 * i);
@@ -131,10 +129,8 @@ pub(crate) fn turned(subject: &Subject<'_>) -> Drawing {
         outline(&canvas, subject, plane, centre, 24.0);
         let arrows = Pair::new(subject, plane, degrees);
         pair(&canvas, centre, 40.0, &arrows, [1.6, 3.6]);
-        canvas.label(
-            (centre.0, centre.1 + 44.0),
-            &Label::new(format!("{degrees:.0}°")).ink(Ink::Omega).middle(),
-        );
+        let label = Label::new(format!("{degrees:.0}°")).ink(Ink::Omega).middle();
+        canvas.label((centre.0, centre.1 + 44.0), &label);
         canvas.label((centre.0, centre.1 + 66.0), &Label::new(arrows.gap()).bold().middle().size(15.5));
         gaps.push(format!("{} at {degrees:.0}°", arrows.gap()));
     }

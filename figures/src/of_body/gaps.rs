@@ -29,10 +29,8 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
     canvas.label((14.0, 24.0), &Label::new(subject.name()).bold());
     let top = if most > 60.0 { 90.0 } else { (1.35 * most).max(1.0) };
     let plot = Plot::new(&canvas, [60.0, 78.0, 484.0, 376.0], 0.0..90.0, 0.0..top);
-    plot.x_axis(
-        (0..=6).map(|i| (f64::from(15 * i), format!("{}°", 15 * i))),
-        "spin, from the easier axis to the harder",
-    );
+    let ticks = (0..=6).map(|i| (f64::from(15 * i), format!("{}°", 15 * i)));
+    plot.x_axis(ticks, "spin, from the easier axis to the harder");
     let degrees = units::ticks(top).into_iter().map(|(y, text)| (y, format!("{text}°")));
     plot.y_axis(degrees, "gap between $!ω$ and $!L$");
     let pens =

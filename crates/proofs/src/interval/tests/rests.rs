@@ -5,7 +5,7 @@ use crate::interval::real::field;
 use num_rational::BigRational as Exact;
 use num_traits::{Signed, ToPrimitive, Zero};
 use std::cell::Cell;
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, PI};
 use tumbling::laws::{ComplementaryPair, ComplementarySeries, DirectPair, DirectSeries};
 use tumbling::number::{Lane, Series};
 
@@ -176,10 +176,9 @@ fn sine_and_cosine_of_a_part_of_a_turn_leave_out_no_more_than_their_rests() {
             LEFT_OUT.set(left_out);
             let (sine, cosine) = given(&part).sin_cos_of_quarter();
             let x = part * &quarter;
-            let wave = |first: Exact, k: i64| {
-                series(first, |n| -(&x * &x) * ratio(1, (2 * n + k - 1) * (2 * n + k)))
-            };
-            ([sine, cosine], [wave(x.clone(), 1), wave(ratio(1, 1), 0)])
+            let next = |n: i64| -(&x * &x) * ratio(1, n * (n + 1));
+            let waves = [series(x.clone(), |n| next(2 * n)), series(ratio(1, 1), |n| next(2 * n - 1))];
+            ([sine, cosine], waves)
         };
         rests_hold("part of a turn", &(1..=8).map(at).collect::<Vec<_>>());
     }
@@ -195,8 +194,7 @@ fn theta(
 ) -> Exact {
     let of = |n: i32| {
         let size = |n: i32| ratio(n.into(), 1).pow(weigh) * x.pow(-n);
-        let both = size(n) + size(-n - b / a) * ratio(sign, 1);
-        let both = if n == 0 && b == 0 { both / ratio(2, 1) } else { both };
+        let both = (size(n) + size(-n - b / a) * ratio(sign, 1)) / ratio(1 + i64::from(n == 0 && b == 0), 1);
         q.pow(a * n * n + b * n) * both * &w[n as usize] * ratio(alternating, 1).pow(n)
     };
     (0..14).map(of).sum()
@@ -223,15 +221,18 @@ fn angles() -> impl Iterator<Item = ([[Exact; 2]; 2], [Vec<Exact>; 4])> {
     })
 }
 
-/// Nomes up to the largest of the direct series, exp(-0.775 pi) = 0.08762.
-const NOMES: [(i64, i64); 3] = [(877, 10_000), (3, 100), (1, 1000)];
-
-/// Roots of complementary nomes up to the largest, exp(-pi/1.55) = 0.13176.
-const ROOTS: [(i64, i64); 3] = [(1318, 10_000), (5, 100), (1, 1000)];
+/// The largest nome of a series, rounded up, by its logarithm at the library's border between both, and two
+/// smaller ones.
+fn nomes(log_at: fn(f64) -> f64) -> [(Exact, Exact); 3] {
+    let source = include_str!("../../../../../src/exact/elliptic.rs");
+    let number = source.split("NOME_RATIO: f64 = ").nth(1).and_then(|rest| rest.split(';').next());
+    let largest = (log_at(number.unwrap().parse().unwrap()).exp() * 1e4).ceil() as i64;
+    [(largest, 10_000), (3, 100), (1, 1000)].map(|(a, b)| (ratio(a, b), ratio(1, 1)))
+}
 
 #[test]
 fn the_direct_sums_leave_out_no_more_than_their_rests() {
-    for (q, one) in NOMES.map(|(a, b)| (ratio(a, b), ratio(1, 1))) {
+    for (q, one) in nomes(|border| -PI * border) {
         let sums = DirectSeries::new(given(&q));
         let at = |([_, [c, _]], [even, ..]): ([[Exact; 2]; 2], [Vec<Exact>; 4])| {
             let both = |sign: i64| theta([sign, 1], (&q, 1, 0), (&one, 0), &even);
@@ -248,7 +249,7 @@ fn the_direct_sums_leave_out_no_more_than_their_rests() {
 
 #[test]
 fn the_direct_pair_leaves_out_no_more_than_its_rests() {
-    for (q, one) in NOMES.map(|(a, b)| (ratio(a, b), ratio(1, 1))) {
+    for (q, one) in nomes(|border| -PI * border) {
         let mut found = Vec::new();
         // From no depth to the greatest, and both orders of the axes.
         for (f, sense) in [(one.clone(), 1), (ratio(1, 2), -1), (q.clone(), 1), (q.clone(), -1)] {
@@ -268,7 +269,7 @@ fn the_direct_pair_leaves_out_no_more_than_its_rests() {
 
 #[test]
 fn the_complementary_sums_leave_out_no_more_than_their_rests() {
-    for (root, one) in ROOTS.map(|(a, b)| (ratio(a, b), ratio(1, 1))) {
+    for (root, one) in nomes(|border| -FRAC_PI_2 / border) {
         let p = &root * &root;
         let of = |sign: i64, both: i64, b: i32, e: &Exact| {
             theta([sign, both], (&p, 1, b), (e, 0), &[(); 20].map(|()| ratio(1, 1)))
@@ -288,7 +289,7 @@ fn the_complementary_sums_leave_out_no_more_than_their_rests() {
 
 #[test]
 fn the_complementary_pair_leaves_out_no_more_than_its_rests() {
-    for (p, one) in ROOTS.map(|(a, b)| (ratio(a, b), ratio(1, 1))) {
+    for (p, one) in nomes(|border| -FRAC_PI_2 / border) {
         let (mut found, mut at_saddle) = (Vec::new(), Vec::new());
         for (([[sin, cos], _], [_, _, sine, cosine]), sense) in angles().zip([1, -1].into_iter().cycle()) {
             let waves = ComplementaryPair::waves(given(&sin), given(&cos));
@@ -299,10 +300,8 @@ fn the_complementary_pair_leaves_out_no_more_than_its_rests() {
                 let of = |signs: [i64; 2], weigh: i32, w: &[Exact]| theta(signs, (&p, 1, 1), (&e, weigh), w);
                 let a = |weigh: i32| [of([1, 1], weigh, &cosine), of([1, -1], weigh, &turned)];
                 let b = [of([-1, -1], 0, &cosine), of([-1, 1], 0, &turned)];
-                found.push((
-                    pair.sums(given(&e), given(&(&p * &p / &e))),
-                    [a(0), b].concat().try_into().unwrap(),
-                ));
+                let sums = pair.sums(given(&e), given(&(&p * &p / &e)));
+                found.push((sums, [a(0), b].concat().try_into().unwrap()));
                 if k == 0 {
                     let ([re, im], [d_re, d_im]) = (a(0), a(1));
                     let square = &re * &re + &im * &im;
