@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::laws::Trial;
 use crate::options::Options;
-use crate::read::{Derived, Feed, Known, Note, Raw, Rows, Said, Source};
+use crate::read::{Feed, Known, Note, Raw, Rows, Said, Source};
 use crate::rule::{PHYSICS_ENGINES, Subject};
 use crate::thresholds::PROBE_ROWS;
 use crate::verdict::{Verdict, too_far, verdict};
@@ -59,7 +59,7 @@ pub(crate) fn judge_rows(rows: &mut dyn Source, said: Said, options: &Options) -
     let subject = Subject::new(moments, said.torque)?;
     let mut known = Known::of(&mut probe, said, moments);
     let mut feed = Feed { has_spin: known.has_spin(), moments, clock: known.clock, waiting: None };
-    let (mut states, stopped) = known.understood(&probe, &mut feed)?;
+    let (mut states, stopped) = known.understood(&probe, &mut feed);
     let rest = states.iter().position(|row| row.omega != Vector3::zeros()).unwrap_or(0);
     states.drain(..rest);
     known.said.notes.extend(states.first().filter(|_| rest > 0).map(|first| Note::Rest { line: first.line }));
@@ -84,10 +84,9 @@ fn follow(rows: &mut dyn Source, trial: &mut Trial, feed: &mut Feed) -> Result<(
         if trial.stopped.is_some() {
             continue;
         }
-        match feed.push(&trial.known.reading.state(&raw, &feed.moments))? {
-            Derived::Known(state) => trial.row(&state)?,
-            Derived::Unknown => {}
-            Derived::TooFar { line, turn } => trial.stopped = Some((line, turn)),
+        match feed.push(&trial.known.reading.state(&raw, &feed.moments)) {
+            Ok(state) => state.iter().try_for_each(|state| trial.row(state))?,
+            Err(stopped) => trial.stopped = Some(stopped),
         }
     }
     Ok(())

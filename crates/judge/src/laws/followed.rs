@@ -6,11 +6,9 @@ use crate::read::{Floor, Pair, Row, in_world, ordered};
 use crate::thresholds::*;
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
+use tumbling::Axis;
+use tumbling::dynamics::{euler, observe};
 use tumbling::exact::{FreeMotion, Regime};
-use tumbling::{
-    Axis,
-    dynamics::{euler, observe},
-};
 
 /// Everything that is followed from row to row.
 pub(crate) struct Laws {

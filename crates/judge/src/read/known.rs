@@ -1,8 +1,7 @@
 //! What is known of a record besides its rows: what it says, and what its first rows show.
 
-use crate::error::Error;
 use crate::read::{
-    Clock, Derived, Feed, Floor, Grid, Kind, Raw, Reading, Row, angle_between, median, of_attitudes, rounding,
+    Clock, Feed, Floor, Grid, Kind, Raw, Reading, Row, angle_between, median, of_attitudes, rounding,
 };
 use crate::thresholds::*;
 use nalgebra::Vector3;
@@ -77,22 +76,13 @@ impl Known {
 
     /// The first rows as motions, up to where one turns too far. A rounding of attitudes alone is so much
     /// more relative to the turn that makes a spin.
-    pub(crate) fn understood(
-        &mut self,
-        probe: &[Raw],
-        feed: &mut Feed,
-    ) -> Result<(Vec<Row>, Stopped), Error> {
-        let (mut states, mut stopped) = (Vec::new(), None);
-        for raw in probe {
-            match feed.push(&self.reading.state(raw, &feed.moments))? {
-                Derived::Known(state) => states.push(state),
-                Derived::Unknown => {}
-                Derived::TooFar { line, turn } => {
-                    stopped = Some((line, turn));
-                    break;
-                }
-            }
-        }
+    pub(crate) fn understood(&mut self, probe: &[Raw], feed: &mut Feed) -> (Vec<Row>, Stopped) {
+        let mut states = Vec::new();
+        let mut push = |raw| {
+            states.extend(feed.push(&self.reading.state(raw, &feed.moments))?);
+            Ok(())
+        };
+        let stopped = probe.iter().try_for_each(&mut push).err();
         let turn = median(states.iter().filter_map(|state| {
             let (_, ahead) = state.ahead?;
             Some(angle_between(&state.attitude?, &ahead)).filter(|turn| *turn > 0.0)
@@ -100,7 +90,7 @@ impl Known {
         if !self.has_spin() && turn.is_finite() && turn > 0.0 {
             self.floor.size *= SPIN_FROM_TURN / turn.min(1.0);
         }
-        Ok((states, stopped))
+        (states, stopped)
     }
 }
 

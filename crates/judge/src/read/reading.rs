@@ -372,7 +372,7 @@ impl Reading {
 
 /// How much the change of the spin is like the gyroscopic one (the cosine between the two), and how large
 /// beside it.
-fn law(pairs: impl Iterator<Item = Pair>, moments: &Vector3<f64>) -> (f64, f64) {
+pub(crate) fn law(pairs: impl Iterator<Item = Pair>, moments: &Vector3<f64>) -> (f64, f64) {
     alike(pairs.map(|pair| {
         let mean = (pair.from.omega + pair.to.omega) / 2.0;
         let law = euler::angular_acceleration(moments, &mean, &Vector3::zeros());

@@ -92,8 +92,8 @@ advices! {
          step). An engine's flag for gyroscopic forces makes it flip, and may lose a stable spin: record that." in PITFALL_FLIPS;
     EXPLICIT: "The gyroscopic term is taken at the start of the step and adds energy to a body that wobbles. Turn the \
          momentum instead of adding to it (three exact turns a step)." in REMEDY;
-    RESCALED: "The momentum's length is put right after an explicit step, its energy is not: a stable spin that wobbles drifts \
-         toward the separatrix, and flips. Turn the momentum instead (three exact turns a step)." in REMEDY;
+    RESCALED: "After each explicit step the momentum's length is set back to that before it, the energy is not: a stable spin that \
+         wobbles drifts toward the separatrix, and flips. Turn the momentum instead (three exact turns a step)." in REMEDY;
     ONE_IMPLICIT: "One implicit step takes energy and momentum from most bodies that tumble; of a step that turns by a radian or \
          more it can multiply the energy. Use three exact turns a step." in REMEDY;
     MEAN_SPIN: "The spin is of order 4, the attitude of order 2: the momentum of a body that wobbles wanders in the world. \

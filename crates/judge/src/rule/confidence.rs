@@ -1,8 +1,8 @@
 //! How sure a diagnosis is, in steps that a reader can act on; and what is said of a record that no rule
 //! fits.
 
-use crate::read::{Floor, Known, Pair, median, unit};
-use crate::rule::diagnosis::{Jump, Ranked, Whole, jumps};
+use crate::read::{Floor, Known, Pair, law, median, unit};
+use crate::rule::diagnosis::{Jump, Ranked, Whole, jumps, without};
 use crate::rule::tried::explained;
 use crate::rule::{Alteration, Base, Explanation, PHYSICS_ENGINES, Rule, Subject, Turn, When};
 use crate::thresholds::*;
@@ -89,20 +89,23 @@ pub(super) fn confidence_in(
     let [rounding, _] = floor.closely();
     let closely = best.median <= rounding && (!is_exact || best.median <= FITS_EXACT[0] * floor.size);
     let fitted = usize::from(has_fitted_number(&best.rule, known.clock.per_row));
-    let much = |above: f64| explains_much(subject, pairs, best, floor, above);
+    let most = floor.limits()[1];
+    let jumps = if closely { jumps(subject, pairs, &best.rule, most, JUMP_EVERY[0]) } else { None };
+    let own = without(pairs, jumps.as_deref().unwrap_or_default());
+    let of_own = explained(subject, &own, best.rule).unwrap_or(*best);
+    let much = |above: f64| explains_much(subject, &own, &of_own, floor, above);
     let clear = is_exact || much(ERROR_ABOVE[fitted]);
-    let jumps = if closely { jumps(subject, pairs, &best.rule, floor.limits()[1]) } else { None };
     // An exact spin alone says nothing of what turned the attitude.
     let of_spin = best.rule == Base::Exact.but(Alteration::Turned(Turn::Otherwise));
     let confidence = if whole.repeats {
         Confidence::Repeated
     } else if whole.share < TRIED_SHARE {
         Confidence::FewSteps
-    } else if are_interpolated(pairs, floor) {
+    } else if are_interpolated(subject, pairs, floor) {
         Confidence::Interpolated
     } else if of_spin {
         Confidence::NoneFits
-    } else if (closely || best.fits(floor)) && !clear {
+    } else if (jumps.is_some() || best.fits(floor)) && !clear {
         return (Confidence::SmallErrors, jumps.unwrap_or_default());
     } else if let Some(jumps) = jumps.filter(|jumps| best.fits(floor) || !jumps.is_empty()) {
         return (if jumps.is_empty() { Confidence::ToRounding } else { Confidence::MostSteps }, jumps);
@@ -223,15 +226,27 @@ fn altered<'a>(
 
 /// Whether some of the rows lie on a straight line between those before and after, next to a plain bend: no
 /// smooth motion has that.
-fn are_interpolated(pairs: &[Pair], floor: Floor) -> bool {
+fn are_interpolated(subject: &Subject, pairs: &[Pair], floor: Floor) -> bool {
+    // The attitudes between two others turn about one axis, however the spin changes there.
+    let is_between = |[first, second]: [&Pair; 2]| match (first.turn(), second.turn()) {
+        (Some(a), Some(b)) if first.to.ahead.is_none() => {
+            let (v, w) = (first.to.omega, second.to.omega);
+            a.cross(&b).norm() * v.norm() * w.norm() < TURNS_APART * v.cross(&w).norm() * a.norm() * b.norm()
+        }
+        _ => true,
+    };
     let bends = pairs.windows(2).filter(|two| two[0].to.line == two[1].from.line).map(|two| {
         let [first, second] = [two[0], two[1]].map(|pair| pair.to.omega - pair.from.omega);
         let rounding = STRAIGHT[0] * floor.size * two[0].from.omega.norm();
-        if first.norm() > CLEAR * rounding { (first - second).norm() / rounding } else { f64::NAN }
+        let bend = (first - second).norm() / rounding;
+        let is_seen = first.norm() > CLEAR * rounding && (bend > 1.0 || is_between([&two[0], &two[1]]));
+        if is_seen { bend } else { f64::NAN }
     });
     let bends: Vec<f64> = bends.collect();
     let is_knot = |two: &&[f64]| two[0].min(two[1]) <= 1.0 && two[0].max(two[1]) > ABOVE_ROUNDING;
-    bends.windows(2).filter(is_knot).count() as f64 > STRAIGHT[1] * bends.len() as f64
+    let many = bends.windows(2).filter(is_knot).count() as f64 > STRAIGHT[1] * bends.len() as f64;
+    // The spins of pushes do not go by the law.
+    many && law(pairs.iter().copied(), &subject.moments).0 > LAW_AGREES
 }
 
 /// The error of the middle step, as a share of what the gyroscopic term changes of the spin in the middle

@@ -317,9 +317,7 @@ pub(crate) fn diagnose(
     if confidence == Confidence::ToRounding {
         (ranked, confidence) = settled(subject, pairs, ranked, whole, floor);
     } else if confidence == Confidence::MostSteps && !jumps.is_empty() {
-        let is_own = |pair: &&Pair| jumps.iter().all(|jump| jump.line != pair.to.line);
-        let own: Vec<Pair> = pairs.iter().filter(is_own).copied().collect();
-        if is_biased(subject, &own, &ranked.best.rule, floor) {
+        if is_biased(subject, &without(pairs, &jumps), &ranked.best.rule, floor) {
             (confidence, jumps) = (Confidence::NoneFits, Vec::new());
         }
     }
@@ -352,23 +350,35 @@ pub(crate) fn diagnose(
     })
 }
 
+/// The steps without those that jump.
+pub(super) fn without(pairs: &[Pair], jumps: &[Jump]) -> Vec<Pair> {
+    let is_own = |pair: &&Pair| jumps.iter().all(|jump| jump.line != pair.to.line);
+    pairs.iter().filter(is_own).copied().collect()
+}
+
 /// The steps that are as far from the motion as no step of a rule that is not known: pushes.
 fn pushes(subject: &Subject, pairs: &[Pair], found: &[Explanation], floor: Floor) -> Vec<Jump> {
     let exact = found.iter().find(|x| x.rule == Rule::EXACT).filter(|x| x.percentile_95 < NEAR);
     let most = exact.map(|x| JUMP_IN_LIMITS * x.percentile_95.max(floor.limits()[1]));
-    most.and_then(|most| jumps(subject, pairs, &Rule::EXACT, most)).unwrap_or_default()
+    most.and_then(|most| jumps(subject, pairs, &Rule::EXACT, most, JUMP_EVERY[1])).unwrap_or_default()
 }
 
 /// The steps that are not the rule's: a push is rare, far larger than the errors of the steps, and not the
 /// end of another; all other steps are the rule's. `None` where that is not so.
-pub(super) fn jumps(subject: &Subject, pairs: &[Pair], rule: &Rule, most: f64) -> Option<Vec<Jump>> {
+pub(super) fn jumps(
+    subject: &Subject,
+    pairs: &[Pair],
+    rule: &Rule,
+    most: f64,
+    every: usize,
+) -> Option<Vec<Jump>> {
     let jump = |pair: &Pair| {
         let size = subject.residual(rule, pair);
         (size > most).then_some(Jump { line: pair.to.line, time: pair.to.t, size })
     };
     let off: Vec<Jump> = pairs.iter().filter_map(jump).collect();
     let far = off.iter().filter(|jump| jump.size > JUMP_IN_LIMITS * most).count();
-    let rare = far == off.len() && far * JUMP_EVERY <= pairs.len() && far <= RESETS;
+    let rare = far == off.len() && far * every <= pairs.len();
     // Of attitudes alone one push is in two turns.
     let apart = off.windows(3).all(|three| three[2].line > three[0].line + 2);
     if far == 0 { Some(Vec::new()) } else { (rare && apart).then_some(off) }

@@ -206,7 +206,7 @@ fn advice_never_says_that_there_is_nothing_to_do_where_a_law_is_broken() {
 }
 
 #[test]
-fn a_rule_is_not_said_to_keep_a_length_that_grows() {
+fn a_rule_is_not_said_to_keep_a_length_that_jumps_between_its_steps() {
     let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
     let mut rows = Vec::new();
     let mut state = State { attitude: Quaternion::identity(), momentum: system.momentum(&(SPIN * 4.0)) };
@@ -218,6 +218,9 @@ fn a_rule_is_not_said_to_keep_a_length_that_grows() {
     let verdict = judged(&csv(&rows));
     let grows = verdict.laws.iter().any(|law| law.name == LawName::Momentum && law.growth.rank() > 2);
     assert!(grows, "{verdict}");
+    let found = verdict.diagnosis.as_ref().unwrap();
+    assert!(found.jumps.len() == 30 && found.best.rule.method() == Some((Method::Rescaled, 1)), "{verdict}");
+    assert!(verdict.to_string().contains("Something acts on the body at the jumps"), "{verdict}");
     assert!(!verdict.to_string().contains("length is put right"), "{verdict}");
 }
 
