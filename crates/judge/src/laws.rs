@@ -9,7 +9,7 @@ mod trial;
 
 pub(crate) use curve::Curve;
 pub(crate) use followed::Laws;
-pub(crate) use jumps::Jumps;
+use jumps::Errors;
 pub use jumps::Reset;
 pub use kept::{FlipCount, Growth, Law};
 pub use points::Point;

@@ -25,4 +25,4 @@ pub use reading::FileMistake;
 pub(crate) use reading::{Reading, law};
 pub(crate) use rounding::{Floor, last_place, of_attitudes, rounding, significant, significant_bits};
 pub(crate) use rows::{Exact, Printed, Raw, Rows, Source};
-pub(crate) use state::{Feed, Pair, Row, angle_between, in_world, median, middle_and_most, ordered, unit};
+pub(crate) use state::{Pair, Row, angle_between, in_world, median, middle_and_most, ordered, spin, unit};

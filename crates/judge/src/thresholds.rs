@@ -289,6 +289,12 @@ pub(crate) const ALTERED: [f64; 2] = [3.0, 32.0];
 /// may.
 pub(crate) const STRAIGHT: [f64; 2] = [16.0, 0.05];
 pub(crate) const TURNS_APART: f64 = 0.25;
+/// Difference in size, as a share of that from row to row, up to which the errors of steps come again; and
+/// after how many rows they may.
+pub(crate) const AGAIN: f64 = 0.2;
+pub(crate) const AGAIN_MOST: usize = 16;
+/// How far from 1 a multiple of the gyroscopic term must be to be seen where no rule fits.
+pub(crate) const TERM_APART: f64 = 0.2;
 /// Rounding from which on numbers have as few digits as half precision or a sensor has.
 pub(crate) const DIGITS_OF_A_SENSOR: f64 = 3e-4;
 /// Share of a row's error that the next step takes back where rows scatter (half of it, of noise alone), and

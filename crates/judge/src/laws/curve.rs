@@ -6,52 +6,35 @@ use crate::thresholds::*;
 /// The size of an error over a record of any length.
 #[derive(Debug, Clone)]
 pub(crate) struct Curve {
-    stretches: Stretches<Size>,
-    last: f64,
-    least: f64,
-    greatest: f64,
+    stretches: Stretches<(f64, f64)>,
+    /// The error in the last row, with its sign.
+    pub last: f64,
+    /// The least and the greatest error, with their signs; zero is one of them.
+    pub range: [f64; 2],
 }
 
-#[derive(Debug, Clone, Copy)]
-struct Size {
-    /// The end of the stretch, s.
-    t: f64,
-    /// The most that the error was.
-    most: f64,
-}
-
-impl Stretch for Size {
+/// The end of a stretch, s, and the most that the error was in it.
+impl Stretch for (f64, f64) {
     fn join(&self, next: &Self) -> Self {
-        Self { t: self.t.max(next.t), most: self.most.max(next.most) }
+        (self.0.max(next.0), self.1.max(next.1))
     }
 }
 
 impl Curve {
     pub(crate) const fn new() -> Self {
-        Self { stretches: Stretches::new(STRETCHES), last: 0.0, least: 0.0, greatest: 0.0 }
+        Self { stretches: Stretches::new(STRETCHES), last: 0.0, range: [0.0; 2] }
     }
 
     /// The error at a time after all before it.
     pub(crate) fn push(&mut self, t: f64, error: f64) {
         self.last = error;
-        self.least = self.least.min(error);
-        self.greatest = self.greatest.max(error);
-        self.stretches.push(Size { t, most: error.abs() });
-    }
-
-    /// The error in the last row, with its sign.
-    pub(crate) const fn last(&self) -> f64 {
-        self.last
-    }
-
-    /// The least and the greatest error, with their signs; zero is one of them.
-    pub(crate) const fn range(&self) -> [f64; 2] {
-        [self.least, self.greatest]
+        self.range = [self.range[0].min(error), self.range[1].max(error)];
+        self.stretches.push((t, error.abs()));
     }
 
     /// The greatest size.
     pub(crate) fn most(&self) -> f64 {
-        self.stretches.all().iter().map(|x| x.most).fold(0.0, f64::max)
+        self.stretches.all.iter().map(|x| x.1).fold(0.0, f64::max)
     }
 
     /// How it grows, if what is below `rounding` is none. A logarithm of a ratio (`of_ratio`) that grows
@@ -61,59 +44,50 @@ impl Curve {
         if most <= rounding {
             return Growth::Rounding;
         }
-        let end = self.stretches.all().last().map_or(0.0, |x| x.t);
+        let end = self.stretches.all.last().map_or(0.0, |x| x.0);
         let mut greatest = 0.0_f64;
         // The greatest so far, from a sixteenth of the time on.
-        let envelope: Vec<(f64, f64)> = self
-            .stretches
-            .all()
-            .iter()
-            .map(|x| {
-                greatest = greatest.max(x.most);
-                (x.t, greatest)
-            })
-            .filter(|&(t, size)| t >= GROWTH_FROM * end && t > 0.0 && size > 0.0)
-            .collect();
+        let so_far = self.stretches.all.iter().map(|x| {
+            greatest = greatest.max(x.1);
+            (x.0, greatest)
+        });
+        let late = so_far.filter(|&(t, size)| t >= GROWTH_FROM * end && t > 0.0 && size > 0.0);
+        let envelope: Vec<(f64, f64)> = late.collect();
         let at = |share: f64| envelope.iter().find(|x| x.0 >= share * end).map_or(most, |x| x.1);
         if most < BOUNDED * at(0.5) {
             // A quantity a tenth larger or smaller, or more, which never comes near to what it was again.
-            let later = self.stretches.all().iter().filter(|x| x.t >= end / 2.0);
-            let least = later.map(|x| x.most).fold(f64::INFINITY, f64::min);
-            let one_way = self.greatest.min(-self.least) < STAYED * most;
+            let later = self.stretches.all.iter().filter(|x| x.0 >= end / 2.0);
+            let least = later.map(|x| x.1).fold(f64::INFINITY, f64::min);
+            let one_way = self.range[1].min(-self.range[0]) < STAYED * most;
             let great = of_ratio && one_way && most > GROWN && least > STAYED * most;
             return if great { Growth::Stayed } else { Growth::Bounded };
         }
         let ([fast, linear], [even_most, fast_most]) = (POWERS, OF_ITSELF);
-        let power = line(envelope.iter().map(|&(t, size)| (t.ln(), size.ln())));
-        let exponential = line(envelope.iter().map(|&(t, size)| (t, size.ln())));
+        let (power, of_power) = line(envelope.iter().map(|&(t, size)| (t.ln(), size.ln())));
+        let (exponential, of_exponential) = line(envelope.iter().map(|&(t, size)| (t, size.ln())));
         let even = |rate: f64| {
             if of_ratio && most > even_most { Growth::Exponential { rate } } else { Growth::Linear { rate } }
         };
-        if power.slope >= fast {
-            if exponential.misfit < power.misfit && most > EXPONENTIAL * at(EXPONENTIAL_FROM) {
-                let rate = if of_ratio { self.last / end } else { exponential.slope };
+        if power >= fast {
+            if of_exponential < of_power && most > EXPONENTIAL * at(EXPONENTIAL_FROM) {
+                let rate = if of_ratio { self.last / end } else { exponential };
                 return Growth::Exponential { rate };
             }
             return if of_ratio && most > fast_most {
                 Growth::Exponential { rate: self.last / end }
             } else {
-                Growth::Power { power: power.slope }
+                Growth::Power { power }
             };
         }
-        if power.slope >= linear {
+        if power >= linear {
             return even(self.last / end);
         }
         Growth::RandomWalk { rate: most / end.sqrt() }
     }
 }
 
-struct Line {
-    slope: f64,
-    /// Mean square of what is left.
-    misfit: f64,
-}
-
-fn line(points: impl Iterator<Item = (f64, f64)> + Clone) -> Line {
+/// The slope of the line nearest to points, and the mean square of what is left.
+fn line(points: impl Iterator<Item = (f64, f64)> + Clone) -> (f64, f64) {
     let n = points.clone().map(|_| 1.0).sum::<f64>().max(1.0);
     let (x, y) = points.clone().fold((0.0, 0.0), |sum, p| (sum.0 + p.0 / n, sum.1 + p.1 / n));
     let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
@@ -123,7 +97,7 @@ fn line(points: impl Iterator<Item = (f64, f64)> + Clone) -> Line {
         yy += (p.1 - y) * (p.1 - y);
     }
     let slope = if xx > 0.0 { xy / xx } else { 0.0 };
-    Line { slope, misfit: (yy - slope * xy) / n }
+    (slope, (yy - slope * xy) / n)
 }
 
 #[cfg(test)]
@@ -136,7 +110,7 @@ mod tests {
             let t = f64::from(i) / 100.0;
             curve.push(t, error(t));
         }
-        assert!(curve.stretches.all().len() <= STRETCHES);
+        assert!(curve.stretches.all.len() <= STRETCHES);
         curve.growth(1e-12, of_ratio)
     }
 

@@ -1,7 +1,7 @@
 //! Where a motion starts anew: a step out of all proportion, or back at the start without a way there.
 
-use crate::read::{Known, Pair, Row, angle_between};
-use crate::rule::Subject;
+use crate::laws::Trial;
+use crate::read::{Pair, Row, angle_between};
 use crate::thresholds::*;
 use nalgebra::Vector3;
 use tumbling::dynamics::euler;
@@ -19,22 +19,9 @@ pub struct Reset {
     pub to_start: bool,
 }
 
-/// What the steps so far were off by, and what a next one is held against.
-pub(crate) struct Jumps {
-    first: Row,
-    moments: Vector3<f64>,
-    /// Constant in the world, N m.
-    torque: Option<Vector3<f64>>,
-    /// Whether the record has spins.
-    has_spin: bool,
-    /// The rounding of the numbers, relative to 1.
-    floor: f64,
-    errors: Errors,
-}
-
 /// How far steps were off the law, relative to the spin or in rad.
 #[derive(Default)]
-struct Errors {
+pub(super) struct Errors {
     /// The most in spin or turn, slowly forgotten.
     off: f64,
     /// How many steps there were.
@@ -43,16 +30,9 @@ struct Errors {
     turn: f64,
 }
 
-impl Jumps {
-    /// Of a record from its first row.
-    pub(crate) fn new(subject: &Subject, first: Row, known: &Known) -> Self {
-        let Subject { moments, torque, .. } = *subject;
-        let (has_spin, floor) = (known.has_spin(), known.floor.size);
-        Self { first, moments, torque, has_spin, floor, errors: Errors::default() }
-    }
-
+impl Trial {
     /// Whether the motion starts anew with a row, this number of steps after the last.
-    pub(crate) fn reset(&mut self, pair: &Pair, times: f64) -> Option<Reset> {
+    pub(super) fn reset(&mut self, pair: &Pair, times: f64) -> Option<Reset> {
         let Pair { from: last, to: state, .. } = pair;
         let to_start = self.starts_anew(last, state);
         let jumps = times == 1.0 && self.jumps(pair);
@@ -67,9 +47,9 @@ impl Jumps {
     fn jumps(&mut self, pair: &Pair) -> bool {
         let (from, to) = (pair.from.omega, pair.to.omega);
         // Of attitudes alone a spin that is out of all proportion is what is to be found.
-        let speed = if self.has_spin { from.norm().max(to.norm()) } else { from.norm() };
+        let speed = if self.known.has_spin() { from.norm().max(to.norm()) } else { from.norm() };
         let mean = (from + to) / 2.0;
-        let rate = euler::angular_acceleration(&self.moments, &mean, &self.torque(pair));
+        let rate = euler::angular_acceleration(&self.known.moments, &mean, &self.torque(pair));
         let spin = (to - from - rate * pair.h).norm() / speed;
         let turn = match (pair.turn(), speed * pair.h < SHORT_TURN) {
             (Some(turn), true) => (turn - mean * pair.h).norm(),
@@ -83,7 +63,7 @@ impl Jumps {
         let thrown = self.errors.steps > STEPS_BEFORE_A_JUMP
             && turn > THROWN_IN_TURNS * speed * pair.h
             && turn > JUMP_IN_ERRORS * self.errors.turn
-            && turn > THROWN_IN_ROUNDINGS * self.floor;
+            && turn > THROWN_IN_ROUNDINGS * self.known.floor.size;
         self.errors.turn = self.errors.turn.max(turn);
         let jumps = thrown
             || self.errors.steps > STEPS_BEFORE_A_JUMP
@@ -100,7 +80,7 @@ impl Jumps {
 
     /// The torque in body axes, for a mean over the step.
     fn torque(&self, pair: &Pair) -> Vector3<f64> {
-        match (self.torque, pair.from.attitude) {
+        match (self.known.said.torque, pair.from.attitude) {
             (Some(torque), Some(q)) => {
                 tumbling::attitude::rotation_matrix(&q).tr_mul(&torque) / q.norm_squared()
             }
@@ -113,16 +93,17 @@ impl Jumps {
         let [jump, turns] = JUMP_BACK;
         let (before, now) = (last.omega.norm(), state.omega.norm());
         if before > 0.0 && now == 0.0 {
-            return before > NEARLY_AT_REST.max(ON_AXIS * self.floor) * self.first.omega.norm();
+            return before > NEARLY_AT_REST.max(ON_AXIS * self.known.floor.size) * self.first.omega.norm();
         }
         let back = (state.omega - self.first.omega).norm() <= BACK * self.first.omega.norm();
         let Some(((first, q), was)) = self.first.attitude.zip(state.attitude).zip(last.attitude) else {
             let (h, [errors, roundings]) = (state.t - last.t, BACK_IN_ERRORS);
             let mean = (last.omega + state.omega) / 2.0;
-            let rate = euler::angular_acceleration(&self.moments, &mean, &Vector3::zeros());
+            let rate = euler::angular_acceleration(&self.known.moments, &mean, &Vector3::zeros());
             let off = (state.omega - last.omega - rate * h).norm() / before.max(now);
             let change = (state.omega - last.omega).norm() / before.max(now);
-            let is_far = off.min(change) > roundings * self.floor && off > errors * self.errors.off;
+            let is_far =
+                off.min(change) > roundings * self.known.floor.size && off > errors * self.errors.off;
             return back && (change > jump || is_far && self.errors.steps >= STEPS_BEFORE_A_JUMP);
         };
         let turned = angle_between(&was, &q);

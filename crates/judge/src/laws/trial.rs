@@ -1,9 +1,8 @@
 //! A trial: rows in, and what they do to the laws noted, up to where a motion starts anew.
 
 use crate::error::Error;
-use crate::laws::{Jumps, Laws, Reset, Stretch, Stretches};
+use crate::laws::{Errors, Laws, Reset, Stretch, Stretches};
 use crate::read::{Known, Pair, Row, law};
-use crate::rule::Subject;
 use crate::thresholds::*;
 use nalgebra::Vector3;
 use serde::Serialize;
@@ -43,7 +42,7 @@ pub(crate) struct Trial {
     /// Whether the last row repeats the row before it, and how often such rows come to an end.
     is_equal: bool,
     ends: u64,
-    jumps: Jumps,
+    pub(super) errors: Errors,
     pub resets: Vec<Reset>,
     pub gaps: Option<Gaps>,
     last: Option<Row>,
@@ -57,16 +56,16 @@ pub(crate) struct Trial {
 }
 
 impl Trial {
-    pub(crate) fn new(subject: &Subject, first: Row, known: Known) -> Result<Self, Error> {
+    pub(crate) fn new(first: Row, known: Known) -> Result<Self, Error> {
         Ok(Self {
-            laws: Laws::new(&subject.moments, &first, known.floor)?,
+            laws: Laws::new(&known.moments, &first, known.floor)?,
             first,
             runs: Stretches::new(TRIED_STEPS / TRIED_RUN),
             run: Vec::new(),
             steps: 0,
             is_equal: false,
             ends: 0,
-            jumps: Jumps::new(subject, first, &known),
+            errors: Errors::default(),
             known,
             resets: Vec::new(),
             gaps: None,
@@ -90,7 +89,7 @@ impl Trial {
                 gaps.longest = gaps.longest.max(times);
             }
             let pair = Pair { from: last, to: *state, h };
-            let reset = self.jumps.reset(&pair, times);
+            let reset = self.reset(&pair, times);
             if self.resets.len() < RESETS {
                 self.resets.extend(reset);
             }
@@ -126,7 +125,7 @@ impl Trial {
 
     /// The steps that rules are tried on.
     pub(crate) fn sample(&self) -> Vec<Pair> {
-        [&self.runs.all().concat()[..], &self.run].concat()
+        [&self.runs.all.concat()[..], &self.run].concat()
     }
 
     /// Whether the motion from a row to the next is far above the rounding of the numbers.

@@ -62,13 +62,12 @@ impl Clock {
         if (times - 1.0).abs() < STEP_SLACK { (step, 1.0) } else { (to - from, times) }
     }
 
-    /// Three rows, each one step after the other, with the step as the file has it.
-    pub(crate) fn triples(&self, probe: &[Raw]) -> Vec<[(Raw, f64); 3]> {
+    /// Three rows, each one step after the other, with the second step as the file has it.
+    pub(crate) fn triples(&self, probe: &[Raw]) -> Vec<([Raw; 3], f64)> {
         let every = probe.len().div_ceil(PROBE_PAIRS).max(1);
         let three = probe.windows(3).step_by(every).filter_map(|rows| {
-            let (h, times) = self.between(rows[0].t, rows[1].t);
-            let (next, more) = self.between(rows[1].t, rows[2].t);
-            (times == 1.0 && more == 1.0).then_some([(rows[0], 0.0), (rows[1], h), (rows[2], next)])
+            let [(_, times), (h, more)] = [0, 1].map(|i| self.between(rows[i].t, rows[i + 1].t));
+            (times == 1.0 && more == 1.0).then_some(([rows[0], rows[1], rows[2]], h))
         });
         three.collect()
     }

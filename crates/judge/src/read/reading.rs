@@ -226,20 +226,16 @@ impl Reading {
 
     /// Of attitudes alone the law determines the order and the sense: three rows, each a step after the
     /// other, have two turns, whose change is the gyroscopic one.
-    pub(crate) fn of_attitudes(triples: &[[(Raw, f64); 3]], moments: &Vector3<f64>) -> Self {
+    pub(crate) fn of_attitudes(triples: &[([Raw; 3], f64)], moments: &Vector3<f64>) -> Self {
         let plain = Self::plain(Kind::Attitude);
         let alike = |reading: &Self| {
-            let pairs: Vec<Pair> = triples
-                .iter()
-                .filter_map(|triple| {
-                    let [a, b, c] = triple.map(|(raw, _)| reading.state(&raw, moments));
-                    let h = triple[2].1;
-                    let spin = |from: Row, to: Row| Some(Pair { from, to, h }.turn()? / h);
-                    let (first, second) = (spin(a, b)?, spin(b, c)?);
-                    Some(Pair { from: Row { omega: first, ..a }, to: Row { omega: second, ..b }, h })
-                })
-                .collect();
-            law(pairs.into_iter(), moments).0
+            let pairs = triples.iter().filter_map(|&(triple, h)| {
+                let [a, b, c] = triple.map(|raw| reading.state(&raw, moments));
+                let spin = |from: Row, to: Row| Some(Pair { from, to, h }.turn()? / h);
+                let (first, second) = (spin(a, b)?, spin(b, c)?);
+                Some(Pair { from: Row { omega: first, ..a }, to: Row { omega: second, ..b }, h })
+            });
+            law(pairs, moments).0
         };
         if alike(&plain) > LAW_AGREES {
             return plain;

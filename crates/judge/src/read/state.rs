@@ -1,7 +1,6 @@
-//! A body at one instant, as the judge takes it, two of them one step apart, and spins that a record does not
-//! have, from the turns between its attitudes.
+//! A body at one instant, as the judge takes it, two of them one step apart, and the spin that a turn between
+//! two attitudes has.
 
-use crate::read::Clock;
 use crate::thresholds::*;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::f64::consts::PI;
@@ -153,30 +152,4 @@ pub(crate) fn spin(moments: &Vector3<f64>, pair: &Pair) -> Option<Vector3<f64>> 
         omega += by_start.lu().solve(&left)?;
     }
     (least <= TURN_LEFT && omega.iter().all(|x| x.is_finite())).then_some(omega)
-}
-
-/// Rows, with spins where the record has none: each as soon as the next one is there.
-pub(crate) struct Feed {
-    pub has_spin: bool,
-    pub moments: Vector3<f64>,
-    pub clock: Clock,
-    pub waiting: Option<Row>,
-}
-
-impl Feed {
-    /// A row with its spin; none where there is no row before to compute it from. Where the attitude turns
-    /// too far for that, the line up to which it does, and by how much, rad.
-    pub(crate) fn push(&mut self, state: &Row) -> Result<Option<Row>, (usize, f64)> {
-        if self.has_spin {
-            return Ok(Some(*state));
-        }
-        let Some(from) = self.waiting.replace(*state) else { return Ok(None) };
-        let (h, times) = self.clock.between(from.t, state.t);
-        let pair = Pair { from, to: *state, h };
-        let ahead = state.attitude.filter(|_| times == 1.0).map(|q| (state.line, q));
-        match spin(&self.moments, &pair) {
-            None if times == 1.0 => Err((state.line, pair.turn().map_or(f64::NAN, |turn| turn.norm()))),
-            found => Ok(found.map(|omega| Row { omega, ahead, ..from })),
-        }
-    }
 }

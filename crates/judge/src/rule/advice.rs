@@ -104,18 +104,20 @@ advices! {
 impl Advice {
     /// What follows from the rule that fits best and how well it fits; `floor` is the record's rounding,
     /// `jumps` says whether some steps are not the rule's, `turns` whether there are attitudes, `scatter`
-    /// whether these do by more than the digits that are printed.
+    /// whether these do by more than the digits that are printed, `again`
+    /// whether the errors of the steps come again.
     pub(crate) fn of(
         confidence: Confidence,
         rule: &Rule,
         floor: Floor,
         whole: &Whole,
-        [jumps, turns, scatter]: [bool; 3],
+        [jumps, turns, scatter, again]: [bool; 4],
     ) -> Vec<Self> {
         let one = match confidence {
             Confidence::NoneFits | Confidence::SmallErrors if jumps => Self::JUMPS,
             Confidence::NoneFits | Confidence::Altered if whole.on_wrong_side => Self::SIDE,
             Confidence::NoneFits | Confidence::Accurate if scatter => Self::TAKEN_BACK,
+            Confidence::NoneFits if again => Self::EACH_STEP,
             Confidence::NoneFits if !floor.few => Self::COMPARE,
             Confidence::Accurate => Self::DRIFTS_ON,
             Confidence::Interpolated | Confidence::Repeated | Confidence::FewSteps => Self::EACH_STEP,
@@ -129,7 +131,7 @@ impl Advice {
                 match Self::of_rule(rule, turns) {
                     Self::TURNED_OTHERWISE if scatter => Self::TAKEN_BACK,
                     Self::NOTHING if floor.single => Self::SINGLE,
-                    Self::NOTHING if !whole.kept => Self::ADDS_UP,
+                    Self::NOTHING if !whole.kept && !whole.fails_otherwise => Self::ADDS_UP,
                     Self::NOTHING if whole.fails => Self::NAMED_HERE,
                     other => other,
                 }
@@ -141,7 +143,8 @@ impl Advice {
         // A term that is found by the spin alone says nothing of what turns the attitude.
         let side = (whole.on_wrong_side && one != Self::SIDE && rule.is_of_spin()).then_some(Self::SIDE);
         let fine = [Self::NOTHING, Self::KEEPS_ALL, Self::KEEPS_SIZES, Self::KEEPS_MOMENTUM, Self::OF_ORDER];
-        let other = (whole.fails_otherwise && fine[1..4].contains(&one)).then_some(Self::NOT_THE_RULE);
+        let is_sound = confidence.names_a_rule() && !jumps && rule.alteration.is_none() && !rule.is_wrong();
+        let other = (whole.fails_otherwise && is_sound && *rule != Rule::EXACT).then_some(Self::NOT_THE_RULE);
         other.into_iter().chain([one]).chain(side).chain(more.filter(|more| !fine.contains(more))).collect()
     }
 

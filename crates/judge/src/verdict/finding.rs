@@ -43,7 +43,10 @@ impl Diagnosis {
             (Confidence::NoneFits | Confidence::SmallErrors, _) | (_, 0) => {
                 format!("{}: {}", self.words(), names.join("; or, with the same steps here: "))
             }
-            (_, count) => format!("But for jumps ({count}) all steps agree to rounding with: {}", names[0]),
+            (_, count) => format!(
+                "But for jumps ({count}) all steps agree to rounding with: {}",
+                names.join("; or, with the same steps here: ")
+            ),
         };
         let mut lines = vec![words];
         let unsaid =
