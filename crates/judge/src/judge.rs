@@ -65,7 +65,7 @@ pub(crate) fn judge_rows(rows: &mut dyn Source, said: Said, options: &Options) -
     known.said.notes.extend(states.first().filter(|_| rest > 0).map(|first| Note::Rest { line: first.line }));
     let wrong = |(line, turn)| Error::Line { line, problem: too_far(turn) };
     let first = *states.first().ok_or_else(|| stopped.map_or(Error::OneRow, wrong))?;
-    let mut trial = Trial::new(first, known)?;
+    let mut trial = Trial::new(&subject.moments, first, known)?;
     trial.rows = probe.len() as u64;
     for state in &states {
         trial.row(state)?;

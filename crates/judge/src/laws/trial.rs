@@ -56,9 +56,9 @@ pub(crate) struct Trial {
 }
 
 impl Trial {
-    pub(crate) fn new(first: Row, known: Known) -> Result<Self, Error> {
+    pub(crate) fn new(moments: &Vector3<f64>, first: Row, known: Known) -> Result<Self, Error> {
         Ok(Self {
-            laws: Laws::new(&known.moments, &first, known.floor)?,
+            laws: Laws::new(moments, &first, known.floor)?,
             first,
             runs: Stretches::new(TRIED_STEPS / TRIED_RUN),
             run: Vec::new(),

@@ -1,6 +1,6 @@
 //! Times printed with few digits, put back to the steps that they are rounded from.
 
-use crate::read::{Note, Raw, Reading};
+use crate::read::{Raw, Reading};
 use crate::thresholds::*;
 use nalgebra::Vector3;
 
@@ -8,14 +8,14 @@ use nalgebra::Vector3;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Grid {
     start: f64,
-    step: f64,
+    pub step: f64,
     /// How far the step may be off, s.
     off: f64,
     /// Half a unit of the last decimal of the times, s.
     half: f64,
     /// The most significant digits that they have.
     digits: i32,
-    named: bool,
+    pub named: bool,
 }
 
 impl Grid {
@@ -75,11 +75,6 @@ impl Grid {
     pub(crate) fn floor(&self, probe: &[Raw], reading: &Reading, moments: &Vector3<f64>) -> f64 {
         let speed = probe.iter().map(|raw| reading.state(raw, moments).omega.norm()).fold(0.0, f64::max);
         self.off * reading.time() * speed
-    }
-
-    /// What was made of the times.
-    pub(crate) const fn note(&self) -> Note {
-        Note::EvenSteps { named: self.named, step: self.step }
     }
 }
 

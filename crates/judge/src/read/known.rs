@@ -42,7 +42,7 @@ impl Known {
     pub(crate) fn of(probe: &mut [Raw], mut said: Said, moments: Vector3<f64>) -> Self {
         let grid = Grid::of(probe, said.step);
         if let Some(grid) = &grid {
-            said.notes.push(grid.note());
+            said.notes.push(Note::EvenSteps { named: grid.named, step: grid.step });
             probe.iter_mut().for_each(|raw| grid.put(raw));
         }
         let clock = Clock::of(probe);

@@ -5,6 +5,7 @@ use crate::rule::diagnosis::Ranked;
 use crate::rule::tried::explained;
 use crate::rule::{Alteration, Base, Confidence, Explanation, Rule, Subject, When};
 use crate::thresholds::*;
+use nalgebra::Vector3;
 
 /// The exact motion with a number altered, if that explains nearly all of its error; an accurate rule, and
 /// the error of its steps; rows that scatter, and by how much; or none.
@@ -51,7 +52,7 @@ pub(super) fn attitudes_scatter(subject: &Subject, pairs: &[Pair], base: Base, f
 
 /// By how much rows scatter about a smooth motion, if that is most of what their steps are off by: what one
 /// row is off by, the next step takes back, while the errors of a rule go on.
-fn scatter(pairs: &[Pair], off: impl Fn(&Pair) -> Option<nalgebra::Vector3<f64>>) -> Option<f64> {
+fn scatter(pairs: &[Pair], off: impl Fn(&Pair) -> Option<Vector3<f64>>) -> Option<f64> {
     let both =
         |two: &[Pair]| Some([off(&two[0])?, off(&two[1])?]).filter(|_| two[0].to.line == two[1].from.line);
     let (mut own, mut next, mut count) = (0.0, 0.0, 0.0);
@@ -106,8 +107,8 @@ pub(super) fn are_interpolated(subject: &Subject, pairs: &[Pair], floor: Floor) 
     let bends: Vec<f64> = bends.collect();
     let is_knot = |two: &&[f64]| two[0].min(two[1]) <= 1.0 && two[0].max(two[1]) > ABOVE_ROUNDING;
     let many = bends.windows(2).filter(is_knot).count() as f64 > STRAIGHT[1] * bends.len() as f64;
-    // The spins of pushes do not go by the law.
-    many && law(pairs.iter().copied(), &subject.moments).0 > LAW_AGREES
+    // Spins alone that are pushed do not go by the law.
+    many && (pairs[0].from.attitude.is_some() || law(pairs.iter().copied(), &subject.moments).0 > LAW_AGREES)
 }
 
 /// The error of the middle step, as a share of what the gyroscopic term changes of the spin in the middle
@@ -139,18 +140,23 @@ impl Hints {
     }
 }
 
-/// Every how many rows the errors of a rule's steps come again in size, if they do.
+/// Every how many rows the errors of a rule's steps come again in size, if they do and its changes of spin do
+/// not: the motion itself may.
 fn comes_again(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> Option<usize> {
-    let off = |x: &Pair| Some((x.to.omega - subject.spin_after(rule, x)?).norm() / x.to.omega.norm());
-    let sizes: Vec<f64> = pairs.iter().map(|pair| off(pair).unwrap_or(f64::NAN)).collect();
-    let apart = |rows: usize| {
-        let later = pairs.iter().zip(&sizes).skip(rows).zip(pairs.iter().zip(&sizes));
+    let sizes = |of: fn(&Pair, Vector3<f64>) -> Vector3<f64>| {
+        let size = |x: &Pair| Some(of(x, subject.spin_after(rule, x)?).norm() / x.to.omega.norm());
+        pairs.iter().map(|pair| size(pair).unwrap_or(f64::NAN)).collect::<Vec<f64>>()
+    };
+    let errors = sizes(|pair, end| pair.to.omega - end);
+    let changes = sizes(|pair, end| end - pair.from.omega);
+    let apart = |sizes: &[f64], rows: usize| {
+        let later = pairs.iter().zip(sizes).skip(rows).zip(pairs.iter().zip(sizes));
         let own = later.filter(|((to, _), (from, _))| to.from.line == from.from.line + rows);
         middle_and_most(own.map(|((_, a), (_, b))| (a - b).abs()).collect()).map_or(f64::INFINITY, |x| x[1])
     };
-    let next = apart(1);
-    let are_alike = |rows: &usize| apart(*rows) < AGAIN * next;
-    let is_seen =
-        pairs.len() > 4 * AGAIN_MOST && (ABOVE_ROUNDING * floor.size..f64::INFINITY).contains(&next);
-    is_seen.then(|| (2..=AGAIN_MOST).find(are_alike))?
+    let next = [&errors, &changes].map(|sizes| apart(sizes, 1));
+    let again =
+        |rows: &usize| apart(&errors, *rows) < AGAIN * next[0] && apart(&changes, *rows) >= AGAIN * next[1];
+    let seen = ABOVE_ROUNDING * floor.size..f64::INFINITY;
+    (pairs.len() > 4 * AGAIN_MOST && seen.contains(&next[0])).then(|| (2..=AGAIN_MOST).find(again))?
 }
