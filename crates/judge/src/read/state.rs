@@ -144,7 +144,7 @@ pub(crate) fn spin(moments: &Vector3<f64>, pair: &Pair) -> Option<Vector3<f64>> 
         };
         let left = left.turn()?;
         let size = left.norm();
-        if size >= least || size == 0.0 {
+        if size >= least {
             break;
         }
         least = size;
