@@ -65,7 +65,10 @@ pub fn fit_inertia(rows: &[(f64, Vector3<f64>)], guess: Option<&Inertia>) -> Res
         Some(m) => {
             Some([m[(0, 0)], m[(1, 1)], m[(1, 2)], m[(0, 2)], m[(0, 1)]].map(|x| x / m.trace()).into())
         }
-        None => rough(rows),
+        // Euler's equations alone, summed over turns of about a radian.
+        None => {
+            least([1.0 / 3.0, 1.0 / 3.0, 0.0, 0.0, 0.0].into(), |numbers| Some(summed(rows, numbers)), inside)
+        }
     };
     let mut at = with_spin(&start.ok_or_else(|| steady(0.0))?, &(rows[0].1 / speed));
     for part in FIT_PARTS {
@@ -112,11 +115,6 @@ fn is_steady(swing: f64, left: f64) -> String {
 
 fn no_motion(left: f64, speed: f64) -> String {
     format!("no free motion comes near to these rows: {left:.2e} rad/s are left of {speed:.2e}")
-}
-
-/// The tensor by Euler's equations alone, summed over turns of about a radian.
-fn rough(rows: &[(f64, Vector3<f64>)]) -> Option<SVector<f64, 5>> {
-    least([1.0 / 3.0, 1.0 / 3.0, 0.0, 0.0, 0.0].into(), |numbers| Some(summed(rows, numbers)), inside)
 }
 
 fn check(rows: &[(f64, Vector3<f64>)]) -> Result<(), Error> {

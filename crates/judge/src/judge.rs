@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::laws::Trial;
 use crate::options::Options;
-use crate::read::{Derived, Feed, Known, Note, Raw, Rows, Said, Source};
+use crate::read::{Known, Note, Raw, Row, Rows, Said, Source};
 use crate::rule::{PHYSICS_ENGINES, Subject};
 use crate::thresholds::PROBE_ROWS;
 use crate::verdict::{Verdict, too_far, verdict};
@@ -58,36 +58,35 @@ pub(crate) fn judge_rows(rows: &mut dyn Source, said: Said, options: &Options) -
     PrincipalMoments::try_from(moments)?;
     let subject = Subject::new(moments, said.torque)?;
     let mut known = Known::of(&mut probe, said, moments);
-    let mut feed = Feed { has_spin: known.has_spin(), moments, clock: known.clock, waiting: None };
-    let (mut states, stopped) = known.understood(&probe, &mut feed)?;
+    let mut waiting = None;
+    let (mut states, stopped) = known.understood(&probe, &mut waiting);
     let rest = states.iter().position(|row| row.omega != Vector3::zeros()).unwrap_or(0);
     states.drain(..rest);
     known.said.notes.extend(states.first().filter(|_| rest > 0).map(|first| Note::Rest { line: first.line }));
     let wrong = |(line, turn)| Error::Line { line, problem: too_far(turn) };
     let first = *states.first().ok_or_else(|| stopped.map_or(Error::OneRow, wrong))?;
-    let mut trial = Trial::new(&subject, first, known)?;
+    let mut trial = Trial::new(&subject.moments, first, known)?;
     trial.rows = probe.len() as u64;
     for state in &states {
         trial.row(state)?;
     }
     trial.stopped = stopped;
-    follow(rows, &mut trial, &mut feed)?;
+    follow(rows, &mut trial, &mut waiting)?;
     trial.ended = rows.ended().map(|error| error.to_string());
     Ok(verdict(trial, &subject, options))
 }
 
 /// The rows after those that the reading was settled by.
-fn follow(rows: &mut dyn Source, trial: &mut Trial, feed: &mut Feed) -> Result<(), Error> {
+fn follow(rows: &mut dyn Source, trial: &mut Trial, waiting: &mut Option<Row>) -> Result<(), Error> {
     while let Some(mut raw) = rows.next()? {
-        trial.known.put(&mut raw);
+        trial.known.grid.iter().for_each(|grid| grid.put(&mut raw));
         trial.rows += 1;
         if trial.stopped.is_some() {
             continue;
         }
-        match feed.push(&trial.known.reading.state(&raw, &feed.moments))? {
-            Derived::Known(state) => trial.row(&state)?,
-            Derived::Unknown => {}
-            Derived::TooFar { line, turn } => trial.stopped = Some((line, turn)),
+        match trial.known.row(&raw, waiting) {
+            Ok(state) => state.iter().try_for_each(|state| trial.row(state))?,
+            Err(stopped) => trial.stopped = Some(stopped),
         }
     }
     Ok(())

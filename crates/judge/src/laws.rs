@@ -2,13 +2,17 @@
 
 mod curve;
 mod followed;
+mod jumps;
+mod kept;
 mod points;
 mod trial;
 
 pub(crate) use curve::Curve;
-pub use curve::{FlipCount, Growth, Law};
 pub(crate) use followed::Laws;
+use jumps::Errors;
+pub use jumps::Reset;
+pub use kept::{FlipCount, Growth, Law};
 pub use points::Point;
 pub(crate) use points::{Stretch, Stretches};
+pub use trial::Gaps;
 pub(crate) use trial::Trial;
-pub use trial::{Gaps, Reset};

@@ -66,9 +66,8 @@ impl Arguments {
 
     /// What is to be printed, and whether the record passes.
     fn judged(&self) -> Result<(String, bool), String> {
-        let verdict = open(&self.file)
-            .and_then(|source| judge(source, &self.options()))
-            .map_err(|wrong| format!("{}: {}", self.file.display(), mended(&wrong)))?;
+        let verdict = open(&self.file).and_then(|source| judge(source, &self.options()));
+        let verdict = verdict.map_err(|wrong| format!("{}: {}", self.file.display(), mended(&wrong)))?;
         let json = self.json.then(|| format!("{:#}\n", verdict.json()));
         Ok((json.unwrap_or_else(|| format!("{verdict}\n")), verdict.outcome == Outcome::Passed))
     }

@@ -285,8 +285,16 @@ pub(crate) const ACCURATE: f64 = 1e-4;
 /// multiplied, for a rule not to be called accurate; and for that to be named.
 pub(crate) const ALTERED: [f64; 2] = [3.0, 32.0];
 /// Roundings within which three rows are on a straight line, and the share of all rows from which on rows
-/// beside a plain bend are interpolated; also that from which on rows are written again.
+/// beside a plain bend are interpolated; and the share of what the spin's axis moves there that the turn's
+/// may.
 pub(crate) const STRAIGHT: [f64; 2] = [16.0, 0.05];
+pub(crate) const TURNS_APART: f64 = 0.25;
+/// Difference in size, as a share of that from row to row, up to which the errors of steps come again; and
+/// after how many rows they may.
+pub(crate) const AGAIN: f64 = 0.2;
+pub(crate) const AGAIN_MOST: usize = 16;
+/// How far from 1 a multiple of the gyroscopic term must be to be seen where no rule fits.
+pub(crate) const TERM_APART: f64 = 0.2;
 /// Rounding from which on numbers have as few digits as half precision or a sensor has.
 pub(crate) const DIGITS_OF_A_SENSOR: f64 = 3e-4;
 /// Share of a row's error that the next step takes back where rows scatter (half of it, of noise alone), and
@@ -296,10 +304,9 @@ pub(crate) const SCATTERED_ROWS: f64 = 32.0;
 /// By how many times their scatter a step of the exact motion may be off, if it is the rows that scatter.
 pub(crate) const OF_SCATTER: f64 = 10.0;
 /// How many times as far as steps that still fit one must be from the rule to be a jump, and in how many
-/// steps there may be one: of the records made for the tests pushes are in one of 66 at most, and a rule that
-/// comes to be another's by and by is off in one of 40 and more.
+/// steps there may be one: of a rule that all the others are to rounding, and of one that is not known.
 pub(crate) const JUMP_IN_LIMITS: f64 = 10.0;
-pub(crate) const JUMP_EVERY: usize = 50;
+pub(crate) const JUMP_EVERY: [usize; 2] = [8, 50];
 /// How many times as fast a spin is that rules are compared at, and the difference up to which they are one.
 pub(crate) const FASTER: f64 = 3.0;
 /// Relative to the spin, or in rad.

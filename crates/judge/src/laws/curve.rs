@@ -1,59 +1,40 @@
-//! An error in the course of time, in little room, and how it grows; and how a record keeps each law.
+//! An error in the course of time, in little room, and how it grows.
 
-use crate::law::LawName;
-use crate::laws::{Stretch, Stretches};
+use crate::laws::{Growth, Stretch, Stretches};
 use crate::thresholds::*;
-use serde::Serialize;
 
 /// The size of an error over a record of any length.
 #[derive(Debug, Clone)]
 pub(crate) struct Curve {
-    stretches: Stretches<Size>,
-    last: f64,
-    least: f64,
-    greatest: f64,
+    stretches: Stretches<(f64, f64)>,
+    /// The error in the last row, with its sign.
+    pub last: f64,
+    /// The least and the greatest error, with their signs; zero is one of them.
+    pub range: [f64; 2],
 }
 
-#[derive(Debug, Clone, Copy)]
-struct Size {
-    /// The end of the stretch, s.
-    t: f64,
-    /// The most that the error was.
-    most: f64,
-}
-
-impl Stretch for Size {
+/// The end of a stretch, s, and the most that the error was in it.
+impl Stretch for (f64, f64) {
     fn join(&self, next: &Self) -> Self {
-        Self { t: self.t.max(next.t), most: self.most.max(next.most) }
+        (self.0.max(next.0), self.1.max(next.1))
     }
 }
 
 impl Curve {
     pub(crate) const fn new() -> Self {
-        Self { stretches: Stretches::new(STRETCHES), last: 0.0, least: 0.0, greatest: 0.0 }
+        Self { stretches: Stretches::new(STRETCHES), last: 0.0, range: [0.0; 2] }
     }
 
     /// The error at a time after all before it.
     pub(crate) fn push(&mut self, t: f64, error: f64) {
         self.last = error;
-        self.least = self.least.min(error);
-        self.greatest = self.greatest.max(error);
-        self.stretches.push(Size { t, most: error.abs() });
-    }
-
-    /// The error in the last row, with its sign.
-    pub(crate) const fn last(&self) -> f64 {
-        self.last
-    }
-
-    /// The least and the greatest error, with their signs; zero is one of them.
-    pub(crate) const fn range(&self) -> [f64; 2] {
-        [self.least, self.greatest]
+        self.range = [self.range[0].min(error), self.range[1].max(error)];
+        self.stretches.push((t, error.abs()));
     }
 
     /// The greatest size.
     pub(crate) fn most(&self) -> f64 {
-        self.stretches.all().iter().map(|x| x.most).fold(0.0, f64::max)
+        self.stretches.all.iter().map(|x| x.1).fold(0.0, f64::max)
     }
 
     /// How it grows, if what is below `rounding` is none. A logarithm of a ratio (`of_ratio`) that grows
@@ -63,59 +44,50 @@ impl Curve {
         if most <= rounding {
             return Growth::Rounding;
         }
-        let end = self.stretches.all().last().map_or(0.0, |x| x.t);
+        let end = self.stretches.all.last().map_or(0.0, |x| x.0);
         let mut greatest = 0.0_f64;
         // The greatest so far, from a sixteenth of the time on.
-        let envelope: Vec<(f64, f64)> = self
-            .stretches
-            .all()
-            .iter()
-            .map(|x| {
-                greatest = greatest.max(x.most);
-                (x.t, greatest)
-            })
-            .filter(|&(t, size)| t >= GROWTH_FROM * end && t > 0.0 && size > 0.0)
-            .collect();
+        let so_far = self.stretches.all.iter().map(|x| {
+            greatest = greatest.max(x.1);
+            (x.0, greatest)
+        });
+        let late = so_far.filter(|&(t, size)| t >= GROWTH_FROM * end && t > 0.0 && size > 0.0);
+        let envelope: Vec<(f64, f64)> = late.collect();
         let at = |share: f64| envelope.iter().find(|x| x.0 >= share * end).map_or(most, |x| x.1);
         if most < BOUNDED * at(0.5) {
             // A quantity a tenth larger or smaller, or more, which never comes near to what it was again.
-            let later = self.stretches.all().iter().filter(|x| x.t >= end / 2.0);
-            let least = later.map(|x| x.most).fold(f64::INFINITY, f64::min);
-            let one_way = self.greatest.min(-self.least) < STAYED * most;
+            let later = self.stretches.all.iter().filter(|x| x.0 >= end / 2.0);
+            let least = later.map(|x| x.1).fold(f64::INFINITY, f64::min);
+            let one_way = self.range[1].min(-self.range[0]) < STAYED * most;
             let great = of_ratio && one_way && most > GROWN && least > STAYED * most;
             return if great { Growth::Stayed } else { Growth::Bounded };
         }
         let ([fast, linear], [even_most, fast_most]) = (POWERS, OF_ITSELF);
-        let power = line(envelope.iter().map(|&(t, size)| (t.ln(), size.ln())));
-        let exponential = line(envelope.iter().map(|&(t, size)| (t, size.ln())));
+        let (power, of_power) = line(envelope.iter().map(|&(t, size)| (t.ln(), size.ln())));
+        let (exponential, of_exponential) = line(envelope.iter().map(|&(t, size)| (t, size.ln())));
         let even = |rate: f64| {
             if of_ratio && most > even_most { Growth::Exponential { rate } } else { Growth::Linear { rate } }
         };
-        if power.slope >= fast {
-            if exponential.misfit < power.misfit && most > EXPONENTIAL * at(EXPONENTIAL_FROM) {
-                let rate = if of_ratio { self.last / end } else { exponential.slope };
+        if power >= fast {
+            if of_exponential < of_power && most > EXPONENTIAL * at(EXPONENTIAL_FROM) {
+                let rate = if of_ratio { self.last / end } else { exponential };
                 return Growth::Exponential { rate };
             }
             return if of_ratio && most > fast_most {
                 Growth::Exponential { rate: self.last / end }
             } else {
-                Growth::Power { power: power.slope }
+                Growth::Power { power }
             };
         }
-        if power.slope >= linear {
+        if power >= linear {
             return even(self.last / end);
         }
         Growth::RandomWalk { rate: most / end.sqrt() }
     }
 }
 
-struct Line {
-    slope: f64,
-    /// Mean square of what is left.
-    misfit: f64,
-}
-
-fn line(points: impl Iterator<Item = (f64, f64)> + Clone) -> Line {
+/// The slope of the line nearest to points, and the mean square of what is left.
+fn line(points: impl Iterator<Item = (f64, f64)> + Clone) -> (f64, f64) {
     let n = points.clone().map(|_| 1.0).sum::<f64>().max(1.0);
     let (x, y) = points.clone().fold((0.0, 0.0), |sum, p| (sum.0 + p.0 / n, sum.1 + p.1 / n));
     let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
@@ -125,104 +97,7 @@ fn line(points: impl Iterator<Item = (f64, f64)> + Clone) -> Line {
         yy += (p.1 - y) * (p.1 - y);
     }
     let slope = if xx > 0.0 { xy / xx } else { 0.0 };
-    Line { slope, misfit: (yy - slope * xy) / n }
-}
-
-/// How an error grows in the time of a record, best first.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum Growth {
-    /// No more than the rounding of the numbers and of each step can make.
-    Rounding,
-    /// In the second half of the time no more than in the first, to a quarter.
-    Bounded,
-    /// Of a quantity that grew or shrank by a tenth or more, and then stayed away from what it was.
-    Stayed,
-    /// As the square root of time.
-    RandomWalk {
-        /// So much at one second, and as the root of time from there.
-        rate: f64,
-    },
-    /// As time.
-    Linear {
-        /// So much a second.
-        rate: f64,
-    },
-    /// As a power of time beyond the first.
-    Power {
-        /// That power.
-        power: f64,
-    },
-    /// As an exponential of time.
-    Exponential {
-        /// By this much of itself a second; negative where it decays.
-        rate: f64,
-    },
-}
-
-impl Growth {
-    /// From best, 0, to worst, 5; a name, in a word or three; and its rate or power.
-    const fn parts(self) -> (u8, &'static str, Option<f64>) {
-        match self {
-            Self::Rounding => (0, "kept to rounding", None),
-            Self::Bounded => (1, "bounded", None),
-            Self::RandomWalk { rate } => (2, "random walk", Some(rate)),
-            Self::Linear { rate } => (3, "linear", Some(rate)),
-            Self::Power { power } => (4, "faster than linear", Some(power)),
-            Self::Stayed => (5, "changed, then stayed", None),
-            Self::Exponential { rate } => (5, "exponential", Some(rate)),
-        }
-    }
-
-    /// From best, 0, to worst, 5.
-    #[must_use]
-    pub const fn rank(self) -> u8 {
-        self.parts().0
-    }
-
-    /// A name, in a word or three.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        self.parts().1
-    }
-
-    /// What it grows by in a second, or to which power of time.
-    pub(crate) const fn rate(self) -> Option<f64> {
-        self.parts().2
-    }
-}
-
-/// How a law was kept.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Law {
-    /// Which.
-    pub name: LawName,
-    /// How its error grew.
-    pub growth: Growth,
-    /// The greatest error.
-    pub most: f64,
-    /// The last error, with its sign.
-    pub last: f64,
-}
-
-/// Flips counted, in the record and in the exact motion.
-#[derive(Debug, Clone, Default, PartialEq, Serialize)]
-pub struct FlipCount {
-    /// In the record: changes of sign of the spin along the middle axis.
-    pub found: u64,
-    /// In the exact motion, in the same time.
-    pub exact: u64,
-    /// The time of the first in the record, s from its start.
-    pub first: Option<f64>,
-    /// The time of the first of the exact motion, s from the start.
-    pub first_exact: Option<f64>,
-    /// The greatest difference in time between flips of the same number, s.
-    pub apart: f64,
-    /// The times of the first 512 in the record, s from its start.
-    pub times: Vec<f64>,
-    /// When the spin along the axis that it circles first changes sign, s from the start. In the exact motion
-    /// it never does.
-    pub turned_over: Option<f64>,
+    (slope, (yy - slope * xy) / n)
 }
 
 #[cfg(test)]
@@ -235,7 +110,7 @@ mod tests {
             let t = f64::from(i) / 100.0;
             curve.push(t, error(t));
         }
-        assert!(curve.stretches.all().len() <= STRETCHES);
+        assert!(curve.stretches.all.len() <= STRETCHES);
         curve.growth(1e-12, of_ratio)
     }
 

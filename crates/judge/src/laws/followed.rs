@@ -6,11 +6,9 @@ use crate::read::{Floor, Pair, Row, in_world, ordered};
 use crate::thresholds::*;
 use nalgebra::Vector3;
 use std::f64::consts::TAU;
+use tumbling::Axis;
+use tumbling::dynamics::{euler, observe};
 use tumbling::exact::{FreeMotion, Regime};
-use tumbling::{
-    Axis,
-    dynamics::{euler, observe},
-};
 
 /// Everything that is followed from row to row.
 pub(crate) struct Laws {
@@ -344,40 +342,35 @@ impl Laws {
     pub(crate) fn kept(&self, allowed: impl Fn(LawName) -> Option<f64>) -> Vec<Law> {
         let end = self.seen.last.t - self.start.row.t;
         let turned = 1.0 + self.seen.speed * end;
-        self.curves
-            .iter()
-            .filter(|(name, curve)| {
-                let seen = curve.most() > 0.0 || *name != LawName::Consistency;
-                seen && match name {
-                    LawName::Direction | LawName::Unit | LawName::Consistency => {
-                        self.start.row.attitude.is_some()
-                    }
-                    LawName::Phase => self.circled.is_some(),
-                    LawName::Separatrix => self.middle.is_some(),
-                    _ => true,
-                }
-            })
-            .map(|(name, curve)| {
-                // Some roundings a step, besides those of the numbers; in a phase one for each radian too.
-                // Digits that a file lacks are lacking in each row alone: the engine goes on with its own.
-                let own = (f64::from(f32::EPSILON) / self.floor.size).min(1.0);
-                let [once, each] = LAW_ROUNDINGS;
-                let units = once + each * self.seen.steps * own;
-                let rounding = self.floor.size
-                    * match name {
-                        LawName::Phase => units * turned,
-                        LawName::Direction | LawName::Separatrix => LAW_OF_TWO * units,
-                        _ => units,
-                    };
-                let of_ratio = matches!(name, LawName::Energy | LawName::Momentum);
-                let plain = |x: f64| if of_ratio { x.exp_m1() } else { x };
-                let last = plain(curve.last());
-                let most = curve.range().map(|x| plain(x).abs()).into_iter().fold(0.0, f64::max);
-                let explained = self.explained(*name);
-                let broken = most > explained.max(allowed(*name).unwrap_or(ALLOWED));
-                let growth = curve.growth(if broken { 0.0 } else { rounding.max(explained) }, of_ratio);
-                Law { name: *name, growth, most, last }
-            })
-            .collect()
+        let turns = self.start.row.attitude.is_some();
+        let seen = self.curves.iter().filter(|(name, curve)| match name {
+            LawName::Direction | LawName::Unit => turns,
+            LawName::Consistency => turns && curve.most() > 0.0,
+            LawName::Phase => self.circled.is_some(),
+            LawName::Separatrix => self.middle.is_some(),
+            _ => true,
+        });
+        seen.map(|(name, curve)| {
+            // Some roundings a step, besides those of the numbers; in a phase one for each radian too.
+            // Digits that a file lacks are lacking in each row alone: the engine goes on with its own.
+            let own = (f64::from(f32::EPSILON) / self.floor.size).min(1.0);
+            let [once, each] = LAW_ROUNDINGS;
+            let units = once + each * self.seen.steps * own;
+            let rounding = self.floor.size
+                * match name {
+                    LawName::Phase => units * turned,
+                    LawName::Direction | LawName::Separatrix => LAW_OF_TWO * units,
+                    _ => units,
+                };
+            let of_ratio = matches!(name, LawName::Energy | LawName::Momentum);
+            let plain = |x: f64| if of_ratio { x.exp_m1() } else { x };
+            let last = plain(curve.last);
+            let most = curve.range.map(|x| plain(x).abs()).into_iter().fold(0.0, f64::max);
+            let explained = self.explained(*name);
+            let broken = most > explained.max(allowed(*name).unwrap_or(ALLOWED));
+            let growth = curve.growth(if broken { 0.0 } else { rounding.max(explained) }, of_ratio);
+            Law { name: *name, growth, most, last }
+        })
+        .collect()
     }
 }

@@ -53,7 +53,7 @@ pub(crate) trait Stretch: Copy {
 /// Stretches gathered from row to row, each of twice as many rows whenever there are too many.
 #[derive(Debug, Clone)]
 pub(crate) struct Stretches<T> {
-    all: Vec<T>,
+    pub all: Vec<T>,
     most: usize,
     rows_each: usize,
     last_rows: usize,
@@ -81,14 +81,6 @@ impl<T: Stretch> Stretches<T> {
             }
         }
     }
-
-    pub(crate) fn all(&self) -> &[T] {
-        &self.all
-    }
-
-    pub(crate) fn into_all(self) -> Vec<T> {
-        self.all
-    }
 }
 
 #[cfg(test)]
@@ -115,7 +107,7 @@ mod tests {
                     exact_range: [spin; 2],
                 });
             }
-            let all = points.into_all();
+            let all = points.all;
             assert!(all.len() <= POINTS && all.len() >= usize::try_from(rows).unwrap().min(POINTS / 2));
             let apart: Vec<f64> = all.windows(2).map(|two| two[1].time - two[0].time).collect();
             assert!(all[0].time == 0.0 && apart.iter().all(|x| *x == apart[0]), "evenly");

@@ -85,9 +85,8 @@ impl Separator {
         let (is_one, blanks) = (move |c: char| Self::One(c) == self, self == Self::Blanks);
         let fields = line.split(move |c: char| if blanks { c.is_whitespace() } else { is_one(c) });
         let surrounds = |c: char| c.is_whitespace() || c == '"';
-        fields
-            .map(move |field| field.trim_matches(surrounds))
-            .filter(move |field| !blanks || !field.is_empty())
+        let trimmed = fields.map(move |field| field.trim_matches(surrounds));
+        trimmed.filter(move |field| !blanks || !field.is_empty())
     }
 }
 

@@ -80,8 +80,7 @@ fn seconds(text: &str, name: &str, named: bool) -> Result<Option<f64>, String> {
     let counts = said != whole && name == "step" && unit.is_empty();
     match period(over / under, unit) {
         Some(_) if number.contains('/') && period(2.0, unit) < period(1.0, unit) => {
-            let said = said.trim();
-            Err(format!("the step is given as {said}: 1/({number}) s or {number} s? Write it in s"))
+            Err(format!("the step is given as {}, a fraction of a frequency: write it in s", said.trim()))
         }
         Some(_) if counts || !known && (!named || ["of", "/"].contains(&next)) => Ok(None),
         Some(step) if step.is_finite() && step > 0.0 => Ok(Some(step)),
@@ -152,6 +151,27 @@ fn tensor(text: &str, named: bool, known: bool) -> Result<Option<Parts>, String>
     Ok(Some([moments, products].map(|part| part.into_iter().map(|x| x.1).collect())))
 }
 
+/// Three numbers, constant in the world, behind a remark in brackets if there is one. Behind a colon numbers
+/// that are not three are a mistake, and before one they may be prose.
+fn torque(text: &str, named: bool) -> Result<Option<Vector3<f64>>, String> {
+    let behind = text.strip_prefix('(').and_then(|rest| rest.split_once("):"));
+    let (numbers_in, named) = behind.map_or((text, named), |(_, rest)| (rest, true));
+    no_decimal_comma(numbers_in, 3)?;
+    let all: Vec<f64> = numbers(numbers_in).into_iter().map(|x| x.0).collect();
+    match all[..] {
+        [_, ..] if all.iter().all(|x| *x == 0.0) => Ok(Some(Vector3::zeros())),
+        [_, ..] if text.to_lowercase().contains("body") => {
+            Err("the torque is one in body axes: known is one that is constant in the world".into())
+        }
+        [x, y, z] => Ok(Some(Vector3::new(x, y, z))),
+        _ if all.len() > 3 || named && numbers_in.contains(|c: char| c.is_ascii_digit()) => {
+            let count = all.len();
+            Err(format!("a torque has three numbers, as in `torque: 0 0 0.1`, and {count} can be read here"))
+        }
+        _ => Ok(None),
+    }
+}
+
 /// What comes before a semicolon.
 fn head(text: &str) -> String {
     text.split(';').next().unwrap_or(text).trim().to_string()
@@ -191,12 +211,7 @@ impl Header {
         }
         self.products.extend(OFF_DIAGONAL.into_iter().filter_map(one).map(|product| (product.0, line)));
         if let Some(text) = after(comment, "torque").filter(|_| self.torque.is_none()) {
-            no_decimal_comma(text, 3).map_err(wrong)?;
-            let all = numbers(text);
-            if all.len() > 3 {
-                return Err(wrong(format!("{} numbers are given for the torque: give three", all.len())));
-            }
-            self.torque = all.get(..3).map(|three| Vector3::from_fn(|i, _| three[i].0));
+            self.torque = torque(text, named(text)).map_err(wrong)?;
             unread = unread.or(self.torque.is_none().then_some("torque"));
         }
         for word in ["dt", "timestep", "time step", "time_step", "time-step", "step size", "step"] {

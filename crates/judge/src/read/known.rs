@@ -1,8 +1,7 @@
 //! What is known of a record besides its rows: what it says, and what its first rows show.
 
-use crate::error::Error;
 use crate::read::{
-    Clock, Derived, Feed, Floor, Grid, Kind, Raw, Reading, Row, angle_between, median, of_attitudes, rounding,
+    Clock, Floor, Grid, Kind, Pair, Raw, Reading, Row, angle_between, median, of_attitudes, rounding, spin,
 };
 use crate::thresholds::*;
 use nalgebra::Vector3;
@@ -28,7 +27,7 @@ pub(crate) struct Known {
     pub said: Said,
     /// The moments judged, kg m².
     pub moments: Vector3<f64>,
-    grid: Option<Grid>,
+    pub grid: Option<Grid>,
     pub reading: Reading,
     pub clock: Clock,
     /// The rounding of the spins.
@@ -43,7 +42,7 @@ impl Known {
     pub(crate) fn of(probe: &mut [Raw], mut said: Said, moments: Vector3<f64>) -> Self {
         let grid = Grid::of(probe, said.step);
         if let Some(grid) = &grid {
-            said.notes.push(grid.note());
+            said.notes.push(Note::EvenSteps { named: grid.named, step: grid.step });
             probe.iter_mut().for_each(|raw| grid.put(raw));
         }
         let clock = Clock::of(probe);
@@ -68,31 +67,32 @@ impl Known {
         self.said.kind != Kind::Attitude
     }
 
-    /// A row after the first ones, put to the grid.
-    pub(crate) fn put(&self, raw: &mut Raw) {
-        if let Some(grid) = &self.grid {
-            grid.put(raw);
+    /// A row with its spin, which of attitudes alone the next one gives: none where that is missing. Where
+    /// the attitude turns too far for it, the line up to which it does, and by how much, rad.
+    pub(crate) fn row(&self, raw: &Raw, waiting: &mut Option<Row>) -> Result<Option<Row>, (usize, f64)> {
+        let state = self.reading.state(raw, &self.moments);
+        if self.has_spin() {
+            return Ok(Some(state));
+        }
+        let Some(from) = waiting.replace(state) else { return Ok(None) };
+        let (h, times) = self.clock.between(from.t, state.t);
+        let pair = Pair { from, to: state, h };
+        let ahead = state.attitude.filter(|_| times == 1.0).map(|q| (state.line, q));
+        match spin(&self.moments, &pair) {
+            None if times == 1.0 => Err((state.line, pair.turn().map_or(f64::NAN, |turn| turn.norm()))),
+            found => Ok(found.map(|omega| Row { omega, ahead, ..from })),
         }
     }
 
     /// The first rows as motions, up to where one turns too far. A rounding of attitudes alone is so much
     /// more relative to the turn that makes a spin.
-    pub(crate) fn understood(
-        &mut self,
-        probe: &[Raw],
-        feed: &mut Feed,
-    ) -> Result<(Vec<Row>, Stopped), Error> {
-        let (mut states, mut stopped) = (Vec::new(), None);
-        for raw in probe {
-            match feed.push(&self.reading.state(raw, &feed.moments))? {
-                Derived::Known(state) => states.push(state),
-                Derived::Unknown => {}
-                Derived::TooFar { line, turn } => {
-                    stopped = Some((line, turn));
-                    break;
-                }
-            }
-        }
+    pub(crate) fn understood(&mut self, probe: &[Raw], waiting: &mut Option<Row>) -> (Vec<Row>, Stopped) {
+        let mut states = Vec::new();
+        let mut push = |raw| {
+            states.extend(self.row(raw, waiting)?);
+            Ok(())
+        };
+        let stopped = probe.iter().try_for_each(&mut push).err();
         let turn = median(states.iter().filter_map(|state| {
             let (_, ahead) = state.ahead?;
             Some(angle_between(&state.attitude?, &ahead)).filter(|turn| *turn > 0.0)
@@ -100,7 +100,7 @@ impl Known {
         if !self.has_spin() && turn.is_finite() && turn > 0.0 {
             self.floor.size *= SPIN_FROM_TURN / turn.min(1.0);
         }
-        Ok((states, stopped))
+        (states, stopped)
     }
 }
 

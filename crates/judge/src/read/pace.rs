@@ -1,8 +1,8 @@
 //! Mistakes that turn and gyroscopic change show together: times that are wrong by one factor; and one of the
 //! engine that looks like the file's, an attitude that is turned by its spin in the other axes.
 
-use crate::read::reading::{Reading, alike};
-use crate::read::{Pair, Raw, median, middle_and_most};
+use crate::read::reading::{Reading, Step, alike};
+use crate::read::{Pair, median, middle_and_most};
 use crate::thresholds::*;
 use nalgebra::Vector3;
 use tumbling::attitude::{product, rotation_matrix};
@@ -62,7 +62,7 @@ pub(crate) fn is_limited(ratio: f64, pairs: impl Iterator<Item = Pair>) -> bool 
 impl Reading {
     /// With times that are right by one factor, if by this factor both the attitude turns and the spin
     /// changes otherwise than they say: of a wrong spin or term one of them would.
-    pub(super) fn paced(self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Option<Self> {
+    pub(super) fn paced(self, pairs: &[Step], moments: &Vector3<f64>) -> Option<Self> {
         let ratio = times_the_turn(self.pairs(pairs, moments));
         let times = simplest(ratio);
         let limited = is_limited(ratio, self.pairs(pairs, moments));
@@ -79,12 +79,7 @@ impl Reading {
     }
 
     /// Whether the spin goes by its law as it is named, by far more than as another way has it.
-    pub(super) fn goes_by_law_unlike(
-        self,
-        other: &Self,
-        pairs: &[(Raw, Raw, f64)],
-        moments: &Vector3<f64>,
-    ) -> bool {
+    pub(super) fn goes_by_law_unlike(self, other: &Self, pairs: &[Step], moments: &Vector3<f64>) -> bool {
         let law = |way: &Self| {
             let of = |in_world| by_exact_motion(way.pairs(pairs, moments), moments, in_world).0;
             f64::max(of(false), of(true))

@@ -121,6 +121,9 @@ const TIMES: [(FileMistake, f64); 4] = [
     (FileMistake::Minutes, 60.0),
 ];
 
+/// A row, the one after it, and the step between them as the file has it.
+pub(super) type Step = (Raw, Raw, f64);
+
 /// A way to take the numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Reading {
@@ -218,7 +221,7 @@ impl Reading {
 
     /// The way of reading that makes sense of `pairs` (rows and the step as the file has them) if the plain
     /// one does not.
-    pub(crate) fn of(kind: Kind, free: bool, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
+    pub(crate) fn of(kind: Kind, free: bool, pairs: &[Step], moments: &Vector3<f64>) -> Self {
         let plain = Self::plain(kind);
         let with_attitude = pairs.first().is_some_and(|pair| pair.0.attitude.is_some());
         if with_attitude { plain.by_turns(free, pairs, moments) } else { plain.by_law(pairs, moments) }
@@ -226,20 +229,16 @@ impl Reading {
 
     /// Of attitudes alone the law determines the order and the sense: three rows, each a step after the
     /// other, have two turns, whose change is the gyroscopic one.
-    pub(crate) fn of_attitudes(triples: &[[(Raw, f64); 3]], moments: &Vector3<f64>) -> Self {
+    pub(crate) fn of_attitudes(triples: &[([Raw; 3], f64)], moments: &Vector3<f64>) -> Self {
         let plain = Self::plain(Kind::Attitude);
         let alike = |reading: &Self| {
-            let pairs: Vec<Pair> = triples
-                .iter()
-                .filter_map(|triple| {
-                    let [a, b, c] = triple.map(|(raw, _)| reading.state(&raw, moments));
-                    let h = triple[2].1;
-                    let spin = |from: Row, to: Row| Some(Pair { from, to, h }.turn()? / h);
-                    let (first, second) = (spin(a, b)?, spin(b, c)?);
-                    Some(Pair { from: Row { omega: first, ..a }, to: Row { omega: second, ..b }, h })
-                })
-                .collect();
-            law(pairs.into_iter(), moments).0
+            let pairs = triples.iter().filter_map(|&(triple, h)| {
+                let [a, b, c] = triple.map(|raw| reading.state(&raw, moments));
+                let spin = |from: Row, to: Row| Some(Pair { from, to, h }.turn()? / h);
+                let (first, second) = (spin(a, b)?, spin(b, c)?);
+                Some(Pair { from: Row { omega: first, ..a }, to: Row { omega: second, ..b }, h })
+            });
+            law(pairs, moments).0
         };
         if alike(&plain) > LAW_AGREES {
             return plain;
@@ -256,19 +255,15 @@ impl Reading {
         best.filter(|way| way.1 > LAW_DECIDES).map_or(plain, |way| way.0)
     }
 
-    pub(super) fn pairs<'a>(
-        &'a self,
-        pairs: &'a [(Raw, Raw, f64)],
-        moments: &'a Vector3<f64>,
-    ) -> impl Iterator<Item = Pair> + Clone + 'a {
-        pairs.iter().map(|(from, to, h)| Pair {
+    pub(super) fn pairs(&self, all: &[Step], moments: &Vector3<f64>) -> impl Iterator<Item = Pair> + Clone {
+        all.iter().map(|(from, to, h)| Pair {
             from: self.state(from, moments),
             to: self.state(to, moments),
             h: h * self.time,
         })
     }
 
-    fn by_turns(self, free: bool, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
+    fn by_turns(self, free: bool, pairs: &[Step], moments: &Vector3<f64>) -> Self {
         let off =
             |reading: &Self| median(reading.pairs(pairs, moments).filter_map(|pair| pair.inconsistency()));
         let plain = off(&self);
@@ -320,7 +315,7 @@ impl Reading {
     }
 
     /// Whether spins lead to the attitudes, of turns that are too long to be compared with them.
-    fn leads_to_the_ends(self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> bool {
+    fn leads_to_the_ends(self, pairs: &[Step], moments: &Vector3<f64>) -> bool {
         let off = self.pairs(pairs, moments).filter_map(|Pair { from, to, h }| {
             let turn = attitude::turn(&((from.omega + to.omega) * (h / 2.0)));
             Some(angle_between(&attitude::product(&from.attitude?, &turn), &to.attitude?))
@@ -329,7 +324,7 @@ impl Reading {
     }
 
     /// With the units that make turns and spins alike in size.
-    fn scaled(self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
+    fn scaled(self, pairs: &[Step], moments: &Vector3<f64>) -> Self {
         let ratio = median(self.pairs(pairs, moments).filter_map(|pair| {
             let speed = pair.from.omega.norm();
             if speed > 0.0 { Some(pair.turn()?.norm() / pair.h / speed) } else { None }
@@ -355,7 +350,7 @@ impl Reading {
 
     /// Without an attitude, the law alone decides: a spin of another unit changes too fast or too slow, one
     /// of the other hand backward.
-    fn by_law(self, pairs: &[(Raw, Raw, f64)], moments: &Vector3<f64>) -> Self {
+    fn by_law(self, pairs: &[Step], moments: &Vector3<f64>) -> Self {
         let (alike, size) = law(self.pairs(pairs, moments), moments);
         if alike.abs() < LAW_DECIDES {
             return self;
@@ -372,7 +367,7 @@ impl Reading {
 
 /// How much the change of the spin is like the gyroscopic one (the cosine between the two), and how large
 /// beside it.
-fn law(pairs: impl Iterator<Item = Pair>, moments: &Vector3<f64>) -> (f64, f64) {
+pub(crate) fn law(pairs: impl Iterator<Item = Pair>, moments: &Vector3<f64>) -> (f64, f64) {
     alike(pairs.map(|pair| {
         let mean = (pair.from.omega + pair.to.omega) / 2.0;
         let law = euler::angular_acceleration(moments, &mean, &Vector3::zeros());

@@ -281,9 +281,8 @@ impl<R: BufRead> Lines<R> {
         self.text.clear();
         self.line += 1;
         let mut limited = std::io::Read::take(&mut self.source, LINE_BYTES);
-        let read = limited
-            .read_until(b'\n', &mut self.text)
-            .map_err(|source| Error::Read { line: self.line, source })?;
+        let read = limited.read_until(b'\n', &mut self.text);
+        let read = read.map_err(|source| Error::Read { line: self.line, source })?;
         if read as u64 == LINE_BYTES && self.text.last() != Some(&b'\n') {
             let problem = format!("the line is longer than {LINE_BYTES} bytes");
             return Err(Error::Line { line: self.line, problem });

@@ -1,8 +1,6 @@
-//! A body at one instant, as the judge takes it, two of them one step apart, and spins that a record does not
-//! have, from the turns between its attitudes.
+//! A body at one instant, as the judge takes it, two of them one step apart, and the spin that a turn between
+//! two attitudes has.
 
-use crate::error::Error;
-use crate::read::Clock;
 use crate::thresholds::*;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use std::f64::consts::PI;
@@ -146,7 +144,7 @@ pub(crate) fn spin(moments: &Vector3<f64>, pair: &Pair) -> Option<Vector3<f64>> 
         };
         let left = left.turn()?;
         let size = left.norm();
-        if size >= least || size == 0.0 {
+        if size >= least {
             break;
         }
         least = size;
@@ -154,42 +152,4 @@ pub(crate) fn spin(moments: &Vector3<f64>, pair: &Pair) -> Option<Vector3<f64>> 
         omega += by_start.lu().solve(&left)?;
     }
     (least <= TURN_LEFT && omega.iter().all(|x| x.is_finite())).then_some(omega)
-}
-
-/// A row with the spin that the record does not have, or why it has none.
-pub(crate) enum Derived {
-    /// Its spin is known.
-    Known(Row),
-    /// There is no row before or after to compute it from.
-    Unknown,
-    /// The attitude turns by so much up to this line, rad.
-    TooFar { line: usize, turn: f64 },
-}
-
-/// Rows, with spins where the record has none: each as soon as the next one is there.
-pub(crate) struct Feed {
-    pub has_spin: bool,
-    pub moments: Vector3<f64>,
-    pub clock: Clock,
-    pub waiting: Option<Row>,
-}
-
-impl Feed {
-    pub(crate) fn push(&mut self, state: &Row) -> Result<Derived, Error> {
-        if self.has_spin {
-            return Ok(Derived::Known(*state));
-        }
-        let Some(from) = self.waiting.replace(*state) else { return Ok(Derived::Unknown) };
-        let (h, times) = self.clock.between(from.t, state.t);
-        let pair = Pair { from, to: *state, h };
-        let ahead = state.attitude.filter(|_| times == 1.0).map(|q| (state.line, q));
-        Ok(match spin(&self.moments, &pair) {
-            Some(omega) => Derived::Known(Row { omega, ahead, ..from }),
-            None if times == 1.0 => {
-                let turn = pair.turn().map_or(f64::NAN, |turn| turn.norm());
-                Derived::TooFar { line: state.line, turn }
-            }
-            None => Derived::Unknown,
-        })
-    }
 }

@@ -92,8 +92,8 @@ advices! {
          step). An engine's flag for gyroscopic forces makes it flip, and may lose a stable spin: record that." in PITFALL_FLIPS;
     EXPLICIT: "The gyroscopic term is taken at the start of the step and adds energy to a body that wobbles. Turn the \
          momentum instead of adding to it (three exact turns a step)." in REMEDY;
-    RESCALED: "The momentum's length is put right after an explicit step, its energy is not: a stable spin that wobbles drifts \
-         toward the separatrix, and flips. Turn the momentum instead (three exact turns a step)." in REMEDY;
+    RESCALED: "After each explicit step the momentum's length is set back to that before it, the energy is not: a stable spin that \
+         wobbles drifts toward the separatrix, and flips. Turn the momentum instead (three exact turns a step)." in REMEDY;
     ONE_IMPLICIT: "One implicit step takes energy and momentum from most bodies that tumble; of a step that turns by a radian or \
          more it can multiply the energy. Use three exact turns a step." in REMEDY;
     MEAN_SPIN: "The spin is of order 4, the attitude of order 2: the momentum of a body that wobbles wanders in the world. \
@@ -104,18 +104,20 @@ advices! {
 impl Advice {
     /// What follows from the rule that fits best and how well it fits; `floor` is the record's rounding,
     /// `jumps` says whether some steps are not the rule's, `turns` whether there are attitudes, `scatter`
-    /// whether these do by more than the digits that are printed.
+    /// whether these do by more than the digits that are printed, `again`
+    /// whether the errors of the steps come again.
     pub(crate) fn of(
         confidence: Confidence,
         rule: &Rule,
         floor: Floor,
         whole: &Whole,
-        [jumps, turns, scatter]: [bool; 3],
+        [jumps, turns, scatter, again]: [bool; 4],
     ) -> Vec<Self> {
         let one = match confidence {
             Confidence::NoneFits | Confidence::SmallErrors if jumps => Self::JUMPS,
             Confidence::NoneFits | Confidence::Altered if whole.on_wrong_side => Self::SIDE,
             Confidence::NoneFits | Confidence::Accurate if scatter => Self::TAKEN_BACK,
+            Confidence::NoneFits if again => Self::EACH_STEP,
             Confidence::NoneFits if !floor.few => Self::COMPARE,
             Confidence::Accurate => Self::DRIFTS_ON,
             Confidence::Interpolated | Confidence::Repeated | Confidence::FewSteps => Self::EACH_STEP,
@@ -129,7 +131,7 @@ impl Advice {
                 match Self::of_rule(rule, turns) {
                     Self::TURNED_OTHERWISE if scatter => Self::TAKEN_BACK,
                     Self::NOTHING if floor.single => Self::SINGLE,
-                    Self::NOTHING if !whole.kept => Self::ADDS_UP,
+                    Self::NOTHING if !whole.kept && !whole.fails_otherwise => Self::ADDS_UP,
                     Self::NOTHING if whole.fails => Self::NAMED_HERE,
                     other => other,
                 }
@@ -141,7 +143,8 @@ impl Advice {
         // A term that is found by the spin alone says nothing of what turns the attitude.
         let side = (whole.on_wrong_side && one != Self::SIDE && rule.is_of_spin()).then_some(Self::SIDE);
         let fine = [Self::NOTHING, Self::KEEPS_ALL, Self::KEEPS_SIZES, Self::KEEPS_MOMENTUM, Self::OF_ORDER];
-        let other = (whole.fails_otherwise && fine[1..4].contains(&one)).then_some(Self::NOT_THE_RULE);
+        let is_sound = confidence.names_a_rule() && !jumps && rule.alteration.is_none() && !rule.is_wrong();
+        let other = (whole.fails_otherwise && is_sound && *rule != Rule::EXACT).then_some(Self::NOT_THE_RULE);
         other.into_iter().chain([one]).chain(side).chain(more.filter(|more| !fine.contains(more))).collect()
     }
 

@@ -3,15 +3,16 @@
 
 use crate::law::LawName;
 use crate::read::{Floor, Known, Pair, Row, angle_between};
-use crate::rule::confidence::{attitudes_scatter, confidence_in, unnamed};
+use crate::rule::confidence::confidence_in;
 use crate::rule::fitted::some;
+use crate::rule::jumps::{Jump, pushes, without};
 use crate::rule::tried::{alike_to_best, explained, tried};
+use crate::rule::unnamed::{Hints, attitudes_scatter, unnamed};
 use crate::rule::{
     Advice, Alteration, Base, Confidence, Rule, Subject, When, engine_names, engines, first_named, settings,
 };
 use crate::thresholds::*;
 use nalgebra::{Vector2, Vector3};
-use serde::Serialize;
 
 /// A rule, and how far its steps are from the record's.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,17 +38,6 @@ impl Explanation {
         let ratio = |a: f64, b: f64| a.max(f64::EPSILON) / b.max(f64::EPSILON);
         ratio(other.median, self.median).max(ratio(other.percentile_95, self.percentile_95))
     }
-}
-
-/// A step that is not the rule's, among steps that are.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Jump {
-    /// The line in which it ends.
-    pub line: usize,
-    /// Its end, s.
-    pub time: f64,
-    /// How far it is from the rule's: of the spin relative to its length, of the attitude in rad.
-    pub size: f64,
 }
 
 /// What made the record.
@@ -78,6 +68,8 @@ pub struct Diagnosis {
     pub error: Option<f64>,
     /// The steps that are not the rule's, where they are few.
     pub jumps: Vec<Jump>,
+    /// What is seen of the steps where no rule fits.
+    pub(crate) hints: Hints,
     /// Whether a faster spin would distinguish the rules that explain the record alike.
     pub(crate) open: bool,
     /// What to do, for each fault that is seen.
@@ -100,7 +92,7 @@ pub(crate) struct Whole {
     pub unkept: Vec<LawName>,
     /// Whether it fails, whatever its rule.
     pub fails: bool,
-    /// Whether it fails by its columns, by resets or by how the attitude turns alone, and not by a rule.
+    /// Whether it fails by its columns, by resets or by where its numbers end alone, and not by a rule.
     pub fails_otherwise: bool,
     /// Whether all is kept to rounding.
     pub kept: bool,
@@ -133,14 +125,11 @@ impl Diagnosis {
     /// What would decide between the rules that explain the record alike.
     #[must_use]
     pub fn would_decide(&self) -> Option<&'static str> {
-        let open = self.open || self.is_exact();
-        match self.confidence {
-            other if !open || !other.names_a_rule() && other != Confidence::FewDigits => None,
-            _ if self.single || self.few => Some(
-                "all digits that the engine has (17 of double precision), a faster spin, or longer steps",
-            ),
-            _ => Some("a faster spin, or longer steps"),
-        }
+        let named = self.confidence.names_a_rule() || self.confidence == Confidence::FewDigits;
+        let digits =
+            "all digits that the engine has (17 of double precision), a faster spin, or longer steps";
+        let words = if self.single || self.few { digits } else { "a faster spin, or longer steps" };
+        (named && (self.open || self.is_exact())).then_some(words)
     }
 
     /// By how much the next rule is farther from the record than the best.
@@ -199,39 +188,42 @@ impl Ranked {
 }
 
 /// Rules that fit every step, held against what the whole record shows.
-fn settled(
-    subject: &Subject,
-    pairs: &[Pair],
-    mut ranked: Ranked,
-    whole: &Whole,
-    floor: Floor,
-) -> (Ranked, Confidence) {
+fn settled(subject: &Subject, all: &[Pair], ranked: &mut Ranked, whole: &Whole, floor: Floor) -> Confidence {
     let few = floor.single || floor.few;
     // Of few digits the exact motion may fit each step of a record that fails.
     let astray = |rule: &Rule| few && whole.fails && *rule == Rule::EXACT;
-    let is_one = |rule: &Rule| !astray(rule) && !is_biased(subject, pairs, rule, floor);
+    let is_one = |rule: &Rule| !astray(rule) && !is_biased(subject, all, rule, floor);
     ranked.alike.retain(is_one);
     let best = ranked.best.rule;
     if !is_one(&best) {
-        let Some(&first) = ranked.alike.first() else { return (ranked, Confidence::NoneFits) };
+        let Some(&first) = ranked.alike.first() else { return Confidence::NoneFits };
         ranked.alike.remove(0);
-        ranked.best = explained(subject, pairs, first).unwrap_or(ranked.best);
-        return (ranked, Confidence::FewDigits);
+        ranked.best = explained(subject, all, first).unwrap_or(ranked.best);
+        return Confidence::FewDigits;
     }
-    let sought = pairs.iter().any(|pair| pair.to.ahead.is_some());
+    let sought = all.iter().any(|pair| pair.to.ahead.is_some());
     // What such a rule does to energy and momentum is below the rounding of few digits: others do less.
     let first = best.method().is_some_and(|rule| rule.0.info().order == 1);
     // A rule that keeps a law does not make every step of a record that breaks it.
     let kept = |law: &LawName| best == Rule::EXACT || best.keeps(*law);
-    let confidence = match whole.broken.iter().any(kept) {
+    match whole.broken.iter().any(kept) {
         true if few => Confidence::FewDigits,
         true => Confidence::MostSteps,
         false if few && first && !whole.fails && (whole.unkept.is_empty() || sought) => {
             Confidence::SmallErrors
         }
         false => Confidence::ToRounding,
-    };
-    (ranked, confidence)
+    }
+}
+
+/// Rules that fit every step between jumps, held against what these steps show together.
+fn between_jumps(subject: &Subject, own: &[Pair], ranked: &mut Ranked, floor: Floor) -> Confidence {
+    ranked.alike.retain(|rule| !is_biased(subject, own, rule, floor));
+    match is_biased(subject, own, &ranked.best.rule, floor) {
+        true => Confidence::NoneFits,
+        false if floor.few && !ranked.alike.is_empty() => Confidence::FewDigits,
+        false => Confidence::MostSteps,
+    }
 }
 
 /// Whether the steps of a rule, all of which fit, change energy or momentum otherwise in their sum than the
@@ -292,16 +284,11 @@ fn drifts_from(subject: &Subject, pairs: &[Pair], best: &Explanation, whole: &Wh
 }
 
 /// Tries every candidate on the sample.
-pub(crate) fn diagnose(
-    subject: &Subject,
-    sample: &[Pair],
-    known: &Known,
-    whole: &Whole,
-) -> Option<Diagnosis> {
+pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &Whole) -> Option<Diagnosis> {
     let floor = known.floor;
     // Of attitudes alone each rule's spin has to be found first, step by step: fewer steps do.
-    let sought = sample.iter().any(|pair| pair.to.ahead.is_some());
-    let pairs = &*if sought { some(sample, TRIED_TURNS) } else { sample.to_vec() };
+    let sought = all.iter().any(|pair| pair.to.ahead.is_some());
+    let pairs = &*if sought { some(all, TRIED_TURNS) } else { all.to_vec() };
     let found = tried(subject, pairs, known, sought);
     let (mut ranked, mut error) = (Ranked::of(&found, floor)?, None);
     let (mut confidence, mut jumps) = confidence_in(subject, pairs, &ranked, known, whole);
@@ -314,14 +301,13 @@ pub(crate) fn diagnose(
     if confidence == Confidence::NoneFits {
         jumps = pushes(subject, pairs, &found, floor);
     }
+    let shows = confidence == Confidence::NoneFits && jumps.is_empty() && !sought;
+    let hints = if shows { Hints::of(subject, pairs, &ranked.best.rule, floor) } else { Hints::default() };
     if confidence == Confidence::ToRounding {
-        (ranked, confidence) = settled(subject, pairs, ranked, whole, floor);
-    } else if confidence == Confidence::MostSteps && !jumps.is_empty() {
-        let is_own = |pair: &&Pair| jumps.iter().all(|jump| jump.line != pair.to.line);
-        let own: Vec<Pair> = pairs.iter().filter(is_own).copied().collect();
-        if is_biased(subject, &own, &ranked.best.rule, floor) {
-            (confidence, jumps) = (Confidence::NoneFits, Vec::new());
-        }
+        confidence = settled(subject, pairs, &mut ranked, whole, floor);
+    } else if confidence == Confidence::MostSteps {
+        confidence = between_jumps(subject, &without(pairs, &jumps), &mut ranked, floor);
+        jumps.retain(|_| confidence != Confidence::NoneFits);
     }
     let Ranked { best, alike, second } = ranked.placed(&found, floor);
     let turns = pairs.iter().any(|pair| pair.from.attitude.is_some());
@@ -342,7 +328,14 @@ pub(crate) fn diagnose(
         settings: if whole.fails && named { settings(&own, &leading) } else { Vec::new() },
         leading: leading.iter().map(|rule| rule.times(subject.unit)).collect(),
         error,
-        advice: Advice::of(confidence, &best.rule, floor, whole, [!jumps.is_empty(), turns, scatter]),
+        advice: Advice::of(
+            confidence,
+            &best.rule,
+            floor,
+            whole,
+            [!jumps.is_empty(), turns, scatter, hints.again.is_some()],
+        ),
+        hints,
         open: alike.iter().any(|rule| is_another(subject, pairs, &best.rule, rule)),
         jumps,
         single: floor.single,
@@ -350,28 +343,6 @@ pub(crate) fn diagnose(
         rounding: floor.size,
         fails: whole.fails,
     })
-}
-
-/// The steps that are as far from the motion as no step of a rule that is not known: pushes.
-fn pushes(subject: &Subject, pairs: &[Pair], found: &[Explanation], floor: Floor) -> Vec<Jump> {
-    let exact = found.iter().find(|x| x.rule == Rule::EXACT).filter(|x| x.percentile_95 < NEAR);
-    let most = exact.map(|x| JUMP_IN_LIMITS * x.percentile_95.max(floor.limits()[1]));
-    most.and_then(|most| jumps(subject, pairs, &Rule::EXACT, most)).unwrap_or_default()
-}
-
-/// The steps that are not the rule's: a push is rare, far larger than the errors of the steps, and not the
-/// end of another; all other steps are the rule's. `None` where that is not so.
-pub(super) fn jumps(subject: &Subject, pairs: &[Pair], rule: &Rule, most: f64) -> Option<Vec<Jump>> {
-    let jump = |pair: &Pair| {
-        let size = subject.residual(rule, pair);
-        (size > most).then_some(Jump { line: pair.to.line, time: pair.to.t, size })
-    };
-    let off: Vec<Jump> = pairs.iter().filter_map(jump).collect();
-    let far = off.iter().filter(|jump| jump.size > JUMP_IN_LIMITS * most).count();
-    let rare = far == off.len() && far * JUMP_EVERY <= pairs.len() && far <= RESETS;
-    // Of attitudes alone one push is in two turns.
-    let apart = off.windows(3).all(|three| three[2].line > three[0].line + 2);
-    if far == 0 { Some(Vec::new()) } else { (rare && apart).then_some(off) }
 }
 
 /// Whether two rules differ where the body is faster.

@@ -157,13 +157,10 @@ impl Limits {
             turned_beyond(&start.attitude, &omega, part, most)
         };
         let momentum = if cut { system.momentum(&omega) } else { end.momentum };
-        attitude.coords.iter().chain(&momentum).try_for_each(|&x| finite("the motion after a step", x))?;
-        Ok(State { attitude, momentum })
+        let beyond = attitude.coords.iter().chain(&momentum).find(|x| !x.is_finite());
+        let wrong = |x: &f64| Err(Error::unrepresentable("the motion after a step", *x));
+        beyond.map_or(Ok(State { attitude, momentum }), wrong)
     }
-}
-
-fn finite(what: &'static str, value: f64) -> Result<(), Error> {
-    if value.is_finite() { Ok(()) } else { Err(Error::unrepresentable(what, value)) }
 }
 
 /// `start` times `turn`, at length 1.

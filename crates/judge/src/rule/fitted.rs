@@ -1,12 +1,11 @@
 //! Candidates with numbers in them, each fitted to the record before it is held against it.
 
 use crate::law::LawName;
-use crate::read::{Pair, is_limited, least, median, normal, ordered, simplest, slopes, times_the_turn};
+use crate::read::{Pair, is_limited, law, least, median, normal, ordered, simplest, slopes, times_the_turn};
 use crate::rule::{Alteration, Base, Rule, Subject, Turn, When, frozen};
 use crate::thresholds::*;
 use nalgebra::{Matrix3, Rotation3, SVector, UnitQuaternion, Vector3};
 use tumbling::PrincipalMoments;
-use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::step::Method;
 
 /// The number that takes the momentum to the turn.
@@ -54,8 +53,10 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
     let with_attitude = pairs.first().is_some_and(|pair| pair.from.attitude.is_some());
     let of_spin = pairs.iter().all(|pair| pair.to.ahead.is_none());
     let whens = places(with_attitude, of_spin);
-    let (term, turned) =
-        (times_the_term(subject, few), with_attitude.then(|| times_the_turn(few.iter().copied())));
+    let (term, turned) = (
+        law(few.iter().copied(), &subject.moments).1,
+        with_attitude.then(|| times_the_turn(few.iter().copied())),
+    );
     let (mut all, cap) = (Vec::new(), capped(pairs, rounding));
     for base in Base::all().into_iter().chain(frozen(pairs)) {
         all.extend(whens.iter().flat_map(|whens| damped(subject, few, (base, 1), whens, rounding)));
@@ -181,16 +182,6 @@ fn multiples(times: f64, turned: Option<f64>) -> impl Iterator<Item = Alteration
     let simplest = simplest(times);
     let exact = (of_times && simplest != times).then_some(Alteration::Times(simplest));
     exact.into_iter().chain([one])
-}
-
-/// How many times the gyroscopic term the changes of spin are, in the mean.
-fn times_the_term(subject: &Subject, pairs: &[Pair]) -> f64 {
-    let (found, wanted) = pairs.iter().fold((0.0, 0.0), |(found, wanted), pair| {
-        let (from, to) = (pair.from.omega, pair.to.omega);
-        let term = angular_acceleration(&subject.moments, &((from + to) / 2.0), &Vector3::zeros()) * pair.h;
-        (found + term.dot(&(to - from)), wanted + term.norm_squared())
-    });
-    found / wanted
 }
 
 /// The body with which each base makes the spins of the record: a tensor of the same trace as that named.

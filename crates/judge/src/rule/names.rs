@@ -141,9 +141,10 @@ impl Rule {
             (Base::Method(method, parts), None) => {
                 (has(method) && parts % engine.parts == 0).then_some(parts / engine.parts)
             }
-            (Base::Engine(this), None) => ((engine.method, engine.parts, engine.limits)
-                == (this.method, this.parts, this.limits))
-                .then_some(1),
+            (Base::Engine(this), None) => {
+                let is_same = has(this.method) && (engine.parts, engine.limits) == (this.parts, this.limits);
+                is_same.then_some(1)
+            }
             _ => None,
         }
     }

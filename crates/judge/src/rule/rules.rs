@@ -111,12 +111,6 @@ pub enum Steps {
     Fourth,
 }
 
-impl Steps {
-    fn frozen(first: Quaternion<f64>) -> [Base; 2] {
-        [Self::First, Self::Fourth].map(|steps| Base::FrozenTensor(first, steps))
-    }
-}
-
 /// Where in a step the spin is damped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum When {
@@ -184,6 +178,24 @@ impl Rule {
             Some(_) => vec![Self::plain(self.base)],
             None => vec![Self::EXACT],
         }
+    }
+
+    /// Whether shorter steps do not lead to the motion of the body.
+    pub(crate) const fn is_wrong(&self) -> bool {
+        let base = match self.base {
+            Base::Exact | Base::PositionStage(_) => false,
+            // A limit on the turn of a step is out of reach of shorter ones.
+            Base::Engine(engine) => {
+                engine.limits.component.is_some() || matches!(engine.method, Method::ConstantSpin)
+            }
+            Base::Method(..) | Base::Straight(..) => self.base.is_still(),
+            _ => true,
+        };
+        let altered = match self.alteration {
+            Some(Alteration::Turned(turn)) => !turn.is_of_rows(),
+            other => other.is_some(),
+        };
+        base || altered
     }
 
     pub(crate) const fn is_damped(&self) -> bool {
@@ -315,13 +327,8 @@ pub(crate) fn in_parts(per_row: Option<u32>, all: bool) -> Vec<Rule> {
 
 /// Each of them once.
 fn distinct(all: Vec<Base>) -> Vec<Base> {
-    let mut seen = Vec::new();
-    for base in all {
-        if !seen.contains(&base) {
-            seen.push(base);
-        }
-    }
-    seen
+    let is_first = |(i, base): &(usize, Base)| !all[..*i].contains(base);
+    all.iter().copied().enumerate().filter(is_first).map(|(_, base)| base).collect()
 }
 
 /// Every rule in this number of parts; none for one part, in which all are tried anyway.
@@ -334,7 +341,8 @@ pub(crate) fn of_parts(parts: u32) -> Vec<Rule> {
 pub(crate) fn frozen(pairs: &[Pair]) -> Vec<Base> {
     let first = pairs.first().and_then(|pair| pair.from.attitude).map(|q| q / q.norm());
     let other = first.filter(|q| q.imag().norm() > 0.0 && q.norm().is_finite());
-    [Quaternion::identity()].into_iter().chain(other).flat_map(Steps::frozen).collect()
+    let frozen = |first| [Steps::First, Steps::Fourth].map(|steps| Base::FrozenTensor(first, steps));
+    [Quaternion::identity()].into_iter().chain(other).flat_map(frozen).collect()
 }
 
 /// The most spin along an axis of the world after any step.

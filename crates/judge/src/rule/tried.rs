@@ -151,9 +151,6 @@ fn tried_in_parts(subject: &Subject, pairs: &[Pair], rules: Vec<Rule>, floor: Fl
             far < 2 && 2 * off <= first.len() + 1
         })
     };
-    rules
-        .into_iter()
-        .filter(|rule| possible(rule))
-        .filter_map(|rule| explained(subject, &more, rule))
-        .collect()
+    let possible = rules.into_iter().filter(|rule| possible(rule));
+    possible.filter_map(|rule| explained(subject, &more, rule)).collect()
 }

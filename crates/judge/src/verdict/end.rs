@@ -4,12 +4,11 @@ use crate::law::LawName;
 use crate::laws::{FlipCount, Law, Trial};
 use crate::options::Options;
 use crate::read::{Kind, Pair, median, unit};
-use crate::rule::{Advice, Alteration, Base, Confidence, Diagnosis, Rule, Subject, Whole, diagnose};
+use crate::rule::{Advice, Confidence, Diagnosis, Rule, Subject, Whole, diagnose};
 use crate::thresholds::*;
 use crate::verdict::{Complaint, Outcome, Recording, Seen, Verdict};
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
-use tumbling::step::Method;
 
 /// A trial that is over, and what it is held to.
 struct End<'a> {
@@ -77,7 +76,7 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, options: &Options) -> Ver
         complaints,
         options: *options,
         untraceable: !still && followed.untraceable(),
-        curve: followed.points.into_all(),
+        curve: followed.points.all,
     }
 }
 
@@ -113,7 +112,7 @@ impl End<'_> {
         let broken: Vec<LawName> = self.broken().map(|law| law.name).collect();
         let fails = !sound || !broken.is_empty() || !complaints.is_empty();
         let unkept = self.laws.iter().filter(|law| is_length(law.name) && law.growth.rank() > 0);
-        let of_rows = |x: &Complaint| matches!(x, Complaint::Ended { .. } | Complaint::Otherwise { .. });
+        let of_rows = |x: &Complaint| matches!(x, Complaint::Ended { .. });
         Whole {
             fails_otherwise: fails && broken.is_empty() && complaints.iter().all(of_rows),
             broken,
@@ -228,27 +227,9 @@ fn spin_faults(flips: &FlipCount, [axis, shown]: [bool; 2]) -> impl Iterator<Ite
 /// A rule that no body goes by, however small the step; of several that cannot be distinguished all must be
 /// wrong.
 fn wrong_rule(diagnosis: &Diagnosis) -> Option<Complaint> {
-    let all_wrong = std::iter::once(&diagnosis.best.rule).chain(&diagnosis.alike).all(is_wrong);
+    let all_wrong = std::iter::once(&diagnosis.best.rule).chain(&diagnosis.alike).all(Rule::is_wrong);
     let wrong = diagnosis.confidence == Confidence::ToRounding && all_wrong;
     wrong.then(|| Complaint::WrongRule(Box::new(diagnosis.best.rule)))
-}
-
-/// Whether shorter steps do not lead to the motion of the body.
-const fn is_wrong(rule: &Rule) -> bool {
-    let base = match rule.base {
-        Base::Exact | Base::PositionStage(_) => false,
-        Base::Method(method, _) | Base::Straight(method, _) => matches!(method, Method::ConstantSpin),
-        // A limit on the turn of a step is out of reach of shorter ones.
-        Base::Engine(engine) => {
-            engine.limits.component.is_some() || matches!(engine.method, Method::ConstantSpin)
-        }
-        _ => true,
-    };
-    let altered = match rule.alteration {
-        Some(Alteration::Turned(turn)) => !turn.is_of_rows(),
-        other => other.is_some(),
-    };
-    base || altered
 }
 
 /// A phase that ran away, where the caller has set no limit of its own for it; of that many

@@ -43,7 +43,10 @@ impl Diagnosis {
             (Confidence::NoneFits | Confidence::SmallErrors, _) | (_, 0) => {
                 format!("{}: {}", self.words(), names.join("; or, with the same steps here: "))
             }
-            (_, count) => format!("But for jumps ({count}) all steps agree to rounding with: {}", names[0]),
+            (_, count) => format!(
+                "But for jumps ({count}) all steps agree to rounding with: {}",
+                names.join("; or, with the same steps here: ")
+            ),
         };
         let mut lines = vec![words];
         let unsaid =
@@ -62,7 +65,7 @@ impl Diagnosis {
     /// How sure that is, and what else there is.
     pub(crate) fn details(&self) -> Vec<String> {
         let (half, most) = (plain_number(self.best.median), plain_number(self.best.percentile_95));
-        let mut lines: Vec<String> = self.jumps.iter().map(Jump::words).collect();
+        let mut lines: Vec<String> = self.jumps.iter().take(RESETS).map(Jump::words).collect();
         let nearest = if self.best.rule.base == Base::Exact { "exact motion" } else { "nearest known rule" };
         let of = if self.is_open() { format!(" of the {nearest}'s") } else { String::new() };
         lines.push(format!("of {} steps half are within {half}{of}, 95 in 100 within {most}", self.steps));

@@ -102,10 +102,8 @@ impl Verdict {
     /// The conserved law that is kept worst.
     #[must_use]
     pub fn worst(&self) -> Option<&Law> {
-        self.laws
-            .iter()
-            .filter(|law| law.name.is_conserved())
-            .max_by(|a, b| a.growth.rank().cmp(&b.growth.rank()).then(a.most.total_cmp(&b.most)))
+        let all = self.laws.iter().filter(|law| law.name.is_conserved());
+        all.max_by(|a, b| a.growth.rank().cmp(&b.growth.rank()).then(a.most.total_cmp(&b.most)))
     }
 
     /// The laws that are broken by more than is allowed and than the digits leave open.

@@ -59,16 +59,24 @@ impl Verdict {
 
     /// What is seen of the laws that are broken by a rule that is not known.
     fn seen(&self) -> Option<String> {
-        let open = |found: &&Diagnosis| found.fails && !found.confidence.names_a_rule();
-        let found = self.diagnosis.as_ref().filter(open)?;
-        if let [first, ..] = &found.jumps[..] {
+        let found = self.diagnosis.as_ref().filter(|found| !found.confidence.names_a_rule())?;
+        if let ([first, ..], true) = (&found.jumps[..], found.fails) {
             let count = times(found.jumps.len() as u64);
             return Some(format!("what is seen: from t = {:.4} s on the body jumps {count}", first.time));
         }
         let each = self.broken().map(|law| format!("{}, {}", law.name.words(), law.plain()));
         let turned =
             self.complaints.iter().filter(|x| matches!(x, Complaint::Otherwise { seen: Some(_), .. }));
-        let all = each.chain(turned.map(ToString::to_string)).collect::<Vec<_>>().join("; ");
+        let times =
+            |x| format!("the spin changes {} times as much as by the gyroscopic term", plain_number(x));
+        let again = found.hints.again.map(|rows| {
+            format!(
+                "the errors of the steps come again every {rows} rows, as of rows resampled between the engine's steps or of \
+                 what acts in one of {rows} steps alone"
+            )
+        });
+        let all = each.chain(turned.map(ToString::to_string)).chain(found.hints.term.map(times)).chain(again);
+        let all = all.collect::<Vec<_>>().join("; ");
         (!all.is_empty() && found.confidence == Confidence::NoneFits).then(|| format!("what is seen: {all}"))
     }
 

@@ -106,8 +106,8 @@ fn a_tensor_may_be_written_in_six_or_nine_numbers_and_a_step_in_place_of_times()
     let counts = "step 3 of the tutorial|Step 1: integrate|step: 3 of 10|step: 3 / 10".split('|');
     let read = times.map(|dt| (dt, "Some(0.01666")).chain(counts.map(|dt| (dt, UNTIMED)));
     for (dt, says) in read.chain([
-        ("dt: 1/60 Hz", "line 1: the step is given as 1/60 Hz: 1/(1/60) s or 1/60 s? Write it in s"),
-        ("dt: 1 / 2 Hz", "line 1: the step is given as 1/2 Hz: 1/(1/2) s or 1/2 s?"),
+        ("dt: 1/60 Hz", "line 1: the step is given as 1/60 Hz, a fraction of a frequency: write"),
+        ("dt: 1 / 2 kHz", "line 1: the step is given as 1/2 kHz, a fraction of a frequency: write"),
         ("dt: 5 ms / frame", "Some(0.005"),
         ("dt: 100Hz", "Some(0.01"),
         ("dt: 0.1 kHz", "Some(0.01"),
@@ -120,9 +120,10 @@ fn a_tensor_may_be_written_in_six_or_nine_numbers_and_a_step_in_place_of_times()
         ("dt: 0 Hz", "line 1: the step is given as 0 Hz: it must be above zero"),
         ("dt: 100 MHz", "line 1: the unit `MHz` is not known: s, ms"),
         ("torque: 0,5 0 0", "line 1: a number has a decimal comma"),
-        ("torque: (0,5 0 0)", "line 1: a number has a decimal comma"),
         ("torque: [0,5; 0; 0] N m", "line 1: a number has a decimal comma"),
-        ("torque: 1 2 3 4", "line 1: 4 numbers are given for the torque: give three"),
+        ("torque: 1 2 3 4", "line 1: a torque has three numbers, as in `torque: 0 0 0.1`, and 4"),
+        ("torque: x=0 y=0 z=1", "line 1: a torque has three numbers"),
+        ("torque (body): 0 0 1", "line 1: the torque is one in body axes"),
     ]) {
         let text = untimed.replacen("2.5 kg m2", &format!("2.5; {dt}"), 1);
         let found = judge(text.as_bytes(), &Options::default()).map(|verdict| verdict.record.step);

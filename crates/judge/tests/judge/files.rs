@@ -2,6 +2,7 @@
 
 use crate::common::{MOMENTS, Row, csv, exact, judged, stepped};
 use nalgebra::{Quaternion, Vector3};
+use std::f64::consts::PI;
 use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::step::Method;
 use tumbling_judge::{FileMistake, Options, Outcome, judge};
@@ -39,10 +40,7 @@ fn each_misread_file_made_on_purpose_is_named_and_the_rule_behind_it_too() {
             (FileMistake::Frame, Box::new(|(t, q, w)| (*t, *q, world(q, w)))),
             (FileMistake::Order, Box::new(|(t, q, w)| (*t, Quaternion::new(q.i, q.j, q.k, q.w), *w))),
             (FileMistake::ScalarFirst, Box::new(|(t, q, w)| (*t, Quaternion::new(q.k, q.w, q.i, q.j), *w))),
-            (
-                FileMistake::RevolutionsPerMinute,
-                Box::new(|(t, q, w)| (*t, *q, w * (30.0 / std::f64::consts::PI))),
-            ),
+            (FileMistake::RevolutionsPerMinute, Box::new(|(t, q, w)| (*t, *q, w * (30.0 / PI)))),
             (FileMistake::Microseconds, Box::new(|(t, q, w)| (t * 1e6, *q, *w))),
             (FileMistake::Inverse, Box::new(|(t, q, w)| (*t, conj(q), *w))),
             (FileMistake::Degrees, Box::new(|(t, q, w)| (*t, *q, w.map(f64::to_degrees)))),

@@ -4,7 +4,7 @@
 use crate::common::{MOMENTS, Row, csv, exact, exact_of, judged, stepped, stepped_by, written};
 use nalgebra::{Quaternion, Vector3};
 use std::fmt::Write as _;
-use tumbling::attitude::product;
+use tumbling::attitude::{product, turn};
 use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, State, System};
@@ -88,20 +88,8 @@ fn damping_in_each_step_is_named_where_only_every_third_is_written() {
     }
 }
 
-#[test]
-fn a_spin_that_a_limit_cuts_and_that_stays_is_not_said_to_repeat_rows() {
-    let rows: Vec<Row> = stepped(Method::ConstantSpin, SPIN, 0.02, 300);
-    for cuts in [&[1][..], &[100, 200]] {
-        let cut = |(i, row): (usize, &Row)| {
-            (row.0, row.1, row.2 * 0.97_f64.powi(cuts.iter().filter(|at| i >= **at).count() as i32))
-        };
-        let rows: Vec<Row> = rows.iter().enumerate().map(cut).collect();
-        let text = csv(&rows).replace("t,qw,qx,qy,qz,", "t,a,b,c,d,");
-        let found = judged(&text).diagnosis.unwrap();
-        let name = found.best.rule.name();
-        assert!(found.jumps.len() == cuts.len() && name == "no gyroscopic term", "{found}");
-    }
-}
+const ATTITUDE: &str = "t,qw,qx,qy,qz,";
+const NO_ATTITUDE: &str = "t,a,b,c,d,";
 
 /// The rows at these places of a run, under times of their own, between rows on the straight line.
 fn placed(rows: &[Row], places: impl Iterator<Item = f64>) -> String {
@@ -117,21 +105,65 @@ fn placed(rows: &[Row], places: impl Iterator<Item = f64>) -> String {
 fn rows_that_are_written_again_or_interpolated_name_no_rule_however_many() {
     for method in [Method::Gauss4, Method::SemiImplicitEuler] {
         let rows = stepped(method, SPIN, 0.01, 3000);
-        let is = |wanted: Confidence, places: &mut dyn Iterator<Item = f64>| {
-            let verdict = judged(&placed(&rows, places));
+        let is_in = |columns: &str, wanted: Confidence, places: &mut dyn Iterator<Item = f64>| {
+            let verdict = judged(&placed(&rows, places).replacen(ATTITUDE, columns, 1));
             let (said, found) = (verdict.to_string(), verdict.diagnosis.unwrap());
             let rule = ["Nearest", "As in", "it turns about"].iter().any(|words| said.contains(words));
             assert!(found.confidence == wanted && !rule, "{said}");
         };
+        is_in(NO_ATTITUDE, Confidence::Repeated, &mut (0..1800).map(|i: u32| f64::from(i / 60)));
         for (copies, count) in [(2, 1200), (3, 1200), (20, 1200), (25, 1200), (2, 6000)] {
-            is(Confidence::Repeated, &mut (0..count).map(|i: u32| f64::from(i / copies)));
+            is_in(ATTITUDE, Confidence::Repeated, &mut (0..count).map(|i: u32| f64::from(i / copies)));
         }
-        let stalls = (0..600).flat_map(|i| vec![f64::from(i); if i % 200 == 100 { 31 } else { 1 }]);
-        is(Confidence::Repeated, &mut stalls.into_iter());
+        for (columns, every, long) in [(ATTITUDE, 200, 31), (NO_ATTITUDE, 100, 2)] {
+            let stalls = |i| vec![f64::from(i); if i % every == 50 { long } else { 1 }];
+            is_in(columns, Confidence::Repeated, &mut (0..600).flat_map(stalls));
+        }
         for (count, parts) in [(500, 2.0), (3000, 2.0), (3000, 5.0)] {
             let count = count * parts as u32;
-            is(Confidence::Interpolated, &mut (0..count).map(|i| f64::from(i) / parts));
+            is_in(ATTITUDE, Confidence::Interpolated, &mut (0..count).map(|i| f64::from(i) / parts));
         }
+    }
+}
+
+#[test]
+fn what_acts_in_some_of_the_steps_is_neither_said_to_be_interpolated_nor_repeated() {
+    let run = |change: &dyn Fn(u32, Vector3<f64>, Vector3<f64>) -> Vector3<f64>| {
+        let (mut q, mut w, mut rate) = (Quaternion::identity(), SPIN, Vector3::zeros());
+        let row = |i: u32| {
+            let row = (f64::from(i) / 60.0, q, w);
+            rate = change(i, rate, angular_acceleration(&MOMENTS, &w, &Vector3::zeros()));
+            w += rate / 60.0;
+            q = product(&q, &turn(&(w / 60.0)));
+            row
+        };
+        csv(&(0..600).map(row).collect::<Vec<_>>())
+    };
+    let contains = |text: String, words: &str| {
+        let said = judged(&text).to_string();
+        assert!(said.contains(words), "{said}");
+    };
+    contains(run(&|i, old, new| if i % 2 == 0 { new } else { old }), "come again every 2 rows");
+    let push =
+        |i: u32| if i % 15 == 14 { Vector3::new(9.0, 7.0, f64::from(i).sin()) } else { Vector3::zeros() };
+    let still = run(&|i, _, _| push(i) * f64::from(i).cos()).replacen(ATTITUDE, NO_ATTITUDE, 1);
+    contains(still, "But for jumps (39) all steps agree to rounding with: no gyroscopic term");
+    contains(
+        run(&|i, _, new| new + push(i)),
+        "But for jumps (39) all steps agree to rounding with: explicit",
+    );
+    // Rows of 50 a second, read at 60 a second.
+    let fine = stepped(Method::Gauss4, SPIN, 0.01, 600);
+    contains(placed(&fine, (0..600).map(|i| f64::from(i) * 5.0 / 6.0)), "come again every 6 rows");
+}
+
+#[test]
+fn rows_made_equal_by_rounding_are_not_said_to_repeat() {
+    for (slow, digits) in [(0.1, 4), (0.3, 3)] {
+        let rows = exact(SPIN * slow, 1.0 / 240.0, 1500);
+        let text = written("# inertia: 1 2 2.5", &rows, |t| t.to_string(), |x| format!("{x:.digits$}"));
+        let said = judged(&text.replacen(ATTITUDE, NO_ATTITUDE, 1)).to_string();
+        assert!(!said.contains("repeat"), "{said}");
     }
 }
 
@@ -168,8 +200,7 @@ fn no_rule_is_named_from_a_few_of_the_rows() {
         t += if i == 200 { 0.005 } else { 0.015 };
     }
     let verdict = judged(&csv(&rows));
-    let diagnosis = verdict.diagnosis.as_ref().unwrap();
-    assert!(diagnosis.steps > 300, "{verdict}");
+    assert!(verdict.diagnosis.as_ref().unwrap().steps > 300, "{verdict}");
     assert!(!verdict.to_string().contains("Every step"), "{verdict}");
 }
 
@@ -206,7 +237,7 @@ fn advice_never_says_that_there_is_nothing_to_do_where_a_law_is_broken() {
 }
 
 #[test]
-fn a_rule_is_not_said_to_keep_a_length_that_grows() {
+fn a_rule_is_not_said_to_keep_a_length_that_jumps_between_its_steps() {
     let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
     let mut rows = Vec::new();
     let mut state = State { attitude: Quaternion::identity(), momentum: system.momentum(&(SPIN * 4.0)) };
@@ -218,7 +249,12 @@ fn a_rule_is_not_said_to_keep_a_length_that_grows() {
     let verdict = judged(&csv(&rows));
     let grows = verdict.laws.iter().any(|law| law.name == LawName::Momentum && law.growth.rank() > 2);
     assert!(grows, "{verdict}");
-    assert!(!verdict.to_string().contains("length is put right"), "{verdict}");
+    let said = verdict.to_string();
+    assert!(
+        said.contains("But for jumps (30) all steps agree to rounding with: explicit, rescaled"),
+        "{said}"
+    );
+    assert!(said.contains("Something acts on the body") && !said.contains("length is put right"), "{said}");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! What is read from column names, units and comments, and what is said of those that are not read.
 
-use crate::common::{MOMENTS, Row, csv, exact, judged, stepped};
+use crate::common::{MOMENTS, Row, csv, exact, judged, stepped, written};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::{attitude::rotation_matrix, step::Method};
 use tumbling_judge::{FileMistake, Options, Outcome, Verdict, judge};
@@ -81,39 +81,24 @@ fn columns_that_are_not_read_are_listed() {
 
 #[test]
 fn times_of_few_digits_are_taken_for_the_steps_that_they_are_rounded_from() {
-    let text = |decimals: usize, head: &str| {
-        let mut text = format!("# inertia: 1 2 2.5\n{head}t,qw,qx,qy,qz,wx,wy,wz\n");
-        for (t, q, w) in good() {
-            let numbers = [q.w, q.i, q.j, q.k, w.x, w.y, w.z].map(|x| format!("{x:.16e}"));
-            text += &format!("{t:.decimals$},{}\n", numbers.join(","));
-        }
-        text
+    let text = |head: &str, time: &dyn Fn(f64) -> String| {
+        written(&format!("# inertia: 1 2 2.5\n{head}"), &good(), time, |x| format!("{x:.16e}"))
     };
-    for (decimals, head) in
-        [(3, "# dt: 1/60 s\n"), (2, "# dt: 1/60 s\n"), (2, "# dt: 16.666666666666667 ms\n"), (3, "")]
-    {
-        let verdict = judged(&text(decimals, head));
-        assert_eq!(verdict.outcome, Outcome::Passed, "{decimals} {head} {verdict}");
-        assert_eq!(verdict.record.gaps, None);
-        assert_eq!(verdict.diagnosis.as_ref().unwrap().best.rule, tumbling_judge::Rule::EXACT, "{verdict}");
-        assert!(verdict.laws.iter().all(|law| law.growth.rank() == 0), "{decimals} {head} {verdict}");
-        assert!(verdict.record.notes.iter().any(|note| note.to_string().contains("few digits")));
-    }
+    let fixed = |decimals: usize, head: &str| text(head, &|t| format!("{t:.decimals$}"));
+    let heads = [(3, "# dt: 1/60 s"), (2, "# dt: 1/60 s"), (2, "# dt: 16.666666666666667 ms"), (3, "")];
+    let all = heads.map(|(decimals, head)| fixed(decimals, head));
     // With a fixed number of significant digits, zeros at the end left off: later times are coarser.
-    for digits in [4, 5, 6] {
-        let mut text = String::from("# inertia: 1 2 2.5; dt: 1/60 s\nt,qw,qx,qy,qz,wx,wy,wz\n");
-        for (t, q, w) in good() {
-            let numbers = [q.w, q.i, q.j, q.k, w.x, w.y, w.z].map(|x| format!("{x:.16e}"));
-            let t: f64 = format!("{t:.*e}", digits - 1).parse().unwrap();
-            text += &format!("{t},{}\n", numbers.join(","));
-        }
-        let verdict = judged(&text);
-        assert_eq!(verdict.outcome, Outcome::Passed, "{digits} {verdict}");
+    let short = |digits: usize, t: f64| format!("{t:.*e}", digits - 1).parse::<f64>().unwrap().to_string();
+    let coarser = [4, 5, 6].map(|digits| text("# dt: 1/60 s", &|t| short(digits, t)));
+    for text in all.iter().chain(&coarser) {
+        let verdict = judged(text);
+        assert_eq!((verdict.outcome, verdict.record.gaps), (Outcome::Passed, None), "{verdict}");
         assert_eq!(verdict.diagnosis.as_ref().unwrap().best.rule, tumbling_judge::Rule::EXACT, "{verdict}");
+        assert!(verdict.laws.iter().all(|law| law.growth.rank() == 0), "{verdict}");
         assert!(verdict.record.notes.iter().any(|note| note.to_string().contains("few digits")), "{verdict}");
     }
     // Times that no step explains stay as they are.
-    let verdict = judged(&text(3, "# dt: 1/50 s\n"));
+    let verdict = judged(&fixed(3, "# dt: 1/50 s"));
     assert!(!verdict.record.notes.iter().any(|note| note.to_string().contains("length told")), "{verdict}");
 }
 
@@ -121,7 +106,8 @@ fn times_of_few_digits_are_taken_for_the_steps_that_they_are_rounded_from() {
 fn a_comment_that_denies_a_torque_makes_none_and_one_that_is_not_understood_is_noted() {
     let with = |comment: &str| judged(&format!("# {comment}\n{}", csv(&good())));
     assert_eq!(with("no torque: 1 2 3").torque, None);
-    assert_eq!(with("torque: 1 2 3").torque, Some(Vector3::new(1.0, 2.0, 3.0)));
+    let both = ["torque: 1 2 3", "torque (4 runs): 1 2 3"].map(|said| with(said).torque);
+    assert_eq!(both, [Some(Vector3::new(1.0, 2.0, 3.0)); 2]);
     assert!(with("torque unknown").record.notes[0].to_string().contains("speaks of `torque`"));
     let steps = csv(&good()).lines().enumerate().fold(
         String::from("# step size 1/60\n"),

@@ -1,0 +1,85 @@
+//! Times printed with few digits, put back to the steps that they are rounded from.
+
+use crate::read::{Raw, Reading};
+use crate::thresholds::*;
+use nalgebra::Vector3;
+
+/// Times that are, to their own printed digits, a whole number of equal steps from the first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Grid {
+    start: f64,
+    pub step: f64,
+    /// How far the step may be off, s.
+    off: f64,
+    /// Half a unit of the last decimal of the times, s.
+    half: f64,
+    /// The most significant digits that they have.
+    digits: i32,
+    pub named: bool,
+}
+
+impl Grid {
+    /// Where the printed digits make the steps uneven, and a step, the named one or the mean, explains all of
+    /// the times.
+    pub(crate) fn of(probe: &[Raw], named: Option<f64>) -> Option<Self> {
+        let (first, last) = (probe.first()?, probe.last()?);
+        // Of those printed without the zeros at their ends some have all the digits there are.
+        let half = probe.iter().map(|raw| raw.printed.half).fold(f64::INFINITY, f64::min);
+        let digits = probe.iter().map(|raw| raw.printed.digits).max()?;
+        let digits = i32::try_from(digits).unwrap_or(i32::MAX);
+        let steps = probe.windows(2).map(|rows| rows[1].t - rows[0].t);
+        let least = steps.clone().fold(f64::INFINITY, f64::min);
+        let most = steps.fold(0.0, f64::max);
+        let rounding = EVEN_TIMES * f64::EPSILON * last.t.abs().max(first.t.abs());
+        // Even ones, and those with missing rows, are taken as they are.
+        let even = most - least <= rounding && named.is_none_or(|named| (most - named).abs() <= rounding);
+        if half <= rounding || even {
+            return None;
+        }
+        let count = (probe.len() - 1) as f64;
+        let mean = Self {
+            start: first.t,
+            step: (last.t - first.t) / count,
+            off: 2.0 * half_of(last, half, digits) / count,
+            half,
+            digits,
+            named: false,
+        };
+        let named = named.map(|step| Self { step, off: 0.0, named: true, ..mean });
+        named.into_iter().chain([mean]).find(|grid| grid.explains(probe))
+    }
+
+    fn explains(&self, probe: &[Raw]) -> bool {
+        let forward = |rows: &[Raw]| self.place(rows[0].t) < self.place(rows[1].t);
+        probe.windows(2).all(forward) && probe.iter().all(|raw| self.time(raw).is_some())
+    }
+
+    /// The time from which a row's is rounded, if it is.
+    fn time(&self, raw: &Raw) -> Option<f64> {
+        let time = self.start + self.place(raw.t) * self.step;
+        let half = half_of(raw, self.half, self.digits);
+        Some(time).filter(|time| (time - raw.t).abs() <= PRINTED_HALVES * half)
+    }
+
+    fn place(&self, t: f64) -> f64 {
+        ((t - self.start) / self.step).round()
+    }
+
+    /// A row at its time.
+    pub(crate) fn put(&self, raw: &mut Raw) {
+        // A row that is not on it, after all those looked at, keeps its own.
+        raw.t = self.time(raw).unwrap_or(raw.t);
+    }
+
+    /// The rounding that a step so uncertain gives to spins and turns.
+    pub(crate) fn floor(&self, probe: &[Raw], reading: &Reading, moments: &Vector3<f64>) -> f64 {
+        let speed = probe.iter().map(|raw| reading.state(raw, moments).omega.norm()).fold(0.0, f64::max);
+        self.off * reading.time() * speed
+    }
+}
+
+/// Half a unit of the last digit that a time can have, s: for times that all have the same number of
+/// decimals, or of significant digits.
+fn half_of(raw: &Raw, half: f64, digits: i32) -> f64 {
+    half.max(0.5 * raw.printed.above * 10.0_f64.powi(-digits))
+}

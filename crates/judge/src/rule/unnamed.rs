@@ -1,0 +1,162 @@
+//! What is said of a record that no rule fits.
+
+use crate::read::{Floor, Pair, law, median, middle_and_most, unit};
+use crate::rule::diagnosis::Ranked;
+use crate::rule::tried::explained;
+use crate::rule::{Alteration, Base, Confidence, Explanation, Rule, Subject, When};
+use crate::thresholds::*;
+use nalgebra::Vector3;
+
+/// The exact motion with a number altered, if that explains nearly all of its error; an accurate rule, and
+/// the error of its steps; rows that scatter, and by how much; or none.
+pub(super) fn unnamed(
+    subject: &Subject,
+    pairs: &[Pair],
+    found: &[Explanation],
+    ranked: Ranked,
+    fails: bool,
+    floor: Floor,
+) -> (Ranked, Confidence, Option<f64>) {
+    let Some(exact) = found.iter().find(|x| x.rule == Rule::EXACT) else {
+        return (ranked, Confidence::NoneFits, None);
+    };
+    let alone = |best: &Explanation| Ranked { best: *best, alike: Vec::new(), second: Some(*exact) };
+    let (altered, times) = altered(subject, pairs, found);
+    if let Some(altered) = altered.filter(|x| times > ALTERED[1] && x.median < NEAR) {
+        let mut altered = alone(altered);
+        // Where in the step of a rule that is not known it is damped, the exact motion does not show.
+        if let Some(Alteration::Damped { when, .. }) = &mut altered.best.rule.alteration {
+            *when = When::Open;
+        }
+        return (altered, Confidence::Altered, None);
+    }
+    let error = accuracy(subject, pairs, exact, floor.size).filter(|_| !fails && times < ALTERED[0]);
+    if error.is_some() {
+        return (Ranked { second: ranked.second, ..alone(exact) }, Confidence::Accurate, error);
+    }
+    let off = |x: &Pair| Some((x.to.omega - subject.spin_after(&Rule::EXACT, x)?) / x.to.omega.norm());
+    let scatter = scatter(pairs, off).filter(|off| exact.median < OF_SCATTER * off);
+    (ranked, if scatter.is_some() { Confidence::Scattered } else { Confidence::NoneFits }, scatter)
+}
+
+/// Whether the attitudes scatter about what a rule makes of the rows, by more than the rounding of the digits
+/// that are printed: numbers that had fewer before, as those of a matrix may.
+pub(super) fn attitudes_scatter(subject: &Subject, pairs: &[Pair], base: Base, floor: Floor) -> bool {
+    // In the world, where the next step takes back the very vector.
+    let off = |pair: &Pair| {
+        let end = subject.next(&Rule::plain(base), &pair.from, pair.h)?;
+        Some(unit(&end.attitude?) * Pair { from: end, ..*pair }.turn()?)
+    };
+    scatter(pairs, off).is_some_and(|off| off > floor.limits()[1])
+}
+
+/// By how much rows scatter about a smooth motion, if that is most of what their steps are off by: what one
+/// row is off by, the next step takes back, while the errors of a rule go on.
+fn scatter(pairs: &[Pair], off: impl Fn(&Pair) -> Option<Vector3<f64>>) -> Option<f64> {
+    let both =
+        |two: &[Pair]| Some([off(&two[0])?, off(&two[1])?]).filter(|_| two[0].to.line == two[1].from.line);
+    let (mut own, mut next, mut count) = (0.0, 0.0, 0.0);
+    for [first, second] in pairs.windows(2).filter_map(both) {
+        own += (first.norm_squared() + second.norm_squared()) / 2.0;
+        next += first.dot(&second);
+        count += 1.0;
+    }
+    // Of noise alone it is half.
+    (next < -TAKEN_BACK * own && count >= SCATTERED_ROWS).then(|| (own / (6.0 * count)).sqrt())
+}
+
+/// The exact motion with one number altered that explains the record best, and how many times as well as
+/// without that number.
+fn altered<'a>(
+    subject: &Subject,
+    pairs: &[Pair],
+    found: &'a [Explanation],
+) -> (Option<&'a Explanation>, f64) {
+    let is_one = |altered| {
+        use Alteration::{Damped, Term, TermOrTimes, Times};
+        matches!(altered, Some(Damped { .. } | Term(_) | TermOrTimes(_) | Times(_)))
+    };
+    let one = |x: &&Explanation| x.rule.base == Base::Exact && is_one(x.rule.alteration);
+    let times = |x: &Explanation| {
+        let without = x.rule.neutral().into_iter().filter_map(|rule| explained(subject, pairs, rule));
+        let times = without.map(|y| (y.median / x.median).min(y.percentile_95 / x.percentile_95));
+        times.fold(f64::INFINITY, f64::min)
+    };
+    let best = found.iter().filter(one).max_by(|a, b| times(a).total_cmp(&times(b)));
+    (best, best.map_or(0.0, times))
+}
+
+/// Whether some of the rows lie on a straight line between those before and after, next to a plain bend: no
+/// smooth motion has that.
+pub(super) fn are_interpolated(subject: &Subject, pairs: &[Pair], floor: Floor) -> bool {
+    // The attitudes between two others turn about one axis, however the spin changes there.
+    let is_between = |[first, second]: [&Pair; 2]| match (first.turn(), second.turn()) {
+        (Some(a), Some(b)) if first.to.ahead.is_none() => {
+            let (v, w) = (first.to.omega, second.to.omega);
+            a.cross(&b).norm() * v.norm() * w.norm() < TURNS_APART * v.cross(&w).norm() * a.norm() * b.norm()
+        }
+        _ => true,
+    };
+    let bends = pairs.windows(2).filter(|two| two[0].to.line == two[1].from.line).map(|two| {
+        let [first, second] = [two[0], two[1]].map(|pair| pair.to.omega - pair.from.omega);
+        let rounding = STRAIGHT[0] * floor.size * two[0].from.omega.norm();
+        let bend = (first - second).norm() / rounding;
+        let is_seen = first.norm() > CLEAR * rounding && (bend > 1.0 || is_between([&two[0], &two[1]]));
+        if is_seen { bend } else { f64::NAN }
+    });
+    let bends: Vec<f64> = bends.collect();
+    let is_knot = |two: &&[f64]| two[0].min(two[1]) <= 1.0 && two[0].max(two[1]) > ABOVE_ROUNDING;
+    let many = bends.windows(2).filter(is_knot).count() as f64 > STRAIGHT[1] * bends.len() as f64;
+    // Spins alone that are pushed do not go by the law.
+    many && (pairs[0].from.attitude.is_some() || law(pairs.iter().copied(), &subject.moments).0 > LAW_AGREES)
+}
+
+/// The error of the middle step, as a share of what the gyroscopic term changes of the spin in the middle
+/// step; of an accurate rule alone. A share of the spin would praise each rule whose steps are short, even
+/// where there is no gyroscopic term in them.
+fn accuracy(subject: &Subject, pairs: &[Pair], exact: &Explanation, floor: f64) -> Option<f64> {
+    let change = median(pairs.iter().filter_map(|pair| {
+        let end = subject.spin_after(&Rule::EXACT, pair)?;
+        Some((end - pair.from.omega).norm() / pair.from.omega.norm())
+    }));
+    let share = exact.median / change;
+    (change.is_finite() && change > ABOVE_ROUNDING * floor && share <= ACCURATE).then_some(share)
+}
+
+/// What is seen of the steps where no rule fits.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Hints {
+    /// Every how many rows the errors of the nearest rule's steps come again.
+    pub again: Option<usize>,
+    /// How many times as much as by the gyroscopic term the spin changes, where that is far from one.
+    pub term: Option<f64>,
+}
+
+impl Hints {
+    pub(super) fn of(subject: &Subject, pairs: &[Pair], nearest: &Rule, floor: Floor) -> Self {
+        let (alike, times) = law(pairs.iter().copied(), &subject.moments);
+        let is_seen = alike.abs() > LAW_AGREES && (times - 1.0).abs() > TERM_APART;
+        Self { again: comes_again(subject, pairs, nearest, floor), term: is_seen.then_some(times) }
+    }
+}
+
+/// Every how many rows the errors of a rule's steps come again in size, if they do and its changes of spin do
+/// not: the motion itself may.
+fn comes_again(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> Option<usize> {
+    let sizes = |of: fn(&Pair, Vector3<f64>) -> Vector3<f64>| {
+        let size = |x: &Pair| Some(of(x, subject.spin_after(rule, x)?).norm() / x.to.omega.norm());
+        pairs.iter().map(|pair| size(pair).unwrap_or(f64::NAN)).collect::<Vec<f64>>()
+    };
+    let errors = sizes(|pair, end| pair.to.omega - end);
+    let changes = sizes(|pair, end| end - pair.from.omega);
+    let apart = |sizes: &[f64], rows: usize| {
+        let later = pairs.iter().zip(sizes).skip(rows).zip(pairs.iter().zip(sizes));
+        let own = later.filter(|((to, _), (from, _))| to.from.line == from.from.line + rows);
+        middle_and_most(own.map(|((_, a), (_, b))| (a - b).abs()).collect()).map_or(f64::INFINITY, |x| x[1])
+    };
+    let next = [&errors, &changes].map(|sizes| apart(sizes, 1));
+    let again =
+        |rows: &usize| apart(&errors, *rows) < AGAIN * next[0] && apart(&changes, *rows) >= AGAIN * next[1];
+    let seen = ABOVE_ROUNDING * floor.size..f64::INFINITY;
+    (pairs.len() > 4 * AGAIN_MOST && seen.contains(&next[0])).then(|| (2..=AGAIN_MOST).find(again))?
+}
