@@ -279,7 +279,7 @@ fn no_damage_to_a_file_makes_the_judge_panic() {
         usize::try_from(seed >> 33).unwrap() % below
     };
     let mut refused = 0;
-    for _ in 0..3000 {
+    for _ in 0..1000 {
         let mut text = good.clone();
         for _ in 0..=random(3) {
             let at = random(text.len());
@@ -298,7 +298,7 @@ fn no_damage_to_a_file_makes_the_judge_panic() {
             }
         }
     }
-    assert!(refused > 1000);
+    assert!(refused > 300);
 }
 
 #[test]
