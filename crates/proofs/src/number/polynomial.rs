@@ -189,15 +189,10 @@ impl Polynomial {
     /// factor, the first of them positive; 1 for zero.
     #[must_use]
     pub fn content(&self) -> BigRational {
-        let mut numerators = BigInt::zero();
-        let mut denominators = BigInt::one();
-        for coefficient in self.terms.values() {
-            numerators = numerators.gcd(coefficient.numer());
-            denominators = denominators.lcm(coefficient.denom());
-        }
+        let numerators = self.terms.values().fold(BigInt::zero(), |all, c| all.gcd(c.numer()));
         match self.terms.last_key_value() {
             None => BigRational::one(),
-            Some((_, first)) => BigRational::new(numerators, denominators) * first.signum(),
+            Some((_, first)) => BigRational::new(numerators, self.denominator()) * first.signum(),
         }
     }
 
@@ -243,21 +238,27 @@ impl Polynomial {
     }
 
     fn difference(&self, other: &Self) -> Self {
-        let mut difference = self.clone();
-        for (monomial, coefficient) in &other.terms {
-            difference.add_term(monomial.clone(), -coefficient);
-        }
-        difference
+        self.sum(&-other.clone())
     }
 
+    /// The least one that is common to its coefficients.
+    fn denominator(&self) -> BigInt {
+        self.terms.values().fold(BigInt::one(), |below, c| below.lcm(c.denom()))
+    }
+
+    /// In whole numbers, since to reduce the fraction of each product of two terms takes most of the time.
     fn product(&self, other: &Self) -> Self {
-        let mut product = Self::zero();
-        for (m, a) in &self.terms {
-            for (n, b) in &other.terms {
-                product.add_term(m.times(n), a * b);
-            }
+        let [(a, below), (b, other)] = [self, other].map(|p| {
+            let below = p.denominator();
+            let whole = p.terms.iter().map(|(m, c)| (m, c.numer() * (&below / c.denom())));
+            (whole.collect::<Vec<_>>(), below)
+        });
+        let (below, mut sums) = (below * other, BTreeMap::<_, BigInt>::new());
+        for (m, a) in &a {
+            b.iter().for_each(|(n, b)| *sums.entry(m.times(n)).or_default() += a * b);
         }
-        product
+        sums.retain(|_, sum| !sum.is_zero());
+        Self { terms: sums.into_iter().map(|(m, c)| (m, BigRational::new(c, below.clone()))).collect() }
     }
 }
 
