@@ -135,8 +135,7 @@ pub(crate) fn run(cli: Cli) -> Result<ExitCode, Box<dyn Error>> {
         Command::Build { site } => build::build(site.as_ref())?,
         Command::Print(arguments) => paper::run(&arguments)?,
         Command::Check { folder, list } => {
-            let folder = folder.unwrap_or_else(paths::chapters);
-            return Ok(checked(&folder, list));
+            return Ok(checked(&folder.unwrap_or_else(paths::chapters), list));
         }
         Command::Exercises { command } => return Ok(exercises::run(command.as_ref())?),
         Command::Report(arguments) => report::run(&arguments)?,
@@ -188,7 +187,6 @@ fn listing(all: &[Figure]) -> String {
     }
     let following: Vec<&str> = all.iter().filter(|f| f.follows_a_body()).map(|f| f.name).collect();
     let _ = write!(out, "\nWith --body, for any body: {}", following.join(", "));
-    out.truncate(out.trim_end().len());
     out
 }
 

@@ -68,8 +68,7 @@ impl Language {
     }
 
     fn fault(&self, original: &str, what: &str) -> String {
-        let start: String = original.chars().take(70).collect();
-        format!("book/words.{}.toml: `{start}`: {what}", self.code)
+        format!("book/words.{}.toml: `{original:.70}`: {what}", self.code)
     }
 
     /// What a translation says otherwise.
@@ -269,10 +268,12 @@ fn with(text: &str, mark: char, other: char) -> String {
     (0..all.len()).map(|at| if decimal(at) { other } else { all[at] }).collect()
 }
 
-/// The numbers in digits, with their units, and the signs before and between them.
+/// The numbers in digits, with their units, the signs before and between them, and units by themselves.
 fn digits(text: &str) -> impl Iterator<Item = (usize, String)> + '_ {
     let signs = text.match_indices(['−', '+', '±', '×']).map(|(at, sign)| (at, sign.to_owned()));
-    signs.chain(numerals(text).into_iter().map(|numeral| {
+    let units = words_of(text).filter(|at| at.len() > 1 && UNITS.contains(&&text[at.clone()]));
+    let marks = signs.chain(units.map(|at| (at.start, text[at].to_owned())));
+    marks.chain(numerals(text).into_iter().map(|numeral| {
         let (number, all) = (&text[numeral.at.clone()], with_unit(text, &numeral));
         let known = UNITS.contains(&all[number.len()..].trim());
         (numeral.at.start, if known { all } else { number }.to_owned())
@@ -280,8 +281,7 @@ fn digits(text: &str) -> impl Iterator<Item = (usize, String)> + '_ {
 }
 
 fn in_order(numbers: impl Iterator<Item = (usize, String)>) -> Vec<String> {
-    let sorted: BTreeMap<usize, String> = numbers.collect();
-    sorted.into_values().collect()
+    numbers.collect::<BTreeMap<_, _>>().into_values().collect()
 }
 
 /// Where the words of this text are.

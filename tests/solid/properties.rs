@@ -39,14 +39,6 @@ proptest! {
         assert_same("moved", &together(&moved).unwrap(), &whole, 1e-14, 10.0);
     }
 
-    #[test]
-    fn turning_the_parts_turns_the_whole(q in attitude()) {
-        let parts = [lopsided(), moved(&NamedBody::Hammer.properties().unwrap(), &Vector3::new(1.0, 1.0, 2.0)).unwrap()];
-        let turned = parts.map(|p| p.turned(q).unwrap());
-        let whole = together(&parts).unwrap().turned(q).unwrap();
-        assert_same("turned", &together(&turned).unwrap(), &whole, 1e-14, 10.0);
-    }
-
     // Independent: the definition, on four point masses turned one by one.
     #[test]
     fn a_turned_body_is_the_body_of_its_turned_points(q in attitude(), far in vector(-3.0..3.0)) {

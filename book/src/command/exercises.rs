@@ -77,17 +77,6 @@ enum Standing {
     Gone,
 }
 
-impl Standing {
-    fn word(self) -> &'static str {
-        match self {
-            Self::Open => "open",
-            Self::Begun => "begun",
-            Self::Done => "done",
-            Self::Gone => "gone",
-        }
-    }
-}
-
 /// The file that a reader edits, as messages name it.
 fn shown(exercise: &Exercise) -> String {
     format!("book/exercises/stubs/{}.md", exercise.name)
@@ -145,7 +134,8 @@ fn list(all: &[Exercise]) -> Result<(), String> {
             say!("{place}: {} of {}", of(true), of(false));
             chapter = place;
         }
-        say!("  {:5} {:width$}  {}", standing.word(), exercise.name, exercise.title);
+        let standing = format!("{standing:?}").to_lowercase();
+        say!("  {standing:5} {:width$}  {}", exercise.name, exercise.title);
     }
     let done = standings.iter().filter(|s| **s == Standing::Done).count();
     say!("{done} of {} done. {}", all.len(), next(all, &standings));
@@ -162,12 +152,8 @@ fn next(all: &[Exercise], standings: &[Standing]) -> String {
             exercise.name, exercise.name
         ),
         Some((exercise, _)) => {
-            format!(
-                "Next: \"{}\". Edit {} and run\n    {}",
-                exercise.title,
-                shown(exercise),
-                exercise.command()
-            )
+            let (title, file, command) = (&exercise.title, shown(exercise), exercise.command());
+            format!("Next: \"{title}\". Edit {file} and run\n    {command}")
         }
     }
 }
@@ -175,13 +161,6 @@ fn next(all: &[Exercise], standings: &[Standing]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_reader_who_waits_is_told_what_for() {
-        for (changed, what) in [(1, "the one exercise"), (3, "the 3 exercises")] {
-            assert!(running(changed).contains(&format!("{what} that you have changed. The first run")));
-        }
-    }
 
     #[test]
     fn the_next_is_the_first_that_is_not_done() {

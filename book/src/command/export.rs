@@ -86,7 +86,7 @@ pub(crate) fn export(
         |at| make(figures[at]),
         |at, made, _| {
             let figure = figures[at];
-            let file = folder.join(format!("{}.{}", figure.name, ending(format)));
+            let file = folder.join(format!("{}.{}", figure.name, format!("{format:?}").to_lowercase()));
             match made.and_then(|bytes| Ok((write_changed(&file, &bytes)?, bytes.len()))) {
                 Ok((_, size)) => say!("  {}  {} kB", file.display(), size.div_ceil(1000)),
                 Err(reason) if body.is_some() && all => say!("  {}: not drawn: {reason}", figure.name),
@@ -118,14 +118,6 @@ fn exported(svg: &str, format: Format, width: Option<u32>) -> Result<Vec<u8>, St
         Format::Svg => Ok(drawing.svg(width).into_bytes()),
         Format::Png => drawing.png(width.unwrap_or(PNG_WIDTH)).map_err(|e| e.to_string()),
         Format::Pdf => drawing.pdf(width).map_err(|e| e.to_string()),
-    }
-}
-
-fn ending(format: Format) -> &'static str {
-    match format {
-        Format::Svg => "svg",
-        Format::Png => "png",
-        Format::Pdf => "pdf",
     }
 }
 

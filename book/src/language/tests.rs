@@ -20,6 +20,7 @@ fn a_number_a_sign_a_unit_a_number_word_or_a_link_that_is_altered_is_noticed() {
         ("Taschenbuch von 129 × 198", "Taschenbuch von 129 × 189"),
         ("20 mm und 0,340", "20 cm und 0,340"),
         ("0,340 kg", "0,34 kg"),
+        (" in rad/s", " in rad"),
         ("hat drei Achsen", "hat vier Achsen"),
         ("zwei Umdrehungen pro Sekunde um", "drei Umdrehungen pro Sekunde um"),
         ("Versehen ein Zwanzigstel", "Versehen ein Zehntel"),

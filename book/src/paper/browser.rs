@@ -66,9 +66,3 @@ pub(crate) fn pdf(browser: &Path, html: &Path) -> Result<Vec<u8>, String> {
         .map_err(|e| format!("{} cannot be started: {e}", browser.display()))?;
     fs::read(&file).map_err(|_| format!("{} printed nothing ({status})", browser.display()))
 }
-
-/// The number of pages of a PDF that a browser printed.
-pub(super) fn count(pdf: &[u8]) -> usize {
-    let text = String::from_utf8_lossy(pdf);
-    text.split("/Type /Page").skip(1).filter(|rest| !rest.starts_with('s')).count()
-}

@@ -1,5 +1,6 @@
 //! A chapter as a handout: story, figures, formulas, numbers and the sources that it cites, without programs.
 
+use super::fitted::Setting;
 use super::pages::Paper;
 use super::sheet::{self, Size};
 use super::tree::{Element, Node, each, rewritten, xml};
@@ -13,7 +14,7 @@ use std::collections::BTreeSet;
 ///
 /// # Errors
 /// There is no such chapter.
-pub(super) fn sheet(paper: &Paper, name: &str, size: Size, fit: [usize; 2]) -> Result<String, String> {
+pub(super) fn sheet(paper: &Paper, name: &str, size: Size, fit: Setting) -> Result<String, String> {
     let [fit, lines] = fit;
     let page = sheet::chapter(paper, name)?;
     let (language, original) = Language::of(name)?.map_or((None, name), |(own, of)| (Some(own), of));
@@ -28,7 +29,7 @@ pub(super) fn sheet(paper: &Paper, name: &str, size: Size, fit: [usize; 2]) -> R
     let notes = format!("<h2>{}</h2>\n{}", say("Notes"), "<div class=\"line\"></div>\n".repeat(3 * lines));
     let notes = if lines == 0 { String::new() } else { notes };
     let body = format!(
-        "<header><p>{}</p>\n{}\n</header>\n<div class=\"goals\"><p>{}</p><ul>{goals}</ul></div>\n<div class=\"columns\">\n{story}\n\
+        "<div class=\"columns\">\n<header><p>{}</p>\n{}\n</header>\n<div class=\"goals\"><p>{}</p><ul>{goals}</ul></div>\n{story}\n\
          {sources}\n{notes}</div>\n<footer><p>{} {}: {}, CC BY 4.0{}.</p></footer>",
         escaped(&say(&format!("{}, chapter {number}", paper.about.title))),
         heading(&page.body),
@@ -85,11 +86,10 @@ fn sources(paper: &Paper, body: &[Node]) -> Vec<Node> {
 }
 
 fn on_sheet(element: Element) -> Vec<Node> {
-    let dropped =
-        ["program", "to-end", "still", "question", "aside"].iter().any(|class| element.has_class(class));
+    let out = ["program", "to-end", "still", "question", "aside"].iter().any(|it| element.has_class(it));
     match element.name.as_str() {
         "h1" => Vec::new(),
-        _ if dropped => vec![Node::Text(CUT.into())],
+        _ if out => vec![Node::Text(CUT.into())],
         "a" => element.children,
         _ => vec![element.into()],
     }

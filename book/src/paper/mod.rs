@@ -3,6 +3,7 @@
 pub(crate) mod browser;
 mod ends;
 mod epub;
+mod fitted;
 mod handout;
 mod ink;
 mod mend;
@@ -71,18 +72,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<(), String> {
             write(&file, &epub::file(&paper)?)
         }
         What::Pdf => book(&paper, arguments.paper, &folder),
-        What::Handout { chapters } => each(&paper, chapters, |name| {
-            printed(&folder.join(format!("{name}-handout")), &paper.about, LINES, &|fit| {
-                handout::sheet(&paper, name, arguments.paper, fit)
-            })
-        }),
-        What::Problems { chapters } => each(&paper, chapters, |name| {
-            ["problems", "answers"].iter().try_for_each(|sheet| {
-                printed(&folder.join(format!("{name}-{sheet}")), &paper.about, 0, &|[fit, _]| {
-                    problems::sheet(&paper, name, arguments.paper, fit, *sheet == "answers")
-                })
-            })
-        }),
+        What::Handout { chapters } => fitted::print(&paper, chapters, &["handout"], arguments.paper, &folder),
+        What::Problems { chapters } => {
+            fitted::print(&paper, chapters, &["problems", "answers"], arguments.paper, &folder)
+        }
     }
 }
 
@@ -90,22 +83,6 @@ fn write(file: &Path, content: &[u8]) -> Result<(), String> {
     write_changed(file, content)?;
     say!("{}", file.display());
     Ok(())
-}
-
-/// Does it for these chapters, or for every one.
-fn each(
-    paper: &Paper,
-    chapters: &[String],
-    mut print: impl FnMut(&str) -> Result<(), String>,
-) -> Result<(), String> {
-    if chapters.is_empty() {
-        return paper.chapters().map(|page| page.name.as_str()).try_for_each(print);
-    }
-    // A name that is none is refused before anything is written.
-    for name in chapters {
-        sheet::chapter(paper, name)?;
-    }
-    chapters.iter().try_for_each(|name| print(name))
 }
 
 /// The whole book. It is printed twice: the second time, the contents have the numbers of the pages.
@@ -128,47 +105,6 @@ fn mended(printed: Vec<u8>, about: &About) -> Vec<u8> {
         say!("The PDF is as the browser printed it, without the metadata of PDF/UA: {what}.");
         printed
     })
-}
-
-/// How widely a sheet may be set, from the widest on: `fit-N` in `print.css`.
-const FITS: usize = 8;
-
-/// How many times three lines to write on are tried: as many as a page has.
-const LINES: usize = 20;
-
-/// Makes a sheet, set this closely, with three times this many lines to write on.
-type Make<'a> = &'a dyn Fn([usize; 2]) -> Result<String, String>;
-
-/// A sheet as HTML, and as PDF where a browser is found: on as few pages as the closest fit needs, as wide
-/// as these pages allow, with as many lines of these to write on as they have room for.
-fn printed(to: &Path, about: &About, lines: usize, make: Make<'_>) -> Result<(), String> {
-    let (html, pdf) = (to.with_extension("html"), to.with_extension("pdf"));
-    let Some(browser) = browser::found() else {
-        write(&html, make([FITS / 2, 0])?.as_bytes())?;
-        say!("{NO_BROWSER}");
-        return Ok(());
-    };
-    let set = |fit: [usize; 2]| -> Result<Vec<u8>, String> {
-        write_changed(&html, make(fit)?.as_bytes())?;
-        browser::pdf(&browser, &html)
-    };
-    let fewest = browser::count(&set([FITS - 1, 0])?);
-    let fits = |fit| Ok(browser::count(&set(fit)?) <= fewest);
-    let fit = if fits([0, 0])? { 0 } else { 1 + first(FITS - 2, |fit| fits([fit + 1, 0]))? };
-    let fewer = first(lines, |fewer| fits([fit, lines - fewer]))?;
-    let printed = set([fit, lines - fewer])?;
-    say!("{}", html.display());
-    write(&pdf, &mended(printed, about))
-}
-
-/// The first number for which it holds, where it holds for all from there on and for `high`.
-fn first(mut high: usize, holds: impl Fn(usize) -> Result<bool, String>) -> Result<usize, String> {
-    let mut low = 0;
-    while low < high {
-        let middle = low.midpoint(high);
-        (low, high) = if holds(middle)? { (low, middle) } else { (middle + 1, high) };
-    }
-    Ok(low)
 }
 
 #[cfg(test)]

@@ -110,10 +110,8 @@ fn on_paper(mut element: Element, page: &str, shown: &BTreeSet<String>) -> Resul
     let class = |class: &str| element.has_class(class);
     Ok(match element.name.as_str() {
         "script" | "button" => Vec::new(),
-        _ if class("boring") || class("turning") || class("fig-large") || element.get("hidden").is_some() => {
-            Vec::new()
-        }
-        _ if class("screen") => Vec::new(),
+        _ if element.get("hidden").is_some() => Vec::new(),
+        _ if ["boring", "turning", "fig-large", "screen"].into_iter().any(class) => Vec::new(),
         "a" if class("header") => element.children,
         "div" if class("fig-frame") || element.get("lang").is_some() => element.children,
         "div" if class("live") => still::of(element.get("data-live").unwrap_or_default(), page, shown)?,
@@ -160,8 +158,6 @@ fn math_words(element: &Element) -> String {
         "msubsup" => format!("{first}_{second}^{third}"),
         "mfrac" => format!("({first})/({second})"),
         "msqrt" => format!("√({})", all()),
-        // A dot above is the rate of change.
-        "mover" => format!("{first}{second}"),
         "mtr" => format!("{}; ", parts.iter().map(|(_, words)| words.as_str()).collect::<Vec<_>>().join(" ")),
         "mspace" => " ".into(),
         "mo" if "=<>≤≥+−".contains(&*all()) => format!(" {} ", all()),

@@ -1,6 +1,7 @@
 //! The problems of a chapter for paper and pencil, from its section of the page of problems; a second sheet
 //! has the answers.
 
+use super::fitted::Setting;
 use super::page::Page;
 use super::pages::Paper;
 use super::sheet::{self, Size, after};
@@ -18,8 +19,8 @@ struct Problem {
     answer: Vec<Node>,
 }
 
-/// The problems of a chapter as HTML, alone or each with its answer, set this closely, in the language of
-/// its page.
+/// The problems of a chapter as HTML, alone or each with its answer, set like this, in the language of its
+/// page.
 ///
 /// # Errors
 /// There is no such chapter, or an answer or a translation is missing.
@@ -27,7 +28,7 @@ pub(super) fn sheet(
     paper: &Paper,
     name: &str,
     size: Size,
-    fit: usize,
+    [fit, times]: Setting,
     answers: bool,
 ) -> Result<String, String> {
     let page = sheet::chapter(paper, name)?;
@@ -55,10 +56,13 @@ pub(super) fn sheet(
     let head = format!("<h1>{}</h1>\n", escaped(&title));
     let body = if answers {
         let all = list(0, count);
-        format!(
-            "{head}{all}<p class=\"for\">{of} {}</p>",
-            say("The numbers are computed and checked by the book’s tests.")
-        )
+        let checked = say("The numbers are computed and checked by the book’s tests.");
+        // On a page that is cut apart, one copy is enough for a screen reader.
+        let copies = (0..times.max(1)).map(|at| {
+            let again = if at == 0 { "" } else { " aria-hidden=\"true\"" };
+            format!("<section class=\"copy of-{times}\"{again}>{head}{all}<p class=\"for\">{of} {checked}</p></section>\n")
+        });
+        copies.collect()
     } else {
         // More than three go on both sides of the sheet, with the rest of the paper to work on.
         let front = if count > 3 { count.div_ceil(2) } else { count };

@@ -128,14 +128,14 @@ fn every_chapter_has_a_handout_and_the_first_ten_have_six_problems_or_more() {
         assert!(!twice && !text.contains("class=\"line\""), "{}", page.name);
         assert!(page.name != "coin" || (text.contains("[Fey85]") && text.contains("Surely You")));
         let count = |answers: bool| {
-            let sheet = problems::sheet(&PAPER, &page.name, Size::A4, 0, answers).unwrap();
+            let sheet = problems::sheet(&PAPER, &page.name, Size::A4, [0, 0], answers).unwrap();
             sheet.matches("<li class=\"problem\"").count()
         };
         assert_eq!(count(false), count(true), "{}", page.name);
         let by_hand = page.number.as_ref().is_some_and(|number| number.parse::<u32>().unwrap() <= 10);
         assert!(count(false) >= if by_hand { 6 } else { 1 }, "{}: {}", page.name, count(false));
     }
-    let german = |answers| problems::sheet(&PAPER, "toss-a-book-de", Size::A4, 0, answers).unwrap();
+    let german = |answers| problems::sheet(&PAPER, "toss-a-book-de", Size::A4, [0, 0], answers).unwrap();
     let words = ["<html lang=\"de\">", "Kanten von 24, 12 und 7\u{a0}cm"];
     assert!(words.iter().all(|words| german(false).contains(words)));
     assert!(german(true).contains("nach 2,80\u{a0}s") && german(true).contains("Wirf ein Buch: Antworten"));
@@ -143,5 +143,5 @@ fn every_chapter_has_a_handout_and_the_first_ten_have_six_problems_or_more() {
     let story = handout::sheet(&PAPER, "toss-a-book", Size::A4, [0, 3]).unwrap();
     assert_eq!(story.matches("class=\"line\"").count(), 9);
     assert!(story.contains("It first flips after 0.64\u{a0}s.") && story.contains("come every 1.08\u{a0}s"));
-    assert!(problems::sheet(&PAPER, "nosuch", Size::A4, 0, false).unwrap_err().contains("two-arrows, "));
+    assert!(problems::sheet(&PAPER, "nosuch", Size::A4, [0, 0], false).unwrap_err().contains("two-arrows, "));
 }

@@ -36,10 +36,8 @@ fn build_into(destination: Option<&Path>, site: Option<&Site>) -> Result<usize, 
     // mdBook copies whatever stands beside the chapters and is no Markdown; this is no page.
     let _ = fs::remove_file(folder.join("lib.rs"));
     for file in TO_TAKE_ALONG {
-        docs::copy(
-            &paths::repository().join("examples/engines").join(file),
-            &folder.join("engine").join(file),
-        )?;
+        let from = paths::repository().join("examples/engines").join(file);
+        docs::copy(&from, &folder.join("engine").join(file))?;
     }
     share::tell(paths::book(), &folder, site)?;
     index_of_words(&folder)?;
@@ -53,9 +51,8 @@ fn index_of_words(pages: &Path) -> Result<(), String> {
     let [from, to] = [&rendered(Some(bare.path()), Preprocess::Index)?, pages].map(|folder| {
         let files = fs::read_dir(folder).into_iter().flatten().flatten().map(|file| file.path());
         let named = |path: &PathBuf| path.file_name().and_then(|name| name.to_str()).map(str::to_owned);
-        files
-            .filter(|path| named(path).is_some_and(|name| name.starts_with("searchindex")))
-            .collect::<Vec<_>>()
+        let index = |path: &PathBuf| named(path).is_some_and(|name| name.starts_with("searchindex"));
+        files.filter(index).collect::<Vec<_>>()
     });
     match (from.as_slice(), to.as_slice()) {
         ([from], [to]) => {
@@ -98,10 +95,8 @@ fn left_directives(folder: &Path) -> Result<usize, String> {
         if path.extension().is_some_and(|e| e == "html") {
             pages += 1;
             if fs::read_to_string(&path).map_err(cannot)?.contains("{{#") {
-                return Err(format!(
-                    "{} contains `{{{{#`: a directive that mdBook did not replace",
-                    path.display()
-                ));
+                let why = "contains `{{#`: a directive that mdBook did not replace";
+                return Err(format!("{} {why}", path.display()));
             }
         }
     }

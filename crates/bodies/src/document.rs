@@ -17,8 +17,8 @@ pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
         }
         _ => Error::new(why),
     };
-    let root = DeTable::parse(text)
-        .map_err(|error| at(error.clone(), error.message().replace("duplicate key", TWICE)))?;
+    let plain = |message: &str| message.replace("duplicate key", TWICE).replace(UNQUOTED, STRAIGHT);
+    let root = DeTable::parse(text).map_err(|error| at(error.clone(), plain(error.message())))?;
     if let Some((field, span, why)) =
         root.get_ref().iter().find_map(|(key, value)| bad_number(key.get_ref(), value))
     {
@@ -28,10 +28,15 @@ pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
     found.map_err(|error| {
         let (unknown, why) = reworded(error.message());
         let field = unknown.or_else(|| field_at(root.get_ref(), error.span()?.start));
-        let list = field.as_deref().filter(|name| LISTS.contains(name) && why.contains("expected here"));
-        let turn = || (field.as_deref() == Some("turn")).then(|| "; write turn = [x, y, z, degrees]".into());
-        let hint = list.map(|list| format!(": each table of a list begins with `[[{list}]]`")).or_else(turn);
-        let error = at(error, why + &hint.unwrap_or_default());
+        let hint = match field.as_deref() {
+            Some("turn") => "; write turn = [x, y, z, degrees]".into(),
+            Some("sides") if why.contains("a list") => "; write sides = ['10 cm', '20 cm', '30 cm']".into(),
+            Some(list) if LISTS.contains(&list) && why.contains("expected here") => {
+                format!(": each table of a list begins with `[[{list}]]`")
+            }
+            _ => String::new(),
+        };
+        let error = at(error, why + &hint);
         field.into_iter().fold(error, |error, field| error.of_field(&field))
     })
 }
@@ -82,6 +87,10 @@ fn bad_number(field: &str, value: &toml::Spanned<DeValue<'_>>) -> Option<(String
 /// What is said of a field or a table that is there twice.
 const TWICE: &str = "this is there already; each table of a list begins with `[[`, such as `[[part]]`";
 
+/// What the parser says of a fraction or of curly quotation marks, and what is to be written.
+const UNQUOTED: &str = "string values must be quoted, expected literal string";
+const STRAIGHT: &str = "a number is expected here, or a text in straight quotation marks, such as \"7 cm\"";
+
 /// The fields that are lists of tables.
 const LISTS: [&str; 3] = ["body", "part", "torque"];
 
@@ -124,11 +133,12 @@ fn reworded(message: &str) -> (Option<String>, String) {
 }
 
 /// Other names of fields.
-const ELSEWHERE: [(&str, &[&str]); 14] = [
+const ELSEWHERE: [(&str, &[&str]); 15] = [
     ("spin", &["omega", "angular_velocity", "w"]),
     ("moments", &["inertia", "tensor"]),
     ("momentum", &["angular_momentum"]),
     ("sides", &["size"]),
+    ("turn", &["axis"]),
     ("mass", &["weight"]),
     ("attitude", &["quaternion", "orientation", "rotation"]),
     ("every", &["dt", "step"]),

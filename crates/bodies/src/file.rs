@@ -9,6 +9,7 @@ use crate::surface::{FARTHEST, Surface};
 use crate::table::{GIVEN_BY, Spin, Table, fields_of};
 use crate::{mesh, question, urdf};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
+use std::collections::BTreeSet;
 use std::fmt::Display;
 use std::ops::Range;
 use toml::Spanned;
@@ -17,9 +18,6 @@ use tumbling::{ErrorKind, Inertia, MassProperties};
 
 /// How many parts a body may have, and how many solids with those of the files that its parts name.
 const MOST_PARTS: usize = 10_000;
-
-/// Of this many parts all are compared with all.
-const MANY: usize = 1000;
 
 pub(crate) fn read(text: &str, files: &Files<'_>) -> Result<BodyModel, Error> {
     let table: Table = from_toml(text)?;
@@ -43,8 +41,6 @@ pub(crate) struct Reader<'a> {
     present: Vec<(&'static str, Range<usize>)>,
     /// The one field that says what the body is.
     by: &'static str,
-    /// The links of its robot that parts of one body name, this one among them; none where they are too many.
-    beside: Vec<&'a str>,
 }
 
 pub(crate) fn number(field: &Option<Spanned<f64>>) -> f64 {
@@ -76,7 +72,7 @@ impl<'a> Reader<'a> {
             let why = format!("what the body is is missing: one of {all}");
             return Err(Error::at(text, &span, why));
         };
-        let reader = Self { text, files, table, span, present, by, beside: Vec::new() };
+        let reader = Self { text, files, table, span, present, by };
         let sizes = match &table.shape {
             Some(shape) => reader.sizes_of(shape.get_ref())?,
             None => &["sides"][..usize::from(by == "sides")],
@@ -241,13 +237,10 @@ impl<'a> Reader<'a> {
         let (mut whole, mut surfaces, mut question, mut places) =
             (Compound::new(), Vec::new(), None, Vec::new());
         let parts = self.table.part.as_ref().map_or(&[][..], |parts| parts.get_ref());
-        let robot = |part: &'a Spanned<Table>| Some(part.get_ref().urdf.as_ref()?.get_ref());
-        let link = |part: &'a Spanned<Table>| Some(part.get_ref().link.as_ref()?.get_ref().as_str());
+        let mut links = <[BTreeSet<_>; 2]>::default();
         for part in parts {
             let span = part.span();
-            let mut reader = Reader::new(self.text, part.get_ref(), span.clone(), self.files)?;
-            let same = parts.iter().filter(|other| robot(other) == robot(part) && parts.len() <= MANY);
-            reader.beside = same.filter_map(link).collect();
+            let reader = Reader::new(self.text, part.get_ref(), span.clone(), self.files)?;
             let found = reader.body()?;
             let of_whole = ["spin", "momentum", "attitude"];
             if let Some((field, _)) = reader.present.iter().find(|(field, _)| of_whole.contains(field)) {
@@ -262,6 +255,7 @@ impl<'a> Reader<'a> {
             places.push((of_part, far.fold(0.0, f64::max)));
             surfaces.extend(found.surfaces);
             question = question.or(found.question);
+            links.iter_mut().zip(found.links).for_each(|(all, own)| all.extend(own));
             if surfaces.len() > MOST_PARTS {
                 let why = format!("more than {MOST_PARTS} solids: no more are read");
                 return Err(Error::at(self.text, &span, why).of_field("part"));
@@ -269,7 +263,7 @@ impl<'a> Reader<'a> {
         }
         let properties = whole.properties().map_err(|error| self.wrong(self.by, error))?;
         let question = question.or_else(|| question::placed(&places));
-        Ok(BodyModel { question, ..BodyModel::of(properties, surfaces) })
+        Ok(BodyModel { question, links, ..BodyModel::of(properties, surfaces) })
     }
 
     fn moments(&self) -> Result<BodyModel, Error> {
@@ -303,8 +297,8 @@ impl<'a> Reader<'a> {
         let tolerance = number(&self.table.tolerance);
         let why = format!("{tolerance} is not a finite number, zero or above");
         self.unless(tolerance >= 0.0 && tolerance.is_finite(), "tolerance", why)?;
-        let meant = format!("{link:?} within {tolerance} with {:?}", self.beside);
-        let read = || urdf::read(&self.files.text(&path)?, link, &self.beside, tolerance);
+        let meant = format!("{link:?} within {tolerance}");
+        let read = || urdf::read(&self.files.text(&path)?, link, &path, tolerance);
         self.files.body(&path, meant, read).map_err(|error| match link {
             // Without a line: not an element of the file, but the name that is not in it.
             Some(_) if error.line.is_none() && error.field.as_deref() == Some("link") => {

@@ -80,7 +80,7 @@ impl<'a> Files<'a> {
         String::from_utf8(read(path, TEXT, &self.left.text)?).map_err(|error| {
             let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
             let line = Some(before.iter().filter(|&&byte| byte == b'\n').count() + 1);
-            Error { line, ..Error::new("it is not UTF-8 text from here on") }.in_file(path)
+            Error { line, ..Error::new("it is not UTF-8 text from here on: save it as UTF-8") }.in_file(path)
         })
     }
 

@@ -48,9 +48,7 @@ fn stl(bytes: &[u8]) -> Result<Triangles, Error> {
             format!("neither text that begins with `solid` nor {EACH} bytes for each of {count} triangles");
         return Err(Error::new(why));
     }
-    let corner = |(number, line): (usize, &str)| {
-        line.trim_start().strip_prefix("vertex").map(|rest| vertex(rest, number))
-    };
+    let corner = |(at, line): (usize, &str)| Some(vertex(line.trim_start().strip_prefix("vertex")?, at));
     let corners: Vec<_> = text.lines().enumerate().filter_map(corner).collect::<Result<_, _>>()?;
     if corners.len() % 3 != 0 {
         return Err(Error::new(format!("{} vertices are not three for each triangle", corners.len())));
@@ -87,8 +85,7 @@ fn obj(text: &str) -> Result<Triangles, Error> {
                 let from_first = || usize::try_from(index - 1).ok();
                 if index < 0 { vertices.len().checked_add_signed(index) } else { from_first() }
             };
-            let around: Vec<usize> =
-                rest.split_whitespace().map(index).collect::<Option<_>>().ok_or_else(wrong)?;
+            let around = rest.split_whitespace().map(index).collect::<Option<Vec<_>>>().ok_or_else(wrong)?;
             if around.len() < 3 {
                 return Err(wrong());
             }

@@ -3,6 +3,8 @@
 use crate::error::Error;
 use crate::surface::{Surface, drawable};
 use nalgebra::{Matrix3, Vector3};
+use std::collections::BTreeSet;
+use std::path::PathBuf;
 use tumbling::body::named::NamedBody;
 use tumbling::{Inertia, MassProperties, PrincipalAxes, PrincipalMoments};
 
@@ -30,7 +32,12 @@ pub struct BodyModel {
     /// for rad or rad for degrees, moments and what is drawn by the mass, parts that lie far off or twice in
     /// one place, links that fixed joints hold to this one.
     pub question: Option<String>,
+    /// The links of robots that it is made of, and those with inertia that fixed joints hold to them.
+    pub(crate) links: [BTreeSet<Link>; 2],
 }
+
+/// A robot's file, and the name of a link in it.
+pub(crate) type Link = (PathBuf, String);
 
 impl BodyModel {
     /// Without a name and a spin.
@@ -45,6 +52,7 @@ impl BodyModel {
             spin: None,
             sides: None,
             question: None,
+            links: Default::default(),
         }
     }
 

@@ -28,7 +28,7 @@ impl BodyModel {
     /// # Ok::<(), tumbling_bodies::Error>(())
     /// ```
     pub fn load(argument: &str) -> Result<Self, Error> {
-        Self::load_from(argument, &Files::new(Path::new(""), &Left::default()))
+        Self::load_from(argument, &Files::new(Path::new(""), &Left::default())).map(urdf::asked)
     }
 
     /// As [`load`](Self::load), from a folder.
@@ -46,7 +46,10 @@ impl BodyModel {
                 let (text, files) = (files.text(&path)?, files.next_to(&path)?);
                 file::read(&text, &files).map_err(here)
             }
-            Some("urdf" | "xml") => Self::from_urdf(&files.text(&path)?, link).map_err(here),
+            Some("urdf" | "xml") => {
+                let read = urdf::read(&files.text(&path)?, link, &path, 0.0);
+                read.and_then(Self::ready).map_err(here)
+            }
             Some("stl" | "obj") => Err(here(Error::new(
                 "a mesh alone does not say what it weighs: name it in a TOML file, `mesh = \"...\"` with `mass = ...` (kg)",
             ))),
@@ -88,7 +91,7 @@ impl BodyModel {
     /// # Errors
     /// The line, the field and the rule that it breaks.
     pub fn from_toml(text: &str, folder: &Path) -> Result<Self, Error> {
-        file::read(text, &Files::new(folder, &Left::default()))
+        file::read(text, &Files::new(folder, &Left::default())).map(urdf::asked)
     }
 
     /// From the text of a URDF file: the link of this name, or the only one with an `<inertial>` element.
@@ -105,7 +108,7 @@ impl BodyModel {
     /// # Ok::<(), tumbling_bodies::Error>(())
     /// ```
     pub fn from_urdf(text: &str, link: Option<&str>) -> Result<Self, Error> {
-        urdf::read(text, link, &[], 0.0)?.ready()
+        urdf::read(text, link, Path::new(""), 0.0)?.ready().map(urdf::asked)
     }
 
     /// Refuses an ideal rod, whose spin about itself no momentum determines.

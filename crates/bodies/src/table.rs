@@ -33,30 +33,19 @@ table! {
     pub struct Table {
         pub(crate) name: String,
         pub(crate) shape: String,
-        #[serde(default, deserialize_with = "sizes")]
-        pub(crate) sides: Vec<f64>,
-        #[serde(default, deserialize_with = "size::<_, LENGTH>")]
-        pub(crate) radius: f64,
-        #[serde(default, deserialize_with = "size::<_, LENGTH>")]
-        pub(crate) inner: f64,
-        #[serde(default, deserialize_with = "size::<_, LENGTH>")]
-        pub(crate) height: f64,
-        #[serde(default, deserialize_with = "size::<_, LENGTH>")]
-        pub(crate) length: f64,
-        #[serde(default, deserialize_with = "three_sizes")]
-        pub(crate) semiaxes: [f64; 3],
-        #[serde(default, deserialize_with = "vertices")]
-        pub(crate) vertices: [[f64; 3]; 4],
-        #[serde(default, deserialize_with = "lists")]
-        pub(crate) points: Vec<[f64; 4]>,
+        #[serde(default, deserialize_with = "sizes")] pub(crate) sides: Vec<f64>,
+        #[serde(default, deserialize_with = "size::<_, LENGTH>")] pub(crate) radius: f64,
+        #[serde(default, deserialize_with = "size::<_, LENGTH>")] pub(crate) inner: f64,
+        #[serde(default, deserialize_with = "size::<_, LENGTH>")] pub(crate) height: f64,
+        #[serde(default, deserialize_with = "size::<_, LENGTH>")] pub(crate) length: f64,
+        #[serde(default, deserialize_with = "three_sizes")] pub(crate) semiaxes: [f64; 3],
+        #[serde(default, deserialize_with = "vertices")] pub(crate) vertices: [[f64; 3]; 4],
+        #[serde(default, deserialize_with = "lists")] pub(crate) points: Vec<[f64; 4]>,
         pub(crate) mesh: String,
-        #[serde(default, deserialize_with = "size::<_, LENGTH>")]
-        pub(crate) unit: f64,
+        #[serde(default, deserialize_with = "size::<_, LENGTH>")] pub(crate) unit: f64,
         pub(crate) part: Vec<Spanned<Table>>,
-        #[serde(default, deserialize_with = "list")]
-        pub(crate) moments: [f64; 3],
-        #[serde(default, deserialize_with = "list")]
-        pub(crate) products: [f64; 3],
+        #[serde(default, deserialize_with = "list")] pub(crate) moments: [f64; 3],
+        #[serde(default, deserialize_with = "list")] pub(crate) products: [f64; 3],
         pub(crate) tolerance: f64,
         pub(crate) urdf: String,
         pub(crate) link: String,
@@ -69,14 +58,10 @@ table! {
         /// Of a body in a scene: body to world, a unit quaternion, scalar part first.
         #[serde(default, deserialize_with = "list")]
         pub attitude: [f64; 4],
-        #[serde(default, deserialize_with = "size::<_, MASS>")]
-        pub(crate) mass: f64,
-        #[serde(default, deserialize_with = "size::<_, DENSITY>")]
-        pub(crate) density: f64,
-        #[serde(default, deserialize_with = "three_sizes")]
-        pub(crate) at: [f64; 3],
-        #[serde(default, deserialize_with = "list")]
-        pub(crate) turn: [f64; 4],
+        #[serde(default, deserialize_with = "size::<_, MASS>")] pub(crate) mass: f64,
+        #[serde(default, deserialize_with = "size::<_, DENSITY>")] pub(crate) density: f64,
+        #[serde(default, deserialize_with = "three_sizes")] pub(crate) at: [f64; 3],
+        #[serde(default, deserialize_with = "list")] pub(crate) turn: [f64; 4],
     }
 }
 
@@ -85,25 +70,32 @@ table! {
 /// # Errors
 /// A list of more or fewer.
 pub fn list<'de, D: Deserializer<'de>, const N: usize>(from: D) -> Field<[f64; N], D::Error> {
-    let found = Spanned::<Vec<f64>>::deserialize(from)?;
-    Ok(Some(Spanned::new(found.span(), whole(found.into_inner(), "numbers").map_err(D::Error::custom)?)))
+    read(from, |all: Vec<f64>| whole(all, "numbers"))
 }
 
 type Field<T, E> = Result<Option<Spanned<T>>, E>;
 
+/// What is made of a value, in its place.
+fn read<'de, D: Deserializer<'de>, X: Deserialize<'de>, Y>(
+    from: D,
+    make: impl FnOnce(X) -> Result<Y, String>,
+) -> Field<Y, D::Error> {
+    let found = Spanned::<X>::deserialize(from)?;
+    let span = found.span();
+    Ok(Some(Spanned::new(span, make(found.into_inner()).map_err(D::Error::custom)?)))
+}
+
+fn rows<const N: usize>(rows: Vec<Vec<f64>>) -> Result<Vec<[f64; N]>, String> {
+    rows.into_iter().map(|row| whole(row, "numbers")).collect()
+}
+
 /// Lists of just this number of numbers each.
 fn lists<'de, D: Deserializer<'de>, const N: usize>(from: D) -> Field<Vec<[f64; N]>, D::Error> {
-    let found = Spanned::<Vec<Vec<f64>>>::deserialize(from)?;
-    let span = found.span();
-    let all: Result<_, _> = found.into_inner().into_iter().map(|row| whole(row, "numbers")).collect();
-    Ok(Some(Spanned::new(span, all.map_err(D::Error::custom)?)))
+    read(from, rows)
 }
 
 fn vertices<'de, D: Deserializer<'de>>(from: D) -> Field<[[f64; 3]; 4], D::Error> {
-    let Some(found) = lists(from)? else { return Ok(None) };
-    let span = found.span();
-    let four = whole(found.into_inner(), "lists of 3 numbers each").map_err(D::Error::custom)?;
-    Ok(Some(Spanned::new(span, four)))
+    read(from, |all| whole(rows(all)?, "lists of 3 numbers each"))
 }
 
 // What a size is of.
@@ -149,19 +141,15 @@ impl<'de, const OF: usize> Deserialize<'de> for Size<OF> {
 }
 
 fn size<'de, D: Deserializer<'de>, const OF: usize>(from: D) -> Field<f64, D::Error> {
-    let found = Spanned::<Size<OF>>::deserialize(from)?;
-    Ok(Some(Spanned::new(found.span(), found.into_inner().0)))
+    read(from, |size: Size<OF>| Ok(size.0))
 }
 
 fn sizes<'de, D: Deserializer<'de>>(from: D) -> Field<Vec<f64>, D::Error> {
-    let found = Spanned::<Vec<Size<LENGTH>>>::deserialize(from)?;
-    let span = found.span();
-    Ok(Some(Spanned::new(span, found.into_inner().into_iter().map(|size| size.0).collect())))
+    read(from, |all: Vec<Size<LENGTH>>| Ok(all.into_iter().map(|size| size.0).collect()))
 }
 
 fn three_sizes<'de, D: Deserializer<'de>>(from: D) -> Field<[f64; 3], D::Error> {
-    let Some(found) = sizes(from)? else { return Ok(None) };
-    Ok(Some(Spanned::new(found.span(), whole(found.into_inner(), "numbers").map_err(D::Error::custom)?)))
+    read(from, |all: Vec<Size<LENGTH>>| whole(all.into_iter().map(|size| size.0).collect(), "numbers"))
 }
 
 fn whole<T, const N: usize>(items: Vec<T>, of: &str) -> Result<[T; N], String> {

@@ -11,7 +11,8 @@ use crate::question;
 use crate::surface::{FARTHEST, Surface, drawable};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use roxmltree::{Document, Node};
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
+use std::path::Path;
 use tumbling::MassProperties;
 
 fn wrong(node: Node<'_, '_>, why: impl std::fmt::Display) -> Error {
@@ -145,9 +146,8 @@ fn first(names: &[&str], most: usize) -> String {
     shown.join(", ") + &if more == 0 { String::new() } else { format!(" and {more} more") }
 }
 
-/// Of links with inertia that fixed joints hold to this one, above it or below, and that are not in the
-/// body `with` it: simulators make one body of all.
-fn held(document: &Document<'_>, name: &str, heavy: &[&str], with: &[&str]) -> Option<String> {
+/// The links with inertia that fixed joints hold to this one, above it or below.
+fn held(document: &Document<'_>, name: &str, heavy: &[&str]) -> Vec<String> {
     let mut near: HashMap<&str, Vec<&str>> = HashMap::new();
     let fixed = |node: &Node<'_, '_>| node.has_tag_name("joint") && node.attribute("type") == Some("fixed");
     for joint in document.descendants().filter(fixed) {
@@ -161,17 +161,23 @@ fn held(document: &Document<'_>, name: &str, heavy: &[&str], with: &[&str]) -> O
         found.extend(links.iter().copied());
         open.extend(links);
     }
-    let out = |link: &&str| *link != name && found.contains(link) && !with.contains(link);
-    let left: Vec<_> = heavy.iter().copied().filter(out).collect();
-    let asked =
-        "is it one body with them? Then name each in a `[[part]]`, by `urdf`, `link`, `at` and `turn`";
-    let held = format!("without {}, which fixed joints hold to `{name}`: {asked}", first(&left, 3));
-    Some(held).filter(|_| !left.is_empty())
+    heavy.iter().filter(|link| **link != name && found.contains(**link)).map(ToString::to_string).collect()
 }
 
-/// The link `name`, or the only one that has inertia, of a body that has these links `with` it. Its tensor
-/// may be moved by `tolerance`.
-pub(crate) fn read(xml: &str, name: Option<&str>, with: &[&str], tolerance: f64) -> Result<BodyModel, Error> {
+/// The body with the question whether links belong to it that fixed joints hold to its own. Some simulators
+/// make one body of them, others keep each.
+pub(crate) fn asked(mut model: BodyModel) -> BodyModel {
+    let [own, held] = &model.links;
+    let left: Vec<_> = held.difference(own).map(|(_, name)| name.as_str()).collect();
+    let rest = "is it one body with them? Then name each in a `[[part]]`, by `urdf`, `link`, `at` and `turn`";
+    let words = format!("without {}, which fixed joints hold to it: {rest}", first(&left, 3));
+    model.question = model.question.or(Some(words).filter(|_| !left.is_empty()));
+    model
+}
+
+/// The link `name`, or the only one that has inertia, of the robot in this file. Its tensor may be moved by
+/// `tolerance`.
+pub(crate) fn read(xml: &str, name: Option<&str>, file: &Path, tolerance: f64) -> Result<BodyModel, Error> {
     bounded(xml)?;
     let document = Document::parse(xml)
         .map_err(|error| Error { line: usize::try_from(error.pos().row).ok(), ..Error::new(error) })?;
@@ -219,9 +225,11 @@ pub(crate) fn read(xml: &str, name: Option<&str>, with: &[&str], tolerance: f64)
     let surfaces = surfaces(link, inertial, &centre)?;
     let name = nameable(called(link)).map_err(|why| wrong(link, why))?.to_owned();
     let model = BodyModel { name, moved, ..BodyModel::of(properties, surfaces) };
-    let held = || held(&document, &model.name, &names, with);
-    let question = degrees(link).or_else(|| question::spread(&model)).or_else(held);
-    let model = BodyModel { question, ..model };
+    let file = file.canonicalize().unwrap_or_else(|_| file.to_owned());
+    let held = held(&document, &model.name, &names).into_iter().map(|other| (file.clone(), other));
+    let links = [BTreeSet::from([(file.clone(), model.name.clone())]), held.collect()];
+    let question = degrees(link).or_else(|| question::spread(&model));
+    let model = BodyModel { question, links, ..model };
     model.drawable().map_err(|why| wrong(tensor, why))?;
     Ok(model)
 }
@@ -231,7 +239,7 @@ mod tests {
     use super::*;
 
     fn read(text: &str, name: Option<&str>, tolerance: f64) -> Result<BodyModel, Error> {
-        super::read(text, name, &[], tolerance)
+        super::read(text, name, Path::new(""), tolerance)
     }
 
     const ARM: &str = "<robot name='r'>\n<link name='world'/>\n<link name='arm'>\n<inertial>\n\
@@ -315,20 +323,19 @@ mod tests {
         let joint = |kind: &str, from: &str, to: &str| {
             format!("<joint name='{to}' type='{kind}'><parent link='{from}'/><child link='{to}'/></joint>")
         };
-        let robot = |ends: &str, read: &str, with: &[&str]| {
+        let robot = |ends: &str, name: &str| {
             let links = format!("<link name='flange'/>{arm}{}", arm.replace("'arm'", "'tool'"));
-            super::read(&format!("<robot>{links}{ends}</robot>"), Some(read), with, 0.0).unwrap().question
+            asked(read(&format!("<robot>{links}{ends}</robot>"), Some(name), 0.0).unwrap()).question
         };
         let line = |kind: &str| joint(kind, "flange", "tool") + &joint("fixed", "arm", "flange");
         for ends in [line("fixed"), line("fixed") + &joint("fixed", "tool", "arm")] {
-            for [read, left] in [["arm", "tool"], ["tool", "arm"]] {
-                let asked = format!("without `{left}`, which fixed joints hold to `{read}`: is it one body");
-                assert!(robot(&ends, read, &[]).unwrap().starts_with(&asked));
-                assert_eq!(robot(&ends, read, &[read, left]), None);
+            for [name, left] in [["arm", "tool"], ["tool", "arm"]] {
+                let asked = format!("without `{left}`, which fixed joints hold to it: is it one body");
+                assert!(robot(&ends, name).unwrap().starts_with(&asked));
             }
         }
         let sensor = line("fixed").replace("joint", "sensor");
-        assert_eq!([line("revolute"), sensor].map(|ends| robot(&ends, "arm", &[])), [None, None]);
+        assert_eq!([line("revolute"), sensor].map(|ends| robot(&ends, "arm")), [None, None]);
     }
 
     #[test]

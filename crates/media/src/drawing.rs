@@ -42,9 +42,8 @@ impl Drawing {
     /// style sheet nor a font. It is as wide as this many pixels, or as wide as it was.
     #[must_use]
     pub fn svg(&self, width: Option<u32>) -> String {
-        let options =
-            WriteOptions { coordinates_precision: 3, transforms_precision: 5, ..WriteOptions::default() };
-        let whole = self.tree.to_string(&options);
+        let how = WriteOptions { coordinates_precision: 3, transforms_precision: 5, ..Default::default() };
+        let whole = self.tree.to_string(&how);
         let inside = whole.split_once('>').map_or("", |(_, rest)| rest).trim_start();
         let [w, h] = self.size();
         let scale = width.map_or(1.0, |width| f64::from(width) / w);

@@ -277,6 +277,13 @@ fn printed_moments_are_taken_within_the_tolerance_that_the_file_has() {
 fn links_that_fixed_joints_hold_are_questioned_until_each_is_a_part() {
     let text = |rest: &str| format!("[[part]]\nurdf = 'arm.urdf'\nlink = 'arm'\n[[part]]\n{rest}");
     let asked = |rest| BodyModel::from_toml(&text(rest), Path::new("tests/files")).unwrap().question;
-    assert_eq!(asked("urdf = 'arm.urdf'\nlink = 'tool'\nat = [1, 0, 0]\nturn = [0, 0, 1, 90]"), None);
-    assert!(asked("body = 'book'").unwrap().starts_with("without `tool`, which fixed joints hold to `arm`"));
+    let of = |link| format!("body = 'arm.urdf#{link}'\n{}", "[[part]]\nbody = 'book'\n".repeat(1200));
+    let [with, without] = ["tool", "arm"].map(of);
+    // By another path, as a file of a file, and as one of more parts than are compared with one another.
+    for rest in ["urdf = '../files/arm.urdf'\nlink = 'tool'", "body = './arm.urdf#tool'", &with] {
+        assert_eq!(asked(rest), None, "{rest}");
+    }
+    for rest in ["body = 'book'", "at = [1, 0, 0]\npart = [{ body = 'arm.urdf#arm' }]", &without] {
+        assert!(asked(rest).unwrap().starts_with("without `tool`, which fixed joints hold to it"), "{rest}");
+    }
 }

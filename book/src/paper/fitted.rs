@@ -1,0 +1,103 @@
+//! Sheets set as widely as their pages allow.
+
+use super::sheet::{Size, chapter};
+use super::{NO_BROWSER, Paper, browser, handout, mended, numbers, problems, write};
+use crate::command::draw::each_made;
+use crate::say;
+use crate::site::files::write_changed;
+use std::fmt::Write as _;
+use std::path::Path;
+
+/// How closely a sheet is set, `fit-N` in `print.css`, and how often what may be repeated stands on it: three
+/// lines to write on, or the answers, of which a page that is cut apart holds several.
+pub(super) type Setting = [usize; 2];
+
+/// How widely a sheet may be set, from the widest on.
+const FITS: usize = 8;
+
+/// How closely answers are set so that more of them go on a page: not below the letters of the book.
+const CLOSE: usize = 4;
+
+/// The sheets of these kinds (`handout`, `problems`, `answers`) of these chapters, or of every one, as HTML,
+/// and as PDF where a browser is found.
+///
+/// # Errors
+/// There is no such chapter, or a sheet that cannot be made, printed or written.
+pub(super) fn print(
+    paper: &Paper,
+    chapters: &[String],
+    kinds: &[&str],
+    size: Size,
+    folder: &Path,
+) -> Result<(), String> {
+    let named: Result<Vec<_>, String> = chapters.iter().map(|name| chapter(paper, name)).collect();
+    let pages = if chapters.is_empty() { paper.chapters().collect() } else { named? };
+    let sheets: Vec<_> = pages.iter().flat_map(|page| kinds.iter().map(|kind| (&page.name, *kind))).collect();
+    let make = |at: usize, setting: Setting| match sheets[at] {
+        (name, "handout") => handout::sheet(paper, name, size, setting),
+        (name, kind) => problems::sheet(paper, name, size, setting, kind == "answers"),
+    };
+    let file = |at: usize, ending| folder.join(format!("{}-{}.{ending}", sheets[at].0, sheets[at].1));
+    let Some(browser) = browser::found() else {
+        for at in 0..sheets.len() {
+            write(&file(at, "html"), make(at, [FITS / 2, 0])?.as_bytes())?;
+        }
+        say!("{NO_BROWSER}");
+        return Ok(());
+    };
+    let best = |tried: Vec<Vec<Setting>>| chosen(&browser, &tried, &make);
+    let mut found = best(sheets.iter().map(|(_, kind)| widths(kind)).collect())?;
+    for step in [5, 1].into_iter().filter(|_| kinds == ["handout"]) {
+        let more = |[fit, times]: &Setting| (0..5).rev().map(|more| [*fit, times + step * more]).collect();
+        found = best(found.iter().map(more).collect())?;
+    }
+    let printed = |at: usize| {
+        write_changed(&file(at, "html"), make(at, found[at])?.as_bytes())?;
+        browser::pdf(&browser, &file(at, "html"))
+    };
+    each_made(sheets.len(), printed, |at, pdf, _| {
+        say!("{}", file(at, "html").display());
+        write(&file(at, "pdf"), &mended(pdf?, &paper.about))
+    })
+}
+
+/// The settings of a sheet of this kind, the best first; the last takes the fewest pages.
+fn widths(kind: &str) -> Vec<Setting> {
+    let fits = |times: usize, most: usize| (0..most).map(move |fit| [fit, times]);
+    let copies = [3, 2].into_iter().filter(|_| kind == "answers");
+    copies.flat_map(|times| fits(times, CLOSE)).chain(fits(0, FITS)).collect()
+}
+
+/// Of each sheet the first of its settings that takes no more pages than the last. All are printed in one
+/// document, since starting the browser takes longest.
+fn chosen(
+    browser: &Path,
+    tried: &[Vec<Setting>],
+    make: &dyn Fn(usize, Setting) -> Result<String, String>,
+) -> Result<Vec<Setting>, String> {
+    let settings = tried.iter().enumerate().flat_map(|(at, all)| all.iter().map(move |one| (at, *one)));
+    let (mut all, mut count) = (String::new(), 0);
+    for (at, setting) in settings {
+        let html = make(at, setting)?;
+        let (head, body) = html.split_once("<body").unwrap_or_default();
+        let body = body.rsplit_once("</body>").unwrap_or_default().0;
+        let _ = write!(all, "{}{}{body}</section>", if count == 0 { head } else { "" }, start(count));
+        count += 1;
+    }
+    let file = tempfile::Builder::new().suffix(".html").tempfile();
+    let file = file.map_err(|e| format!("no file for the browser: {e}"))?;
+    write_changed(file.path(), format!("{all}{}>.</section>", start(count)).as_bytes())?;
+    let places = numbers::of(&browser::pdf(browser, file.path())?);
+    let page = |at: usize| places.get(&format!("trial-{at}")).copied().unwrap_or_default();
+    let mut pages = (0..count).map(|at| page(at + 1).abs_diff(page(at)));
+    let first = tried.iter().map(|settings| {
+        let own: Vec<usize> = pages.by_ref().take(settings.len()).collect();
+        settings[own.iter().position(|count| Some(count) <= own.last()).unwrap_or_default()]
+    });
+    Ok(first.collect())
+}
+
+/// The start of a section on a page of its own. Only of places with a link does the browser say the page.
+fn start(at: usize) -> String {
+    format!("<a href=\"#trial-{at}\"></a><section id=\"trial-{at}\" style=\"break-before: page\"")
+}
