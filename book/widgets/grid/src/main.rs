@@ -21,11 +21,8 @@ fn main() -> io::Result<()> {
         let found: Vec<f64> = (0..count).map(|i| row.get(i)).collect();
         let said = text.filter(|_| count == 0).map(|text| text());
         let (asked, found) = (bits(asked), bits(&found));
-        writeln!(
-            out,
-            "{}",
-            json!({"module": module, "what": what, "asked": asked, "found": found, "said": said})
-        )
+        let line = json!({"module": module, "what": what, "asked": asked, "found": found, "said": said});
+        writeln!(out, "{line}")
     };
 
     two_arrows(&mut ask)?;
@@ -75,13 +72,8 @@ fn two_arrows(ask: &mut Ask<'_>) -> io::Result<()> {
         ask("two-arrows", widget_two_arrows::answer, 0, &[0.0, 0.0, odd, 1.0], None)?;
         ask("two-arrows", widget_two_arrows::answer, 0, &[odd, odd, odd, odd], None)?;
         let pair = [1.0, 0.9, 0.4, 0.0, odd, -0.3, 0.7, 0.1];
-        ask(
-            "two-arrows",
-            widget_two_arrows::answer,
-            1,
-            &[&[1.0, 1.0, odd, 0.2, 2.0], &pair[..]].concat(),
-            None,
-        )?;
+        let asked = [&[1.0, 1.0, odd, 0.2, 2.0], &pair[..]].concat();
+        ask("two-arrows", widget_two_arrows::answer, 1, &asked, None)?;
     }
     Ok(())
 }
@@ -306,11 +298,9 @@ fn record(out: &mut impl io::Write, file: &Path) -> io::Result<()> {
         let count = widget_judge::judged(bytes.as_slice(), &row);
         let (said, file) = (widget_judge::VERDICT.said(), file.display().to_string());
         let asked = bits(asked);
-        writeln!(
-            out,
-            "{}",
-            json!({"module": "judge", "what": 0, "file": file, "asked": asked, "count": count, "said": said})
-        )?;
+        let line =
+            json!({"module": "judge", "what": 0, "file": file, "asked": asked, "count": count, "said": said});
+        writeln!(out, "{line}")?;
     }
     Ok(())
 }

@@ -20,16 +20,12 @@ pub fn judged(record: impl BufRead, row: &Numbers) -> usize {
     let [given, a, b, c, threshold] = row.take(0);
     let inertia = (given > 0.0).then(|| Vector3::new(a, b, c));
     let thresholds = row.take(5).map(|most: f64| (most > 0.0).then_some(most));
-    match judge(record, &Options { inertia, threshold, thresholds }) {
-        Ok(verdict) => {
-            VERDICT.say(verdict.json().to_string());
-            1
-        }
-        Err(why) => {
-            VERDICT.say(why.to_string());
-            0
-        }
-    }
+    let (text, count) = match judge(record, &Options { inertia, threshold, thresholds }) {
+        Ok(verdict) => (serde_json::to_string(&verdict).unwrap_or_default(), 1),
+        Err(why) => (why.to_string(), 0),
+    };
+    VERDICT.say(text);
+    count
 }
 
 /// A record that the page holds, asked for by pieces.

@@ -92,7 +92,7 @@ impl Separator {
 
 /// A name without quotes, unit, underscores and capitals; and its unit.
 fn plain(name: &str) -> (String, String) {
-    let name = name.trim_matches(|c: char| c == '\'' || c.is_whitespace()).to_lowercase();
+    let name = name.trim_matches(|c: char| c == '\'' || c.is_whitespace()).to_ascii_lowercase();
     let (name, unit) = match name.find(['[', '(']) {
         Some(at) => name.split_at(at),
         None => (name.as_str(), ""),

@@ -74,7 +74,7 @@ fn seconds(text: &str, name: &str, named: bool) -> Result<Option<f64>, String> {
     let (Ok(over), Ok(under)) = (over.parse::<f64>(), under.parse::<f64>()) else { return Ok(None) };
     let next = words.next().unwrap_or_default().trim_end_matches(['.', ':']);
     let known = !unit.is_empty() || period(1.0, next).is_some();
-    let frequency = !known && next.to_lowercase().ends_with("hz");
+    let frequency = !known && next.to_ascii_lowercase().ends_with("hz");
     let unit = if unit.is_empty() && (known || frequency) { next } else { unit };
     // `step: 3 / 10` is the third of ten, but a time step is no count.
     let counts = said != whole && name == "step" && unit.is_empty();
@@ -293,7 +293,7 @@ pub(super) fn per_second(unit: &str) -> Option<f64> {
 
 /// A number of a unit of time, or a frequency in its unit, in s; `None` for a unit that is not known.
 fn period(number: f64, unit: &str) -> Option<f64> {
-    match unit.to_lowercase().as_str() {
+    match unit.to_ascii_lowercase().as_str() {
         "hz" | "hertz" | "fps" => Some(1.0 / number),
         "khz" => Some(1e-3 / number),
         unit => Some(number / per_second(unit)?),

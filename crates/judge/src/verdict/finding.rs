@@ -7,9 +7,9 @@ use std::fmt;
 
 /// With a capital letter.
 pub(crate) fn capital(words: &str) -> String {
-    let mut letters = words.chars();
-    let first = letters.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
-    first + letters.as_str()
+    let mut words = words.to_string();
+    words.get_mut(..1).map(str::make_ascii_uppercase);
+    words
 }
 
 /// With a capital letter and a full stop.

@@ -10,6 +10,11 @@ use nalgebra::Vector3;
 use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
+/// An object, whose keys are put in at one place of the code: `json!` does so again for each.
+macro_rules! object {
+    ($($key:literal: $value:expr),* $(,)?) => { vec![$(($key, json!($value))),*].into_iter().collect::<Value>() };
+}
+
 /// The end of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
@@ -131,9 +136,7 @@ impl Verdict {
     #[must_use]
     pub fn json(&self) -> Value {
         let record = &self.record;
-        let keys = |laws: &[LawName]| laws.iter().map(|law| law.key()).collect::<Vec<_>>();
-        let each = |laws: &[Law]| laws.iter().map(|law| reported(law, self)).collect::<Vec<_>>();
-        json!({
+        object!(
             "version": VERSION,
             "outcome": self.outcome.key(),
             "report": self.report(),
@@ -151,17 +154,17 @@ impl Verdict {
             "file_mistakes": self.mistakes(),
             "ignored": record.ignored,
             "notes": words(&record.notes),
-            "missing": keys(&record.missing),
+            "missing": record.missing.iter().map(|law| law.key()).collect::<Vec<_>>(),
             "resets": self.resets.iter().map(reset).collect::<Vec<_>>(),
             "gaps": record.gaps,
             "sign_changes": record.sign_changes,
-            "laws": each(&self.laws),
+            "laws": self.laws.iter().map(|law| reported(law, self)).collect::<Vec<_>>(),
             "flips": self.flips,
             "separatrix": self.separatrix,
             "complaints": words(&self.complaints),
             "diagnosis": self.diagnosis.as_ref().map(diagnosed),
             "curve": drawn(&self.curve),
-        })
+        )
     }
 }
 
@@ -172,12 +175,12 @@ impl Serialize for Verdict {
 }
 
 fn reset(reset: &Reset) -> Value {
-    let Reset { line, time, to_rest, to_start } = *reset;
-    json!({ "line": line, "time": time, "to_rest": to_rest, "to_start": to_start, "words": reset.words() })
+    let Reset { line, time, to_rest, to_start } = reset;
+    object!("line": line, "time": time, "to_rest": to_rest, "to_start": to_start, "words": reset.words())
 }
 
 fn reported(law: &Law, verdict: &Verdict) -> Value {
-    json!({
+    object!(
         "law": law.name.key(),
         "words": law.name.words(),
         "grade": law.growth.name(),
@@ -186,13 +189,13 @@ fn reported(law: &Law, verdict: &Verdict) -> Value {
         "most": law.most,
         "last": law.last,
         "allowed": verdict.options.allowed(law.name),
-    })
+    )
 }
 
 fn diagnosed(diagnosis: &Diagnosis) -> Value {
     let mut best = explained(&diagnosis.best);
     best["engines"] = json!(diagnosis.engines);
-    json!({
+    object!(
         "best": best,
         "alike": diagnosis.alike.iter().map(ruled).collect::<Vec<_>>(),
         "second": diagnosis.second.as_ref().map(explained),
@@ -207,17 +210,15 @@ fn diagnosed(diagnosis: &Diagnosis) -> Value {
         "jumps": diagnosis.jumps,
         "advice": diagnosis.advice.iter().map(|advice| advice.words).collect::<Vec<_>>().join(" "),
         "chapter": diagnosis.advice.iter().find_map(|advice| advice.chapter),
-    })
+    )
 }
 
 fn ruled(rule: &Rule) -> Value {
-    json!({ "rule": rule.name(), "engines": rule.engines() })
+    object!("rule": rule.name(), "engines": rule.engines())
 }
 
 fn explained(Explanation { rule, median, percentile_95 }: &Explanation) -> Value {
-    let mut all = ruled(rule);
-    (all["median"], all["percentile_95"]) = (json!(median), json!(percentile_95));
-    all
+    object!("rule": rule.name(), "engines": rule.engines(), "median": median, "percentile_95": percentile_95)
 }
 
 /// One array for each quantity, and one for each of three components.
@@ -227,7 +228,7 @@ fn drawn(points: &[Point]) -> Value {
     let three = |of: fn(&Point) -> &Vector3<f64>| {
         [0, 1, 2].map(|i| points.iter().map(|point| of(point)[i]).collect::<Vec<_>>())
     };
-    json!({
+    object!(
         "time": each(|point| point.time),
         "energy": each(|point| point.energy),
         "momentum": each(|point| point.momentum),
@@ -239,7 +240,7 @@ fn drawn(points: &[Point]) -> Value {
         "exact": three(|point| &point.exact),
         "exact_least": three(|point| &point.exact_range[0]),
         "exact_greatest": three(|point| &point.exact_range[1]),
-    })
+    )
 }
 
 /// Each in its sentence.

@@ -306,7 +306,7 @@ impl fmt::Display for Section {
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [outcome, others @ ..] = &self.report()[..] else { return Ok(()) };
-        write!(f, "{}", Section { title: outcome.title.to_uppercase(), ..outcome.clone() })?;
+        write!(f, "{}", Section { title: outcome.title.to_ascii_uppercase(), ..outcome.clone() })?;
         others.iter().try_for_each(|section| write!(f, "\n{section}"))
     }
 }
