@@ -140,7 +140,7 @@ def main():
             print(f"// {name}, h^{2 * k}, over {below}: by rising powers of U")
             for j in range(k + 1):
                 terms = sorted((s, w, x) for (_, u, w, s), x in total.items() if u == j)
-                print("sum!(" + ", ".join(term(w, s, x) for s, w, x in terms) + "),")
+                print("[" + ", ".join(term(w, s, x) for s, w, x in terms) + "]")
 
 
 # C, T, e1, e2 and e3 as sums of powers of C, U, w and s.

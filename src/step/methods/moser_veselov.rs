@@ -179,11 +179,10 @@ fn times<T: Field>(x: &T, y: &T) -> T {
 /// The most rounds of Newton's iteration: each doubles the digits, so one that has a solution near needs few.
 const ROUNDS: usize = 40;
 
-/// Sums of integers times products.
-macro_rules! sum {
-    ($($n:literal $($factor:ident)*),*) => {
-        T::zero() $(+ whole::<T>($n) $(* $factor.clone())*)*
-    };
+/// Sums of integers times products: a row for each that `a` takes, and for `b`.
+macro_rules! sums {
+    ($([$($n:literal $($factor:ident)*),*])*; $($b:tt)*) => { [sums!($([$($n $($factor)*),*])*), sums!($($b)*)] };
+    ($([$($n:literal $($factor:ident)*),*])*) => { [$(T::zero() $(+ whole::<T>($n) $(* $factor.clone())*)*),*] };
 }
 
 /// What the two numbers `a` and `b` of `1/K = a/I + b` take of the body alone: to order 8, since that is
@@ -232,21 +231,25 @@ impl<T: Analytic> Corrections<T> {
         let [w, s, t] = &shape;
         Self {
             unit: more / second.clone() / T::integer(2),
-            to_4: over(12, [[sum!(-3, -1 t), sum!(-2, -4 w)], [sum!(1, 2 w s, -1 t), sum!(2, 1 w, -1 w t)]]),
+            to_4: over(
+                12,
+                sums! {
+                    [-3, -1 t]
+                    [-2, -4 w];
+                    [1, 2 w s, -1 t]
+                    [2, 1 w, -1 w t]
+                },
+            ),
             to_6: over(
                 240,
-                [
-                    [
-                        sum!(5, 6 s, -2 w s, 1 t, 2 t t),
-                        sum!(10, 10 w, -6 t, 6 w t),
-                        sum!(2, 6 w, 7 w w, 1 w w t),
-                    ],
-                    [
-                        sum!(-3, -6 s, -3 w s, 4 t, -1 w s t, -1 t t),
-                        sum!(-10, -5 w, -8 w s, 2 t, 6 w t, -1 w t t),
-                        sum!(-2, -11 w, -2 w w, 7 w t, 2 w w t),
-                    ],
-                ],
+                sums! {
+                    [5, 6 s, -2 w s, 1 t, 2 t t]
+                    [10, 10 w, -6 t, 6 w t]
+                    [2, 6 w, 7 w w, 1 w w t];
+                    [-3, -6 s, -3 w s, 4 t, -1 w s t, -1 t t]
+                    [-10, -5 w, -8 w s, 2 t, 6 w t, -1 w t t]
+                    [-2, -11 w, -2 w w, 7 w t, 2 w w t]
+                },
             ),
             to_8: over(20_160, to_order_8([w, s, t])),
             ratios,
@@ -300,71 +303,39 @@ fn over<T: Field, const N: usize>(whole: u32, parts: [[T; N]; 2]) -> [[T; N]; 2]
 
 /// What the order 8 adds to `a` and `b`: the parts that [`Corrections::at`] joins, times 20_160.
 fn to_order_8<T: Field>([w, s, t]: [&T; 3]) -> [[T; 4]; 2] {
-    [
-        [
-            sum!(-14, -126 s, 112 w s, -21 t, 34 s t, -96 w s t, 20 t t, -17 t t t),
-            sum!(-70, -14 w, -132 s, 88 w s, 136 t, -92 w t, -66 t t, 10 w t t),
-            sum!(-42, -56 w, -7 w w, 206 t, 8 w t, -130 w w t, 41 w w t t),
-            sum!(-4, -16 w, 44 w w, -24 w w w, -76 w w t, -8 w w w t),
-        ],
-        [
-            sum!(10, 126 s, -77 w s, -14 t, 72 w s s, -110 s t, 74 w s t, 6 t t, 19 w s t t, -2 t t t),
-            sum!(70, 132 s, 122 w s, -276 t, 22 w t, -178 w s t, 254 t t, -20 w t t, -2 w t t t),
-            sum!(42, 91 w, -28 w w, 64 w s, -202 t, -166 w t, 80 w w t, 123 w t t, -52 w w t t),
-            sum!(4, -26 w, 40 w w, -18 w w w, -62 w t, -24 w w t, 44 w w w t, -26 w w w t t),
-        ],
-    ]
+    sums! {
+        [-14, -126 s, 112 w s, -21 t, 34 s t, -96 w s t, 20 t t, -17 t t t]
+        [-70, -14 w, -132 s, 88 w s, 136 t, -92 w t, -66 t t, 10 w t t]
+        [-42, -56 w, -7 w w, 206 t, 8 w t, -130 w w t, 41 w w t t]
+        [-4, -16 w, 44 w w, -24 w w w, -76 w w t, -8 w w w t];
+        [10, 126 s, -77 w s, -14 t, 72 w s s, -110 s t, 74 w s t, 6 t t, 19 w s t t, -2 t t t]
+        [70, 132 s, 122 w s, -276 t, 22 w t, -178 w s t, 254 t t, -20 w t t, -2 w t t t]
+        [42, 91 w, -28 w w, 64 w s, -202 t, -166 w t, 80 w w t, 123 w t t, -52 w w t t]
+        [4, -26 w, 40 w w, -18 w w w, -62 w t, -24 w w t, 44 w w w t, -26 w w w t t]
+    }
 }
 
 /// What the order 10 adds to `a` and `b`: the parts that [`Corrections::at`] joins, times 725_760.
 fn to_order_10<T: Field>([w, s, t]: [&T; 3]) -> [[T; 5]; 2] {
-    [
-        [
-            sum!(
-                9, 378 s, -504 w s, 168 t, 378 s s, -918 w s s, 495 s t, 420 w s t, -249
-                t t, 51 s t t, 60 w s t t, 42 t t t, 62 t t t t
-            ),
-            sum!(
-                84, -12 w, 1188 s, -1716 w s, 120 t, 408 w t, -1644 s t, 2628 w s t,
-                -108 t t, -540 w t t, -128 t t t, 272 w t t t
-            ),
-            sum!(
-                126, 612 s, -612 w s, -2682 t, 2232 w t, 198 w w t, 2244 t t, -2184 w t
-                t, 12 w w t t, -18 w w t t t
-            ),
-            sum!(
-                36, 60 w, -228 w w, 132 w w w, -1100 t, 276 w t, 1416 w w t, -88 w w w
-                t, -1092 w w t t, 84 w w w t t
-            ),
-            sum!(
-                2, 10 w, 147 w w, -332 w w w, 173 w w w w, 489 w w t, 372 w w w t, -294
-                w w w w t, 153 w w w w t t
-            ),
-        ],
-        [
-            sum!(
-                -7, -378 s, 462 w s, -126 t, -378 s s, 189 w s s, 852 s t, -1053 w s t,
-                264 t t, 367 w s s t, -1026 s t t, 636 w s t t, -130 t t t, -61 w s t t
-                t, -1 t t t t
-            ),
-            sum!(
-                -84, 21 w, -1188 s, 1086 w s, 636 t, -534 w t, -864 w s s, 3300 s t,
-                -1908 w s t, -1836 t t, 972 w t t, -906 w s t t, 1220 t t t, -458 w t t
-                t, -1 w t t t t
-            ),
-            sum!(
-                -126, -42 w, 42 w w, -612 s, 270 w s, 2532 t, -1032 w t, -654 w w t,
-                2250 w s t, -4278 t t, 150 w t t, 1134 w w t t, 828 w t t t, -522 w w t
-                t t
-            ),
-            sum!(
-                -36, 66 w, -24 w w, -6 w w w, -128 w s, 964 t, 1044 w t, -1792 w w t,
-                -214 w w w t, -1878 w t t, 1752 w w t t, 414 w w w t t, -194 w w w t t t
-            ),
-            sum!(
-                -2, -163 w, 312 w w, -127 w w w, -20 w w w w, 127 w t, -384 w w t, -342
-                w w w t, 32 w w w w t, 453 w w w t t, -12 w w w w t t
-            ),
-        ],
-    ]
+    sums! {
+        [9, 378 s, -504 w s, 168 t, 378 s s, -918 w s s, 495 s t, 420 w s t, -249 t t, 51 s t t, 60 w s t t,
+         42 t t t, 62 t t t t]
+        [84, -12 w, 1188 s, -1716 w s, 120 t, 408 w t, -1644 s t, 2628 w s t, -108 t t, -540 w t t,
+         -128 t t t, 272 w t t t]
+        [126, 612 s, -612 w s, -2682 t, 2232 w t, 198 w w t, 2244 t t, -2184 w t t, 12 w w t t,
+         -18 w w t t t]
+        [36, 60 w, -228 w w, 132 w w w, -1100 t, 276 w t, 1416 w w t, -88 w w w t, -1092 w w t t,
+         84 w w w t t]
+        [2, 10 w, 147 w w, -332 w w w, 173 w w w w, 489 w w t, 372 w w w t, -294 w w w w t, 153 w w w w t t];
+        [-7, -378 s, 462 w s, -126 t, -378 s s, 189 w s s, 852 s t, -1053 w s t, 264 t t, 367 w s s t,
+         -1026 s t t, 636 w s t t, -130 t t t, -61 w s t t t, -1 t t t t]
+        [-84, 21 w, -1188 s, 1086 w s, 636 t, -534 w t, -864 w s s, 3300 s t, -1908 w s t, -1836 t t,
+         972 w t t, -906 w s t t, 1220 t t t, -458 w t t t, -1 w t t t t]
+        [-126, -42 w, 42 w w, -612 s, 270 w s, 2532 t, -1032 w t, -654 w w t, 2250 w s t, -4278 t t,
+         150 w t t, 1134 w w t t, 828 w t t t, -522 w w t t t]
+        [-36, 66 w, -24 w w, -6 w w w, -128 w s, 964 t, 1044 w t, -1792 w w t, -214 w w w t, -1878 w t t,
+         1752 w w t t, 414 w w w t t, -194 w w w t t t]
+        [-2, -163 w, 312 w w, -127 w w w, -20 w w w w, 127 w t, -384 w w t, -342 w w w t, 32 w w w w t,
+         453 w w w t t, -12 w w w w t t]
+    }
 }
