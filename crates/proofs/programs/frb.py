@@ -16,6 +16,7 @@ from pathlib import Path
 from mpmath import asin, mp, mpf, sqrt
 
 mp.dps = 45
+WAYS = "matrix", "quaternion"
 HOME = Path(__file__).parents[3]
 KINDS = {
     "box-x-flip": "flips about the middle axis",
@@ -50,10 +51,10 @@ def angle(found, q):
     return 4 * asin(min(distance(found, q), distance(found, [-x for x in q])) / 2)
 
 
-def frb(program, case, time):
-    given = [str(x) for x in case["inertia"] + case["w0"] + [time]]
+def frb(way, case, time, nodes=0):
+    given = [str(x) for x in [nodes] + case["inertia"] + case["w0"] + [time]]
     try:
-        run = subprocess.run([program, *given], capture_output=True, text=True, timeout=20)
+        run = subprocess.run([f"{sys.argv[1]}/frb_{way}", *given], capture_output=True, text=True, timeout=20)
     except subprocess.TimeoutExpired:
         return "no end"
     if run.returncode:
@@ -79,10 +80,10 @@ def times():
     found = {}
     bench = ["cargo", "bench", "-q", "-p", "tumbling-measure", "--bench", "exact"]
     for _ in range(4):
-        for way in "matrix", "quaternion":
+        for way in WAYS:
             run = subprocess.run([f"{sys.argv[1]}/frb_{way}"], capture_output=True, text=True, check=True)
-            for body, ns in re.findall(r"(generic|flipping) (\d+) ns", run.stdout):
-                found.setdefault((f"FRB by {way}", body), []).append(float(ns))
+            for body, short, ns in re.findall(r"(generic|flipping)( in short steps)? (\d+) ns", run.stdout):
+                found.setdefault((f"FRB by {way}{short}", body), []).append(float(ns))
         run = subprocess.run(bench, cwd=HOME, capture_output=True, text=True, check=True)
         for what, body, ns in re.findall(r"(preparing|w and q), (generic|flipping) +([\d.]+) ns", run.stdout):
             found.setdefault((what, body), []).append(float(ns))
@@ -93,13 +94,25 @@ def times():
         print(f"# ns for one instant, {body}: " + ", ".join(f"{way} {ns:.0f}" for way, ns in least.items()))
 
 
+def random_ones():
+    """Counts the answers to the random motions of crates/measure, of which no errors are printed."""
+    cases = json.loads((HOME / "crates/measure/record/errors.json").read_text())["cases"]
+    for kind in "generic", "flip", "near-separatrix":
+        asked = [(case, time) for case in cases if case["spin"] == kind for time in case["t"]]
+        given = [sum(not isinstance(frb(way, case, time), str) for case, time in asked) for way in WAYS]
+        print(f"# answered of {len(asked)} random instants, {kind}: matrix {given[0]}, quaternion {given[1]}")
+
+
 def main():
     print(f"# Printed by frb.py on {date.today()}: errors of the spin as a share of it, and of the attitude in rad.")
     print(f"# FRB of CALGO at commit {sys.argv[2]}, gfortran 12.2 -O2; rustc 1.95.0, release; AMD EPYC, 2 cores.")
     print("# crash: it writes beyond arrays of 20 numbers in EGELLIPX_STEP; with 99, tried by hand, each is refused.")
     print("# refused: it prints that Carlson's integral has invalid arguments.")
+    print("# in short steps: below 0.1 rad, by 5 nodes of its quadrature; else its integral in full.")
     times()
-    print("motions,name,time,condition,matrix: spin,attitude,quaternion: spin,attitude,ours: spin,attitude")
+    random_ones()
+    print("motions,name,time,condition,matrix: spin,attitude,quaternion: spin,attitude,ours: spin,attitude,"
+          "matrix in short steps: attitude,quaternion in short steps: attitude")
     for file in "free-motion", "late":
         path = HOME / f"tests/data/{file}.json"
         run = ["cargo", "run", "-q", "--example", "free_motion", "--", path]
@@ -108,8 +121,11 @@ def main():
             if case["name"] == "zero-w":
                 continue
             for k, time in enumerate(case["t"]):
-                answers = [frb(f"{sys.argv[1]}/frb_{way}", case, time) for way in ("matrix", "quaternion")]
+                answers = [frb(way, case, time) for way in WAYS]
                 errors = [x for answer in [*answers, (own["w"][k], own["q"][k])] for x in error(answer, case, k)]
+                turn = abs(float(time)) * float(distance(map(float, case["w0"]), [0] * 3))
+                steps = [frb(way, case, time, 5) for way in WAYS] if 0 < turn < 0.1 else ["long"] * 2
+                errors += [error(answer, case, k)[1] for answer in steps]
                 unit = max(float(case["kappa_q"][k]) if case["kappa_q"] else 1.0, 1.0)
                 print(",".join([kind_of(case["name"], file), case["name"], time, f"{unit:.1e}", *errors]))
 
