@@ -7,8 +7,8 @@ pub type Work = (&'static str, Box<dyn FnMut(u32)>);
 
 /// The least of several measurements, ns for one.
 fn time_of(work: &mut dyn FnMut(u32)) -> f64 {
-    let count = 20_000;
-    (0..25)
+    let count = 1024;
+    (0..500)
         .map(|_| {
             let start = Instant::now();
             (0..count).for_each(&mut *work);
