@@ -15,7 +15,7 @@ mod pitfalls;
 pub(crate) mod position_stage;
 mod run;
 mod stepper;
-mod system;
+pub(crate) mod system;
 mod torque;
 mod torques;
 mod transition;

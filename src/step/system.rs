@@ -103,8 +103,16 @@ impl<T: Field> System<T> {
     }
 }
 
+/// The system, prepared for Moser and Veselov's steps as where the moment about this axis is the smallest: of
+/// letters none is, and proofs choose.
+pub fn prepared_about<T: Analytic>(mut system: System<T>, axis: usize) -> System<T> {
+    system.corrections = Corrections::about(axis % 3, &system.moments);
+    system
+}
+
 impl<T: Analytic> System<T> {
-    /// A system of any number type, unchecked: a moment of zero is divided by as the number type does.
+    /// A system of any [`Analytic`] numbers, unchecked: a moment of zero is divided by as the number type does, and
+    /// of moments that no body has a step may be refused.
     #[must_use]
     pub fn of_numbers(moments: Vector3<T>, torques: Vec<Torque<T>>) -> Self {
         let inverse = moments.map(|moment| T::one() / moment);

@@ -55,6 +55,10 @@ const LONGEST: f64 = core::f64::consts::FRAC_PI_2;
 /// longer converge, and the altered moments may be those of no body.
 const MOST_ALTERED: f64 = 0.5;
 
+/// In units of rounding, the least ratio of the smallest moment to the others: below it the rounding of a turned
+/// momentum, over the smallest moment, is a spin of a thousandth of the whole.
+const LEAST_RATIO: f64 = 1000.0;
+
 /// What a step needs of the body and of what the motion conserves.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Prepared<T: nalgebra::Scalar> {
@@ -73,10 +77,16 @@ impl<T: Analytic> Prepared<T> {
     /// For a body and all motions with the energy and `|L|` of this momentum.
     ///
     /// # Errors
-    /// A step so long that preprocessing would alter an inverse moment by [`MOST_ALTERED`] of itself or more.
+    /// A needle below [`LEAST_RATIO`], or a step so long that preprocessing would alter an inverse moment by
+    /// [`MOST_ALTERED`] of itself or more.
     #[inline]
     pub(crate) fn new(system: &System<T>, momentum: &Vector3<T>, h: &T, order: u32) -> Result<Self, Error> {
         let corrections = &system.corrections;
+        let (value, least) = (corrections.shape[0].size(), LEAST_RATIO * T::rounding());
+        if value < least {
+            let meaning = "for the momentum to have digits of the spin about each axis";
+            return Err(Refusal::TooSmall { what: Subject::MomentRatio, value, least, meaning }.into());
+        }
         let whole = corrections.unit.clone() * h.clone();
         let (a, b) = if order > 2 {
             corrections.at(&momentum.map(|x| x * whole.clone()), order)
@@ -209,7 +219,11 @@ pub(crate) struct Corrections<T: nalgebra::Scalar> {
 
 impl<T: Analytic> Corrections<T> {
     pub(crate) fn of(moments: &Vector3<T>) -> Self {
-        let x = ascending(&moments.map(|moment| moment.size()))[0];
+        Self::about(ascending(&moments.map(|moment| moment.size()))[0], moments)
+    }
+
+    /// Where the moment about this axis is the smallest; right for any, but for rounding.
+    pub(crate) fn about(x: usize, moments: &Vector3<T>) -> Self {
         let (y, z) = ((x + 1) % 3, (x + 2) % 3);
         let [first, second, third] = [x, y, z].map(|i| &moments[i]);
         let more = T::one() + second.clone() / third.clone();
@@ -230,7 +244,7 @@ impl<T: Analytic> Corrections<T> {
         let shape = [w, times(&bend, &bend), times(&d, &d)];
         let [w, s, t] = &shape;
         Self {
-            unit: more / second.clone() / T::integer(2),
+            unit: more / T::integer(2) / second.clone(),
             to_4: over(
                 12,
                 sums! {

@@ -20,6 +20,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use std::ops::RangeInclusive;
 use tumbling::attitude;
+use tumbling::laws::prepared_about;
 use tumbling::step::{Method, State, System};
 
 macro_rules! methods {
@@ -171,7 +172,13 @@ fn holds(method: Method, more: usize) -> Outcome {
         agrees(method, case, 0..=order)?;
         breaks("the next power does not agree", agrees(method, case, order + 1..=order + 1))?;
     }
-    agrees(method, &any(), 0..=order)
+    // Of letters none is the smallest: where that is told apart, about each axis in turn. The two highest orders
+    // take no other way, and would take a minute more.
+    let axes = if matches!(method, Method::MoserVeselov4 | Method::MoserVeselov6) { 3 } else { 1 };
+    (0..axes).try_for_each(|axis| {
+        let (system, start) = any();
+        agrees(method, &(prepared_about(system, axis), start), 0..=order)
+    })
 }
 
 /// What a method may keep: twice the energy, the square of the momentum, the momentum in the world times the
