@@ -122,7 +122,9 @@ async function typing(page, wants, { tell, fill, choose, wrong }) {
   await page.emulateMedia({ media: "print" });
   const sheet = await page.evaluate(() => document.querySelector("main").innerText);
   const controls = await page.locator("main :is(button, input, select, summary, textarea, code):visible").count();
+  const sheets = (await page.pdf({ format: "A4", margin: { top: "10mm", bottom: "10mm", left: "10mm", right: "10mm" } })).toString("latin1").match(/\/Type \/Page\b/g).length;
   await page.emulateMedia({ media: "screen" });
+  wants(`the sheet is one sheet of paper: ${sheets}`, sheets === 1);
   wants(`the sheet has title, sizes and mass, and ${controls} controls: ${sheet.slice(0, 300)}`, controls === 0 && sheet.includes("How Handy <3> turns") && sheet.includes("box, 200 g, 77 × 7.8 × 160 mm"));
   await fill({ name: "your body" });
 }
@@ -157,6 +159,12 @@ async function ofParts(page, wants, { tell, fill, choose }) {
   const text = await readFile(await (await coming).path(), "utf8");
   const tables = boxes.map(({ m, sides, at }) => `\n[[part]]\nshape = "box"\nsides = [${sides.join(", ")}] # m\nmass = ${m} # kg\nat = [${at.join(", ")}] # m\n`);
   wants(`the file has both parts: ${text}`, text === `name = "your body"\n${tables.join("")}`);
+
+  // A figure for slides has its size, its ground, and colours that are read outside of browsers too.
+  const drawn = page.waitForEvent("download", { predicate: (saved) => saved.suggestedFilename() === "your-body-body.svg", timeout: 60000 });
+  await page.click("#live-your-body [data-save=figures]");
+  const figure = await readFile(await (await drawn).path(), "utf8");
+  wants(`the figure is drawn plainly: ${figure.slice(0, 300)}`, / width="\d+" height="\d+"/.test(figure) && figure.includes('><rect width="') && !/color\(|var\(/.test(figure));
 
   // What is no part is refused in the library's words, and the list stays.
   await fill({ a: -1 });

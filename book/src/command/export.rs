@@ -25,6 +25,9 @@ pub(crate) struct Arguments {
     /// Each in the middle of a slide, 16 to 9
     #[arg(long)]
     slide: bool,
+    /// Each in the middle of a square, for messengers
+    #[arg(long, conflicts_with = "slide")]
+    square: bool,
     /// The folder for those files [default: the one you are in, or of a body its own]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -53,7 +56,7 @@ impl Arguments {
     /// Whether any of them was given.
     pub(crate) fn wanted(&self) -> bool {
         let given = [self.format.is_some(), self.theme.is_some(), self.width.is_some(), self.out.is_some()];
-        self.slide || given.contains(&true)
+        self.slide || self.square || given.contains(&true)
     }
 }
 
@@ -77,7 +80,8 @@ pub(crate) fn export(
         let svg = body.map_or_else(|| figure.draw(), |body| figure.draw_for(body));
         let svg = svg.map_err(|e| e.to_string())?;
         let svg = theme.dressed(&svg);
-        exported(&if wanted.slide { on_slide(&svg, theme)? } else { svg }, format, wanted.width)
+        let ground = wanted.slide || wanted.square;
+        exported(&if ground { on_slide(&svg, theme, wanted.square)? } else { svg }, format, wanted.width)
     };
     let follows = |figure: &&Figure| body.is_none() || !all || figure.follows_a_body();
     let figures: Vec<&Figure> = figures.iter().copied().filter(follows).collect();
@@ -98,10 +102,11 @@ pub(crate) fn export(
     none_or(&failures)
 }
 
-/// The drawing in the middle of a slide of its theme's ground.
-fn on_slide(svg: &str, theme: Theme) -> Result<String, String> {
+/// The drawing in the middle of a slide of its theme's ground, 16 to 9 or square.
+fn on_slide(svg: &str, theme: Theme, square: bool) -> Result<String, String> {
     let [w, h] = Drawing::read(svg).map_err(|e| e.to_string())?.size();
-    let (wide, high) = (w.max(h * 16.0 / 9.0), h.max(w * 9.0 / 16.0));
+    let shape = if square { 1.0 } else { 16.0 / 9.0 };
+    let (wide, high) = (w.max(h * shape), h.max(w / shape));
     let [r, g, b] = theme.inks()[0];
     let placed = format!("<svg x=\"{}\" y=\"{}\" ", (wide - w) / 2.0, (high - h) / 2.0);
     Ok(format!(
@@ -123,13 +128,10 @@ fn exported(svg: &str, format: Format, width: Option<u32>) -> Result<Vec<u8>, St
 
 /// Exported drawings have no place among those that the pages take.
 pub(crate) fn own_folder_refused(folder: &Path) -> Result<(), String> {
-    let same =
-        |a: &Path, b: &Path| a.canonicalize().ok().zip(b.canonicalize().ok()).is_some_and(|(a, b)| a == b);
-    if same(folder, &paths::figures()) {
-        return Err(format!(
-            "{} holds the drawings that the pages take; choose another folder with --out",
-            folder.display()
-        ));
+    let [given, own] = [folder, &paths::figures()].map(|folder| folder.canonicalize().ok());
+    if given.is_some() && given == own {
+        let why = "holds the drawings that the pages take; choose another folder with --out";
+        return Err(format!("{} {why}", folder.display()));
     }
     Ok(())
 }
@@ -158,12 +160,12 @@ mod tests {
     }
 
     #[test]
-    fn a_slide_is_sixteen_to_nine_whatever_the_figure_is() {
-        for name in ["three-tosses", "two-arrows"] {
+    fn a_slide_is_sixteen_to_nine_or_square_whatever_the_figure_is() {
+        for (name, high) in [("three-tosses", 180), ("two-arrows", 180), ("three-tosses", 320)] {
             let svg = files::text(&paths::figures().join(format!("{name}.svg"))).unwrap();
-            let slide = on_slide(&Theme::Navy.dressed(&svg), Theme::Navy).unwrap();
+            let slide = on_slide(&Theme::Navy.dressed(&svg), Theme::Navy, high == 320).unwrap();
             let picture = Drawing::read(&slide).unwrap().picture(320).unwrap();
-            assert_eq!((picture.height, picture.pixels[0]), (180, Theme::Navy.inks()[0]), "{name}");
+            assert_eq!((picture.height, picture.pixels[0]), (high, Theme::Navy.inks()[0]), "{name}");
         }
     }
 }

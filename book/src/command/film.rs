@@ -181,28 +181,28 @@ fn video(file: &Path, count: u32, shown: Shown<'_>) -> Result<String, Box<dyn Er
     ffmpeg().arg("-version").output().map_err(|_| none)?;
     let folder = tempfile::TempDir::new()?;
     frames(folder.path(), count, shown)?;
-    std::fs::create_dir_all(file.parent().unwrap_or(file))?;
-    let rate = RATE.to_string();
-    let made = ffmpeg()
-        .args(["-y", "-loglevel", "error", "-stream_loop", "2", "-framerate", &rate, "-i"])
-        .arg(folder.path().join("%04d.png"))
-        .args(["-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-pix_fmt", "yuv420p", "-movflags", "+faststart"])
-        .arg(file)
-        .output()?;
-    if !made.status.success() {
-        return Err(format!("ffmpeg: {}", String::from_utf8_lossy(&made.stderr).trim()).into());
+    let even = "pad=ceil(iw/2)*2:ceil(ih/2)*2";
+    let once = format!("-framerate {RATE} -i %04d.png -vf {even} -pix_fmt yuv420p once.mp4");
+    // What is encoded is repeated as it is.
+    for how in [&once, "-stream_loop 2 -i once.mp4 -c copy -movflags +faststart film.mp4"] {
+        let how = ["-loglevel", "error"].into_iter().chain(how.split(' '));
+        let made = ffmpeg().current_dir(&folder).args(how).output()?;
+        if !made.status.success() {
+            return Err(format!("ffmpeg: {}", String::from_utf8_lossy(&made.stderr).trim()).into());
+        }
     }
-    Ok(format!("  {}  {} kB", file.display(), std::fs::metadata(file)?.len().div_ceil(1000)))
+    let film = std::fs::read(folder.path().join("film.mp4"))?;
+    write_changed(file, &film)?;
+    Ok(format!("  {}  {} kB", file.display(), film.len().div_ceil(1000)))
 }
 
 /// A folder of pictures; returns what was written.
 fn frames(folder: &Path, count: u32, shown: Shown<'_>) -> Result<String, Box<dyn Error>> {
-    let put = |i, picture: Result<Picture, String>, _| {
-        let file = folder.join(format!("{:04}.png", i + 1));
-        write_changed(&file, &picture?.png(&[])?)?;
+    let made = |i| shown(i as u32)?.png(&[]).map_err(|e| e.to_string());
+    each_made(count as usize, made, |i, png, _| {
+        write_changed(&folder.join(format!("{:04}.png", i + 1)), &png?)?;
         Ok::<_, Box<dyn Error>>(())
-    };
-    each_made(count as usize, |i| shown(i as u32), put)?;
+    })?;
     Ok(format!("  {}  {count} pictures, {RATE} a second", folder.display()))
 }
 

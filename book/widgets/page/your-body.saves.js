@@ -24,17 +24,21 @@ tumblingLive.yourBodySaves = ({ stage, shown, wrong, kinds, called, found, pictu
             : parts.flatMap(({ kind, numbers: [mass, ...sizes], at, turn: [axis, degrees] }) => ["", "[[part]]", ...lines(kind, mass, sizes), ...(degrees === 0 ? [] : [`turn = [${[0, 1, 2].map((k) => Number(k === axis)).join(", ")}, ${degrees}] # about ${"xyz"[axis]}`]), `at = [${at.join(", ")}] # m`]);
         return save(`${filed()}.toml`, `${[`name = ${JSON.stringify(called())}`, ...whole].join("\n")}\n`, "text/plain");
     }
-    /** The drawings with the look that they have on this page, for programs that know no style sheet. */
+    /** A colour as programs know it that are no browser. */
+    const plain = (look) => look.replace(/color\(srgb ([\d.e -]+)\)/g, (_, parts) => `rgb(${parts.split(" ").map((x) => Math.round(255 * x)).join(", ")})`);
+    /** The drawings with the look and the size that they have on this page, for programs that know no style sheet. */
     function figures() {
         for (const [name, svg] of Object.entries(pictures)) {
             const copy = svg.cloneNode(true);
             const [own, copied] = [svg, copy].map((root) => [root, ...root.querySelectorAll("*")]);
             own.forEach((element, k) => {
                 const look = getComputedStyle(element);
-                for (const part of ["fill", "stroke", "stroke-width", "stroke-dasharray", "opacity", "font-family", "font-size", "font-weight", "text-anchor"]) copied[k].style.setProperty(part, look.getPropertyValue(part));
+                for (const part of ["fill", "fill-opacity", "stroke", "stroke-width", "stroke-dasharray", "opacity", "font-family", "font-size", "font-weight", "text-anchor"]) copied[k].style.setProperty(part, plain(look.getPropertyValue(part)));
             });
             copy.setAttribute("xmlns", "http://www.w3.org/2000/svg");
-            copy.style.background = getComputedStyle(document.body).backgroundColor;
+            const [, , width, height] = svg.getAttribute("viewBox").split(" ");
+            for (const [side, length] of [["width", width], ["height", height]]) copy.setAttribute(side, length);
+            copy.insertAdjacentHTML("afterbegin", `<rect width="${width}" height="${height}" style="fill: ${getComputedStyle(document.documentElement).backgroundColor}"/>`);
             save(`${filed()}-${name}.svg`, new XMLSerializer().serializeToString(copy), "image/svg+xml");
         }
         return `Saved as ${filed()}-….svg.`;

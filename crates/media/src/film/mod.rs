@@ -48,7 +48,9 @@ impl Film {
         if [own, tall] != [width, height] {
             return Err(Error(format!("a picture of {own} × {tall} pixels in a film of {width} × {height}")));
         }
-        let next: Vec<u8> = picture.pixels.iter().map(|&colour| self.palette.nearest(colour)).collect();
+        // Most neighbours have one colour, which is then looked up once.
+        let runs = picture.pixels.chunk_by(PartialEq::eq);
+        let next: Vec<u8> = runs.flat_map(|run| vec![self.palette.nearest(run[0]); run.len()]).collect();
         let before = std::mem::replace(&mut self.shown, next);
         let wide = usize::from(self.size[0]);
         // A film has no picture without pixels: one that stays the same is one pixel.
@@ -81,12 +83,10 @@ impl Film {
 /// Left, top, right and bottom of all that differs; `None` if nothing does.
 fn bounds(before: &[u8], after: &[u8], width: usize) -> Option<[usize; 4]> {
     let mut found: Option<[usize; 4]> = None;
-    for (at, number) in after.iter().enumerate() {
-        if before.get(at) != Some(number) {
-            let (x, y) = (at % width, at / width);
-            let [left, top, right, bottom] = found.unwrap_or([x, y, x + 1, y + 1]);
-            found = Some([left.min(x), top.min(y), right.max(x + 1), bottom.max(y + 1)]);
-        }
+    for at in (0..after.len()).filter(|&at| before.get(at) != after.get(at)) {
+        let (x, y) = (at % width, at / width);
+        let [left, top, right, bottom] = found.unwrap_or([x, y, x + 1, y + 1]);
+        found = Some([left.min(x), top.min(y), right.max(x + 1), bottom.max(y + 1)]);
     }
     found
 }

@@ -19,9 +19,9 @@ impl Palette {
     /// colours between two others along an edge are many and each rare: they become the nearest.
     #[must_use]
     pub fn new(first: &[Rgb], samples: &[Picture], most: usize) -> Self {
-        let mut counts: HashMap<Rgb, u32> = HashMap::new();
-        for colour in samples.iter().flat_map(|picture| &picture.pixels) {
-            *counts.entry(*colour).or_default() += 1;
+        let mut counts: HashMap<Rgb, usize> = HashMap::new();
+        for run in samples.iter().flat_map(|picture| picture.pixels.chunk_by(PartialEq::eq)) {
+            *counts.entry(run[0]).or_default() += run.len();
         }
         let mut common: Vec<_> = counts.into_iter().collect();
         common.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(&b.0)));
