@@ -111,8 +111,8 @@ pub fn prepared_about<T: Analytic>(mut system: System<T>, axis: usize) -> System
 }
 
 impl<T: Analytic> System<T> {
-    /// A system of any [`Analytic`] numbers, unchecked: a moment of zero is divided by as the number type does, and
-    /// of moments that no body has a step may be refused.
+    /// A system of any [`Analytic`] numbers, unchecked: a moment of zero is divided by as the number type
+    /// does, and of moments that no body has a step may be refused.
     #[must_use]
     pub fn of_numbers(moments: Vector3<T>, torques: Vec<Torque<T>>) -> Self {
         let inverse = moments.map(|moment| T::one() / moment);

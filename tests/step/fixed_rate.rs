@@ -1,13 +1,12 @@
 //! The step at a fixed rate: flips counted, stable spins kept, long steps taken in parts.
 
 use super::{changes, free, free_motion, start};
-use crate::common::refused;
 use nalgebra::{Quaternion, Vector3, Vector4};
 use proptest::prelude::*;
 use tumbling::body::named::NamedBody;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{State, System, fixed_rate};
-use tumbling::{Axis, ErrorKind, PrincipalMoments};
+use tumbling::{Axis, PrincipalMoments};
 
 /// Moments of the named bodies, the box first among them: smallest, middle, largest.
 fn named() -> impl Iterator<Item = (NamedBody, Vector3<f64>)> {
@@ -166,8 +165,10 @@ proptest! {
         let single = System::of_numbers(moments.map(|x| x as f32), Vec::new());
         let momentum = single.momentum(&omega.map(|x| x as f32));
         let step = fixed_rate(&single, &State { attitude: Quaternion::identity(), momentum }, 0.4);
-        if thin < 1e-4 {
-            refused(step, ErrorKind::OutOfBounds, "ratio of the moments");
+        // 1000 roundings: below, the momentum has no digits of the spin about the length.
+        if thin < 1.3e-4 {
+            prop_assert!(step.is_ok() || thin < 1.2e-4);
+            prop_assert!(step.is_err() || thin > 1.1e-4);
             return Ok(());
         }
         let end = step.unwrap().attitude.coords.map(f64::from);

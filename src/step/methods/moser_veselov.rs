@@ -55,8 +55,8 @@ const LONGEST: f64 = core::f64::consts::FRAC_PI_2;
 /// longer converge, and the altered moments may be those of no body.
 const MOST_ALTERED: f64 = 0.5;
 
-/// In units of rounding, the least ratio of the smallest moment to the others: below it the rounding of a turned
-/// momentum, over the smallest moment, is a spin of a thousandth of the whole.
+/// In units of rounding, the least ratio of the smallest moment to the others: below it the rounding of a
+/// turned momentum, over the smallest moment, is a spin of a thousandth of the whole.
 const LEAST_RATIO: f64 = 1000.0;
 
 /// What a step needs of the body and of what the motion conserves.

@@ -172,13 +172,11 @@ fn holds(method: Method, more: usize) -> Outcome {
         agrees(method, case, 0..=order)?;
         breaks("the next power does not agree", agrees(method, case, order + 1..=order + 1))?;
     }
-    // Of letters none is the smallest: where that is told apart, about each axis in turn. The two highest orders
-    // take no other way, and would take a minute more.
+    // Of letters none is the smallest: about each axis in turn. The two highest orders take no other way, and
+    // would take a minute more.
     let axes = if matches!(method, Method::MoserVeselov4 | Method::MoserVeselov6) { 3 } else { 1 };
-    (0..axes).try_for_each(|axis| {
-        let (system, start) = any();
-        agrees(method, &(prepared_about(system, axis), start), 0..=order)
-    })
+    let about = |(system, start), axis| (prepared_about(system, axis), start);
+    (0..axes).try_for_each(|axis| agrees(method, &about(any(), axis), 0..=order))
 }
 
 /// What a method may keep: twice the energy, the square of the momentum, the momentum in the world times the
