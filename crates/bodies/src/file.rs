@@ -9,7 +9,7 @@ use crate::surface::{FARTHEST, Surface};
 use crate::table::{GIVEN_BY, Spin, Table, fields_of};
 use crate::{mesh, question, urdf};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::ops::Range;
 use toml::Spanned;
@@ -237,7 +237,7 @@ impl<'a> Reader<'a> {
         let (mut whole, mut surfaces, mut question, mut places) =
             (Compound::new(), Vec::new(), None, Vec::new());
         let parts = self.table.part.as_ref().map_or(&[][..], |parts| parts.get_ref());
-        let mut links = <[BTreeSet<_>; 2]>::default();
+        let mut links = BTreeMap::new();
         for part in parts {
             let span = part.span();
             let reader = Reader::new(self.text, part.get_ref(), span.clone(), self.files)?;
@@ -255,7 +255,10 @@ impl<'a> Reader<'a> {
             places.push((of_part, far.fold(0.0, f64::max)));
             surfaces.extend(found.surfaces);
             question = question.or(found.question);
-            links.iter_mut().zip(found.links).for_each(|(all, own)| all.extend(own));
+            for (link, (count, held)) in found.links {
+                let (all, _) = links.entry(link).or_insert((0_usize, held));
+                *all = all.saturating_add(count);
+            }
             if surfaces.len() > MOST_PARTS {
                 let why = format!("more than {MOST_PARTS} solids: no more are read");
                 return Err(Error::at(self.text, &span, why).of_field("part"));
