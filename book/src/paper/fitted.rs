@@ -115,3 +115,22 @@ fn widest(tried: &[Vec<Setting>], starts: &[usize]) -> Vec<Setting> {
 fn start(at: usize) -> String {
     format!("<a href=\"#trial-{at}\"></a><section id=\"trial-{at}\" style=\"break-before: page\"")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A sheet of two pages set widely and of one set closer, and one that needs two in any setting.
+    #[test]
+    fn each_sheet_is_set_as_widely_as_its_fewest_pages_allow() {
+        let tried = [vec![[0, 3], [1, 3], [0, 0]], vec![[2, 0], [3, 0]]];
+        assert_eq!(widest(&tried, &[1, 3, 4, 5, 7, 9]), [[1, 3], [2, 0]]);
+        // Answers stand three times on a page before twice or once, and only then so closely as problems.
+        let answers = widths("answers");
+        assert_eq!([answers[0], answers[CLOSE], answers[2 * CLOSE]], [[0, 3], [0, 2], [0, 0]]);
+        assert_eq!(answers[2 * CLOSE..], widths("problems"));
+        let german = "<html lang=\"de\">\n<body class=\"a\">b</body>";
+        assert_eq!(parts(german).map(|[_, own, body]| [own, body]), Some(["de", " class=\"a\">b"]));
+        assert_eq!([parts("<body></body>"), parts("<html lang=\"de\">")], [None, None]);
+    }
+}

@@ -57,9 +57,8 @@ impl<'a> Reader<'a> {
     ) -> Result<Self, Error> {
         let (count, depth) = table.parts();
         let first = table.part.as_ref().map_or(0..0, Spanned::span);
-        for (found, of, most) in
-            [(count, "parts", MOST_PARTS), (depth, "bodies, one the part of the other", DEEPEST)]
-        {
+        let deep = "bodies, one the part of the other";
+        for (found, of, most) in [(count, "parts", MOST_PARTS), (depth, deep, DEEPEST)] {
             if found > most {
                 let why = format!("{found} {of}: at most {most} are read");
                 return Err(Error::at(text, &first, why).of_field("part"));
@@ -234,10 +233,9 @@ impl<'a> Reader<'a> {
     }
 
     fn parts(&self) -> Result<BodyModel, Error> {
-        let (mut whole, mut surfaces, mut question, mut places) =
-            (Compound::new(), Vec::new(), None, Vec::new());
+        let (mut whole, mut question, mut links) = (Compound::new(), None, BTreeMap::new());
+        let (mut surfaces, mut places) = (Vec::new(), Vec::new());
         let parts = self.table.part.as_ref().map_or(&[][..], |parts| parts.get_ref());
-        let mut links = BTreeMap::new();
         for part in parts {
             let span = part.span();
             let reader = Reader::new(self.text, part.get_ref(), span.clone(), self.files)?;
@@ -270,8 +268,7 @@ impl<'a> Reader<'a> {
     }
 
     fn moments(&self) -> Result<BodyModel, Error> {
-        let (moments, products) = self.table.tensor().unwrap_or_default();
-        let ([xx, yy, zz], [xy, xz, yz]) = (moments, products);
+        let ([xx, yy, zz], products @ [xy, xz, yz]) = self.table.tensor().unwrap_or_default();
         let matrix = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
         let found = within(matrix, self.table.tolerance.as_ref().map(|tolerance| *tolerance.get_ref()));
         let alone = || products != [0.0; 3] && Inertia::from_moments(xx, yy, zz).is_ok();

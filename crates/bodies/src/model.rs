@@ -33,9 +33,9 @@ pub struct BodyModel {
     /// for rad or rad for degrees, moments and what is drawn by the mass, parts that lie far off or twice in
     /// one place, links that fixed joints hold to this one.
     pub question: Option<String>,
-    /// The links of robots that it is made of: how often it has each, and which with inertia fixed joints hold
-    /// to it.
-    pub(crate) links: BTreeMap<Link, (usize, Arc<[String]>)>,
+    /// The links of robots that it is made of: how often it has each, and those with inertia that fixed
+    /// joints hold to it.
+    pub(crate) links: BTreeMap<Link, (usize, Arc<[Link]>)>,
 }
 
 /// A robot's file, and the name of a link in it.
