@@ -163,6 +163,13 @@ mod tests {
     use super::*;
 
     #[test]
+    fn a_reader_who_waits_is_told_what_for() {
+        for (changed, what) in [(1, "the one exercise"), (3, "the 3 exercises")] {
+            assert!(running(changed).contains(&format!("{what} that you have changed. The first run")));
+        }
+    }
+
+    #[test]
     fn the_next_is_the_first_that_is_not_done() {
         let all = &exercises::all().unwrap()[..3];
         let named = |standings: [Standing; 3]| next(all, &standings);

@@ -116,11 +116,8 @@ fn phrases_hold_tuples_and_lists_whole_and_in_their_order() {
     let code = "let omega = Vector3::new(1.0, 1.0, 0.0); // (1, 1, 0)\nassert_eq!(p, \"(0.833, 1.083, 0)\");";
     holds("$\\boldsymbol{\\omega} = (1, 1, 0)$. It gives $(0.833,\\; 1.083,\\; 0)$", code);
     for wrong in ["(1, 0, 0)", "(1, 1, 1)", "(1, 1)", "(-1, 1, 0)", "(1, 1, 0, 0)"] {
-        objects(
-            &format!("$\\boldsymbol{{\\omega}} = {wrong}$. It gives $(0.833, 1.083, 0)$"),
-            code,
-            "x.md:1: found `",
-        );
+        let text = format!("$\\boldsymbol{{\\omega}} = {wrong}$. It gives $(0.833, 1.083, 0)$");
+        objects(&text, code, "x.md:1: found `");
     }
     objects("$(1.083, 0.833, 0)$", code, "found `1.083`");
     let two = "assert_eq!(a, \"0.833 and 1.083 kg m²\");";
@@ -136,10 +133,8 @@ fn numbers_of_formulas_are_values_where_they_say_one() {
     objects("$c = 2$", code, "found `2`");
     objects("$2.5\\,\\omega$ and $7$", "", "found `2.5");
     objects("$7$", "", "found `7`");
-    holds(
-        "$I_1 = \\tfrac{1}{12} m (b^2 + c^2)$, $\\lambda^2 < 0$, $\\omega_{12}$ and $(I_{xx}\\cdot 1, 0\\cdot x)$",
-        "",
-    );
+    let text = "$I_1 = \\tfrac{1}{12} m (b^2 + c^2)$, $\\lambda^2 < 0$, $\\omega_{12}$ and $(I_{xx}\\cdot 1, 0\\cdot x)$";
+    holds(text, "");
 }
 
 #[test]
@@ -162,10 +157,8 @@ fn percent_and_ranges_are_parts_of_phrases() {
 
 #[test]
 fn names_code_links_units_and_indices_are_no_numbers() {
-    holds(
-        "See [Ash91](references.md#ash91), `x = 12`, [here](a12.md), E177, 1/(kg m²), 1/s, $I_1 \\le I_{23}$ and $x^2$.",
-        "",
-    );
+    let text = "See [Ash91](references.md#ash91), `x = 12`, [here](a12.md), E177, 1/(kg m²), 1/s, $I_1 \\le I_{23}$ and $x^2$.";
+    holds(text, "");
 }
 
 #[test]
@@ -238,9 +231,8 @@ fn the_words_for_a_figure_say_what_the_drawing_says() {
 fn what_cannot_be_read_is_a_fault_with_file_and_line() {
     let fault = |text: &str| Reader::default().chapter("x", "x.md", text).unwrap_err();
     assert!(fault("```java\n```\n").starts_with("x.md:1: a block in `java`"));
-    assert!(
-        fault("Hm.\n\n```rust\nlet a = 1;\nlet = ;\n```\n").starts_with("x.md:5: Rust that cannot be read")
-    );
+    let unread = fault("Hm.\n\n```rust\nlet a = 1;\nlet = ;\n```\n");
+    assert!(unread.starts_with("x.md:5: Rust that cannot be read"), "{unread}");
     assert!(fault("```rust,ignore\nlet a = 1;\n```\n").contains("marked `ignore`"));
 }
 
@@ -362,11 +354,8 @@ fn an_assertion_that_cannot_fail_is_an_offence() {
         objects("It is 7.4°.", hollow, "a literal about a literal");
     }
     objects("It is 7.4°.", &format!("if wide {{ {ANGLE} }}"), "inside a branch");
-    objects(
-        "It is 3/23.",
-        "assert!((x - 3.0 / 23.0).abs() < 0.01);",
-        "a tolerance of more than a thousandth",
-    );
+    let loose = "assert!((x - 3.0 / 23.0).abs() < 0.01);";
+    objects("It is 3/23.", loose, "a tolerance of more than a thousandth");
     holds("It is 3/23.", "assert!((x - 3.0 / 23.0).abs() < 1e-3); // 3/23");
     objects("It is 7.4°.", "assert_eq!(format!(\"7.{x}°\"), \"7.4°\");", "digits in the pattern of a format");
 }

@@ -1,7 +1,7 @@
 //! Printing by a browser that is installed: Chromium writes PDF with tags and an outline.
 
 use std::env;
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -46,11 +46,7 @@ pub(crate) fn found() -> Option<PathBuf> {
 pub(crate) fn pdf(browser: &Path, html: &Path) -> Result<Vec<u8>, String> {
     let folder = tempfile::TempDir::new().map_err(|e| format!("no folder for the browser: {e}"))?;
     let file = folder.path().join("out.pdf");
-    let option = |name: &str, path: &Path| {
-        let mut option = OsString::from(name);
-        option.push(path);
-        option
-    };
+    let option = |name: &str, path: &Path| OsString::from_iter([OsStr::new(name), path.as_os_str()]);
     let status = Command::new(browser)
         // The page is ours, runs no script and loads nothing. Without its sandbox the browser runs as any
         // user.

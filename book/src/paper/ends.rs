@@ -2,6 +2,7 @@
 
 use super::page::{Page, opened};
 use super::tree::{Element, Node};
+use std::{iter, mem};
 
 /// The folds that move to the end, by how their words begin.
 const MOVED: [&str; 3] = ["Hint", "Solution", "Answer"];
@@ -70,15 +71,12 @@ impl Ends {
 
     /// The pages at the end.
     pub(super) fn pages(self) -> Vec<Page> {
-        let made = [(ANSWERS, self.answers), (SOLUTIONS, self.solutions)].into_iter().map(
-            |((name, title), nodes)| {
-                let heading = Element::new("h1", &[("id", name)], vec![Node::Text(title.into())]);
-                let mut body = vec![heading.into()];
-                body.extend(nodes);
-                Page { name: name.into(), title: title.into(), number: None, body }
-            },
-        );
-        made.filter(|page| page.body.len() > 1).collect()
+        let made = [(ANSWERS, self.answers), (SOLUTIONS, self.solutions)].map(|((name, title), nodes)| {
+            let heading = Element::new("h1", &[("id", name)], vec![Node::Text(title.into())]);
+            let body = iter::once(heading.into()).chain(nodes).collect();
+            Page { name: name.into(), title: title.into(), number: None, body }
+        });
+        made.into_iter().filter(|page| page.body.len() > 1).collect()
     }
 }
 
@@ -117,10 +115,8 @@ fn answer(page: &str, question: &mut Element) -> Vec<Node> {
     let Some(at) = quote.children.iter().rposition(|node| node.is("p")) else { return Vec::new() };
     let asked = quote.children.iter().find(|node| node.is("p")).cloned();
     let place = format!("{id}-answer");
-    let told = std::mem::replace(
-        &mut quote.children[at],
-        to_end(&format!("{}.html#{place}", ANSWERS.0), "Answer").into(),
-    );
+    let there = to_end(&format!("{}.html#{place}", ANSWERS.0), "Answer").into();
+    let told = mem::replace(&mut quote.children[at], there);
     let Some(Node::Element(mut asked)) = asked else { return Vec::new() };
     asked.children = vec![link(&format!("{page}.html#{id}"), asked.children)];
     asked.set("id", &place);

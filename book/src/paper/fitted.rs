@@ -68,8 +68,8 @@ fn widths(kind: &str) -> Vec<Setting> {
     copies.flat_map(|times| fits(times, CLOSE)).chain(fits(0, FITS)).collect()
 }
 
-/// Of each sheet the first of its settings that takes no more pages than the last. All are printed in one
-/// document, since starting the browser takes longest.
+/// The [`widest`] setting of each sheet. All are printed in one document, since starting the browser takes
+/// longest.
 fn chosen(
     browser: &Path,
     tried: &[Vec<Setting>],
@@ -79,25 +79,58 @@ fn chosen(
     let (mut all, mut count) = (String::new(), 0);
     for (at, setting) in settings {
         let html = make(at, setting)?;
-        let (head, body) = html.split_once("<body").unwrap_or_default();
-        let body = body.rsplit_once("</body>").unwrap_or_default().0;
-        let _ = write!(all, "{}{}{body}</section>", if count == 0 { head } else { "" }, start(count));
+        let [head, language, body] = parts(&html).ok_or("a sheet without a language or a body")?;
+        let head = if count == 0 { head } else { "" };
+        let _ = write!(all, "{head}{} lang=\"{language}\"{body}</section>", start(count));
         count += 1;
     }
     let file = tempfile::Builder::new().suffix(".html").tempfile();
     let file = file.map_err(|e| format!("no file for the browser: {e}"))?;
     write_changed(file.path(), format!("{all}{}>.</section>", start(count)).as_bytes())?;
     let places = numbers::of(&browser::pdf(browser, file.path())?);
-    let page = |at: usize| places.get(&format!("trial-{at}")).copied().unwrap_or_default();
-    let mut pages = (0..count).map(|at| page(at + 1).abs_diff(page(at)));
-    let first = tried.iter().map(|settings| {
-        let own: Vec<usize> = pages.by_ref().take(settings.len()).collect();
-        settings[own.iter().position(|count| Some(count) <= own.last()).unwrap_or_default()]
+    let unread = format!("{} printed no places that can be read: print the HTML yourself", browser.display());
+    let starts = (0..=count).map(|at| places.get(&format!("trial-{at}")).copied());
+    Ok(widest(tried, &starts.collect::<Option<Vec<_>>>().ok_or(unread)?))
+}
+
+/// What stands before the body of a sheet, its language, and the rest up to the body's end.
+fn parts(html: &str) -> Option<[&str; 3]> {
+    let (head, body) = html.split_once("<body")?;
+    let (_, language) = head.split_once("<html lang=\"")?;
+    Some([head, language.split_once('"')?.0, body.rsplit_once("</body>")?.0])
+}
+
+/// Of each sheet the first of its settings that takes no more pages than the last, by the pages on which all
+/// begin, one after the other, and the page after them.
+fn widest(tried: &[Vec<Setting>], starts: &[usize]) -> Vec<Setting> {
+    let mut pages = starts.windows(2).map(|pair| pair[1].abs_diff(pair[0]));
+    let first = tried.iter().filter_map(|settings| {
+        let own: Vec<_> = settings.iter().zip(pages.by_ref()).collect();
+        own.iter().find(|(_, count)| *count <= own[own.len() - 1].1).map(|(setting, _)| **setting)
     });
-    Ok(first.collect())
+    first.collect()
 }
 
 /// The start of a section on a page of its own. Only of places with a link does the browser say the page.
 fn start(at: usize) -> String {
     format!("<a href=\"#trial-{at}\"></a><section id=\"trial-{at}\" style=\"break-before: page\"")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A sheet of two pages set widely and of one set closer, and one that needs two in any setting.
+    #[test]
+    fn each_sheet_is_set_as_widely_as_its_fewest_pages_allow() {
+        let tried = [vec![[0, 3], [1, 3], [0, 0]], vec![[2, 0], [3, 0]]];
+        assert_eq!(widest(&tried, &[1, 3, 4, 5, 7, 9]), [[1, 3], [2, 0]]);
+        // Answers stand three times on a page before twice or once, and only then so closely as problems.
+        let answers = widths("answers");
+        assert_eq!([answers[0], answers[CLOSE], answers[2 * CLOSE]], [[0, 3], [0, 2], [0, 0]]);
+        assert_eq!(answers[2 * CLOSE..], widths("problems"));
+        let german = "<html lang=\"de\">\n<body class=\"a\">b</body>";
+        assert_eq!(parts(german).map(|[_, own, body]| [own, body]), Some(["de", " class=\"a\">b"]));
+        assert_eq!([parts("<body></body>"), parts("<html lang=\"de\">")], [None, None]);
+    }
 }

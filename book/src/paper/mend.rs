@@ -270,10 +270,8 @@ mod tests {
         let mut packer = ZlibEncoder::new(Vec::new(), Compression::default());
         packer.write_all(plain).unwrap();
         let packed = packer.finish().unwrap();
-        let mut body = format!("<</Filter /FlateDecode\n/Length {}>> stream\n", packed.len()).into_bytes();
-        body.extend(packed);
-        body.extend(b"\nendstream");
-        body
+        let head = format!("<</Filter /FlateDecode\n/Length {}>> stream\n", packed.len());
+        [head.as_bytes(), &packed, b"\nendstream"].concat()
     }
 
     fn printed() -> Vec<u8> {

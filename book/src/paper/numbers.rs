@@ -18,11 +18,9 @@ pub(super) fn of(pdf: &[u8]) -> BTreeMap<String, usize> {
         // `/name [12 0 R /XYZ 0 800 0]` or `(name) [...]`
         for (at, _) in body.match_indices(" 0 R /XYZ") {
             let Some((name, object)) = body[..at].rsplit_once('[') else { continue };
-            let name = name.trim_end();
-            let name = name.strip_suffix(')').unwrap_or(name);
-            let name = name.rsplit(['/', '(', ' ', '\n']).next().unwrap_or_default();
+            let name = name.trim_end().trim_end_matches(')').rsplit(['/', '(', ' ', '\n']).next();
             if let Some(number) = object.trim().parse().ok().and_then(page) {
-                found.insert(name.to_owned(), number);
+                found.insert(name.unwrap_or_default().to_owned(), number);
             }
         }
     }

@@ -114,8 +114,10 @@ tumblingLive.meeting = (canvas, colours, half, names, { get, moved, ended }) => 
                 if (!faces(end)) continue;
                 pen.fillStyle = colours.fg;
                 pen.font = colours.font;
-                pen.textAlign = x > 0.6 * width ? "right" : x < 0.4 * width ? "left" : "center";
-                pen.fillText(name, x, y + (y > height / 2 ? 18 : -8));
+                // So far to the side that a small loop about the dot, and the point on it, leave it free.
+                const aside = x > 0.6 * width ? -1 : x < 0.4 * width ? 1 : 0;
+                pen.textAlign = { "-1": "right", 0: "center", 1: "left" }[aside];
+                pen.fillText(name, x + 24 * aside, y + (aside ? 5 : y > height / 2 ? 18 : -8));
             }
         });
         pen.globalAlpha = faces(now) ? 1 : 0.4;

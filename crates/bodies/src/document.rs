@@ -19,9 +19,8 @@ pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
     };
     let plain = |message: &str| message.replace("duplicate key", TWICE).replace(UNQUOTED, STRAIGHT);
     let root = DeTable::parse(text).map_err(|error| at(error.clone(), plain(error.message())))?;
-    if let Some((field, span, why)) =
-        root.get_ref().iter().find_map(|(key, value)| bad_number(key.get_ref(), value))
-    {
+    let mut fields = root.get_ref().iter();
+    if let Some((field, span, why)) = fields.find_map(|(key, value)| bad_number(key.get_ref(), value)) {
         return Err(Error::at(text, &span, why).of_field(&field));
     }
     let found = T::deserialize(Deserializer::from(root.clone()));

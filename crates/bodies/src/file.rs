@@ -9,7 +9,7 @@ use crate::surface::{FARTHEST, Surface};
 use crate::table::{GIVEN_BY, Spin, Table, fields_of};
 use crate::{mesh, question, urdf};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::ops::Range;
 use toml::Spanned;
@@ -57,9 +57,8 @@ impl<'a> Reader<'a> {
     ) -> Result<Self, Error> {
         let (count, depth) = table.parts();
         let first = table.part.as_ref().map_or(0..0, Spanned::span);
-        for (found, of, most) in
-            [(count, "parts", MOST_PARTS), (depth, "bodies, one the part of the other", DEEPEST)]
-        {
+        let deep = "bodies, one the part of the other";
+        for (found, of, most) in [(count, "parts", MOST_PARTS), (depth, deep, DEEPEST)] {
             if found > most {
                 let why = format!("{found} {of}: at most {most} are read");
                 return Err(Error::at(text, &first, why).of_field("part"));
@@ -234,10 +233,9 @@ impl<'a> Reader<'a> {
     }
 
     fn parts(&self) -> Result<BodyModel, Error> {
-        let (mut whole, mut surfaces, mut question, mut places) =
-            (Compound::new(), Vec::new(), None, Vec::new());
+        let (mut whole, mut question, mut links) = (Compound::new(), None, BTreeMap::new());
+        let (mut surfaces, mut places) = (Vec::new(), Vec::new());
         let parts = self.table.part.as_ref().map_or(&[][..], |parts| parts.get_ref());
-        let mut links = <[BTreeSet<_>; 2]>::default();
         for part in parts {
             let span = part.span();
             let reader = Reader::new(self.text, part.get_ref(), span.clone(), self.files)?;
@@ -255,7 +253,10 @@ impl<'a> Reader<'a> {
             places.push((of_part, far.fold(0.0, f64::max)));
             surfaces.extend(found.surfaces);
             question = question.or(found.question);
-            links.iter_mut().zip(found.links).for_each(|(all, own)| all.extend(own));
+            for (link, (count, held)) in found.links {
+                let (all, _) = links.entry(link).or_insert((0_usize, held));
+                *all = all.saturating_add(count);
+            }
             if surfaces.len() > MOST_PARTS {
                 let why = format!("more than {MOST_PARTS} solids: no more are read");
                 return Err(Error::at(self.text, &span, why).of_field("part"));
@@ -267,8 +268,7 @@ impl<'a> Reader<'a> {
     }
 
     fn moments(&self) -> Result<BodyModel, Error> {
-        let (moments, products) = self.table.tensor().unwrap_or_default();
-        let ([xx, yy, zz], [xy, xz, yz]) = (moments, products);
+        let ([xx, yy, zz], products @ [xy, xz, yz]) = self.table.tensor().unwrap_or_default();
         let matrix = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
         let found = within(matrix, self.table.tolerance.as_ref().map(|tolerance| *tolerance.get_ref()));
         let alone = || products != [0.0; 3] && Inertia::from_moments(xx, yy, zz).is_ok();

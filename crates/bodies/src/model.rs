@@ -3,8 +3,9 @@
 use crate::error::Error;
 use crate::surface::{Surface, drawable};
 use nalgebra::{Matrix3, Vector3};
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::path::PathBuf;
+use std::sync::Arc;
 use tumbling::body::named::NamedBody;
 use tumbling::{Inertia, MassProperties, PrincipalAxes, PrincipalMoments};
 
@@ -32,8 +33,9 @@ pub struct BodyModel {
     /// for rad or rad for degrees, moments and what is drawn by the mass, parts that lie far off or twice in
     /// one place, links that fixed joints hold to this one.
     pub question: Option<String>,
-    /// The links of robots that it is made of, and those with inertia that fixed joints hold to them.
-    pub(crate) links: [BTreeSet<Link>; 2],
+    /// The links of robots that it is made of: how often it has each, and those with inertia that fixed
+    /// joints hold to it.
+    pub(crate) links: BTreeMap<Link, (usize, Arc<[Link]>)>,
 }
 
 /// A robot's file, and the name of a link in it.
@@ -52,7 +54,7 @@ impl BodyModel {
             spin: None,
             sides: None,
             question: None,
-            links: Default::default(),
+            links: BTreeMap::new(),
         }
     }
 

@@ -11,7 +11,7 @@ use crate::question;
 use crate::surface::{FARTHEST, Surface, drawable};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use roxmltree::{Document, Node};
-use std::collections::{BTreeSet, HashMap, HashSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap, HashSet};
 use std::path::Path;
 use tumbling::MassProperties;
 
@@ -164,11 +164,12 @@ fn held(document: &Document<'_>, name: &str, heavy: &[&str]) -> Vec<String> {
     heavy.iter().filter(|link| **link != name && found.contains(**link)).map(ToString::to_string).collect()
 }
 
-/// The body with the question whether links belong to it that fixed joints hold to its own. Some simulators
-/// make one body of them, others keep each.
+/// The body with the question whether links belong to it that fixed joints hold to its own, and that it has
+/// less often. Some simulators make one body of them, others keep each.
 pub(crate) fn asked(mut model: BodyModel) -> BodyModel {
-    let [own, held] = &model.links;
-    let left: Vec<_> = held.difference(own).map(|(_, name)| name.as_str()).collect();
+    let has = |link| model.links.get(link).map_or(0, |(count, _)| *count);
+    let held = model.links.values().flat_map(|(count, held)| held.iter().filter(|link| has(*link) < *count));
+    let left: Vec<_> = held.collect::<BTreeSet<_>>().into_iter().map(|(_, name)| name.as_str()).collect();
     let rest = "is it one body with them? Then name each in a `[[part]]`, by `urdf`, `link`, `at` and `turn`";
     let words = format!("without {}, which fixed joints hold to it: {rest}", first(&left, 3));
     model.question = model.question.or(Some(words).filter(|_| !left.is_empty()));
@@ -210,9 +211,8 @@ pub(crate) fn read(xml: &str, name: Option<&str>, file: &Path, tolerance: f64) -
             return Err(wrong(second, "one alone is expected here"));
         }
     }
-    let inside =
-        |name: &str| child(inertial, name).ok_or_else(|| wrong(inertial, format!("`<{name}>` is missing")));
-    let (mass, tensor) = (inside("mass")?, inside("inertia")?);
+    let part = |name| child(inertial, name).ok_or_else(|| wrong(inertial, format!("`<{name}>` is missing")));
+    let (mass, tensor) = (part("mass")?, part("inertia")?);
     let of = |name: &str| needed(tensor, name).map(|[x]| x);
     let (xx, xy, xz, yy, yz, zz) = (of("ixx")?, of("ixy")?, of("ixz")?, of("iyy")?, of("iyz")?, of("izz")?);
     let matrix = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
@@ -226,8 +226,8 @@ pub(crate) fn read(xml: &str, name: Option<&str>, file: &Path, tolerance: f64) -
     let name = nameable(called(link)).map_err(|why| wrong(link, why))?.to_owned();
     let model = BodyModel { name, moved, ..BodyModel::of(properties, surfaces) };
     let file = file.canonicalize().unwrap_or_else(|_| file.to_owned());
-    let held = held(&document, &model.name, &names).into_iter().map(|other| (file.clone(), other));
-    let links = [BTreeSet::from([(file.clone(), model.name.clone())]), held.collect()];
+    let held = held(&document, &model.name, &names).into_iter().map(|other| (file.clone(), other)).collect();
+    let links = BTreeMap::from([((file, model.name.clone()), (1, held))]);
     let question = degrees(link).or_else(|| question::spread(&model));
     let model = BodyModel { question, links, ..model };
     model.drawable().map_err(|why| wrong(tensor, why))?;

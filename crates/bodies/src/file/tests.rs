@@ -283,7 +283,8 @@ fn links_that_fixed_joints_hold_are_questioned_until_each_is_a_part() {
     for rest in ["urdf = '../files/arm.urdf'\nlink = 'tool'", "body = './arm.urdf#tool'", &with] {
         assert_eq!(asked(rest), None, "{rest}");
     }
-    for rest in ["body = 'book'", "at = [1, 0, 0]\npart = [{ body = 'arm.urdf#arm' }]", &without] {
+    let twice = "urdf = 'arm.urdf'\nlink = 'tool'\n[[part]]\nat = [1, 0, 0]\nbody = 'arm.urdf#arm'";
+    for rest in ["body = 'book'", "at = [1, 0, 0]\npart = [{ body = 'arm.urdf#arm' }]", twice, &without] {
         assert!(asked(rest).unwrap().starts_with("without `tool`, which fixed joints hold to it"), "{rest}");
     }
 }
