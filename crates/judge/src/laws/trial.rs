@@ -129,9 +129,8 @@ impl Trial {
 
     /// The steps that rules are tried on: of a few rows that are written again none.
     pub(crate) fn sample(&self) -> Vec<Pair> {
-        let is_left_out = self.written_again().is_some() && !self.repeats();
-        let kept = |pair: &Pair| !(is_left_out && self.is_equal(pair));
-        self.sampled().filter(kept).collect()
+        let all = self.written_again().is_none() || self.repeats();
+        self.sampled().filter(|pair| all || !self.is_equal(pair)).collect()
     }
 
     fn sampled(&self) -> impl Iterator<Item = Pair> {
@@ -159,7 +158,6 @@ impl Trial {
 
     /// Whether so many rows are written again, and not in one place alone, that they name no rule.
     pub(crate) fn repeats(&self) -> bool {
-        let is_many = |(count, _)| count as f64 >= REPEATED * self.steps as f64;
-        self.ends > 1 && self.written_again().is_some_and(is_many)
+        self.ends > 1 && self.written_again().is_some_and(|x| x.0 as f64 >= REPEATED * self.steps as f64)
     }
 }

@@ -105,8 +105,8 @@ advices! {
 impl Advice {
     /// What follows from the rule that fits best and how well it fits; `floor` is the record's rounding,
     /// `jumps` says whether some steps are not the rule's, `turns` whether there are attitudes, `scatter`
-    /// whether these do by more than the digits that are printed, `again` whether some steps are otherwise than
-    /// others.
+    /// whether these do by more than the digits that are printed, `again` whether some steps are otherwise
+    /// than others.
     pub(crate) fn of(
         confidence: Confidence,
         rule: &Rule,
