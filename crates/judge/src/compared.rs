@@ -82,9 +82,7 @@ impl Motion {
                 raws.push(raw);
             }
         }
-        if let Some(ended) = rows.ended() {
-            return Err(ended);
-        }
+        rows.ended().map_or(Ok(()), Err)?;
         if all.len() < 2 {
             return Err(if all.is_empty() { Error::NoRows } else { Error::OneRow });
         }
@@ -379,9 +377,7 @@ impl Comparison {
             _ => "",
         };
         writeln!(f, "  {words}")?;
-        match self.tensors(self.reference, k).filter(|_| turns.is_some_and(|t| t > self.start)) {
-            Some(words) => writeln!(f, "  {words}"),
-            None => Ok(()),
-        }
+        let tensors = self.tensors(self.reference, k).filter(|_| turns.is_some_and(|t| t > self.start));
+        tensors.map_or(Ok(()), |words| writeln!(f, "  {words}"))
     }
 }

@@ -62,7 +62,7 @@ pub(crate) fn judge_rows(rows: &mut dyn Source, said: Said, options: &Options) -
     let (mut states, stopped) = known.understood(&probe, &mut waiting);
     let rest = states.iter().position(|row| row.omega != Vector3::zeros()).unwrap_or(0);
     states.drain(..rest);
-    known.said.notes.extend(states.first().filter(|_| rest > 0).map(|first| Note::Rest { line: first.line }));
+    known.said.notes.extend(states.first().filter(|_| rest > 0).map(|first| Note::Rest(first.line)));
     let wrong = |(line, turn)| Error::Line { line, problem: too_far(turn) };
     let first = *states.first().ok_or_else(|| stopped.map_or(Error::OneRow, wrong))?;
     let mut trial = Trial::new(&subject.moments, first, known)?;

@@ -143,10 +143,8 @@ impl<I> Memory<I> {
 
 impl<T: Precision, I: Iterator<Item = Row<T>>> Source for Memory<I> {
     fn next(&mut self) -> Result<Option<Raw>, Error> {
-        if self.ended.is_some() {
-            return Ok(None);
-        }
-        let Some(row) = self.rows.next() else { return Ok(None) };
+        let next = if self.ended.is_none() { self.rows.next() } else { None };
+        let Some(row) = next else { return Ok(None) };
         self.count += 1;
         let wrong = |problem: String| Error::Row { row: self.count, problem };
         let spin = Vector3::from(row.spin.map(Into::into));

@@ -34,6 +34,8 @@ pub(crate) const TRIED_STEPS: usize = 2048;
 pub(crate) const TRIED_RUN: usize = 8;
 /// Steps compared with each rule where its spin must first be found, step by step.
 pub(crate) const TRIED_TURNS: usize = 256;
+/// Share of the rows from which on rows that repeat the row before them name no rule.
+pub(crate) const REPEATED: f64 = 0.05;
 /// Share of the pairs of rows that must be one step apart for a rule to be named.
 pub(crate) const TRIED_SHARE: f64 = 0.25;
 /// Pairs of rows by which a rule in parts is looked at first, and those that it is then tried on.

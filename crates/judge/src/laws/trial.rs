@@ -39,9 +39,11 @@ pub(crate) struct Trial {
     runs: Stretches<[Pair; TRIED_RUN]>,
     run: Vec<Pair>,
     pub steps: u64,
-    /// Whether the last row repeats the row before it, and how often such rows come to an end.
+    /// Whether the last row repeats the row before it, how often such rows come to an end, how many they are,
+    /// and the line of the first.
     is_equal: bool,
     ends: u64,
+    equal: Option<(u64, usize)>,
     pub(super) errors: Errors,
     pub resets: Vec<Reset>,
     pub gaps: Option<Gaps>,
@@ -65,6 +67,7 @@ impl Trial {
             steps: 0,
             is_equal: false,
             ends: 0,
+            equal: None,
             errors: Errors::default(),
             known,
             resets: Vec::new(),
@@ -109,13 +112,14 @@ impl Trial {
         Ok(())
     }
 
-    /// One more step, and whether its row is the row before it where digits show that a body moves.
     fn step(&mut self, pair: Pair) {
         self.steps += 1;
-        let equal = pair.from.omega == pair.to.omega && pair.from.attitude == pair.to.attitude;
-        let is_equal = equal && self.shows(&pair);
+        let is_equal = self.is_equal(&pair);
         self.ends += u64::from(self.is_equal && !is_equal);
         self.is_equal = is_equal;
+        if is_equal {
+            self.equal.get_or_insert((0, pair.to.line)).0 += 1;
+        }
         self.run.push(pair);
         if let Ok(run) = self.run[..].try_into() {
             self.runs.push(run);
@@ -123,25 +127,37 @@ impl Trial {
         }
     }
 
-    /// The steps that rules are tried on.
+    /// The steps that rules are tried on: of a few rows that are written again none.
     pub(crate) fn sample(&self) -> Vec<Pair> {
-        [&self.runs.all.concat()[..], &self.run].concat()
+        let all = self.written_again().is_none() || self.repeats();
+        self.sampled().filter(|pair| all || !self.is_equal(pair)).collect()
     }
 
-    /// Whether the motion from a row to the next is far above the rounding of the numbers.
-    fn shows(&self, Pair { from, h, .. }: &Pair) -> bool {
+    fn sampled(&self) -> impl Iterator<Item = Pair> {
+        self.runs.all.iter().flatten().chain(&self.run).copied()
+    }
+
+    /// Whether a row is the row before it, and the motion between them far above the rounding of the numbers.
+    fn is_equal(&self, Pair { from, to, h }: &Pair) -> bool {
         let Known { floor, moments, .. } = &self.known;
         let (speed, rate) =
             (from.omega.norm(), angular_acceleration(moments, &from.omega, &Vector3::zeros()).norm());
         let turn = from.attitude.map_or(0.0, |_| speed * h / floor.attitude);
-        turn.max(rate * h / (speed * floor.size)) > ABOVE_ROUNDING
+        let shown = turn.max(rate * h / (speed * floor.size)) > ABOVE_ROUNDING;
+        shown && from.omega == to.omega && from.attitude == to.attitude
     }
 
-    /// Whether rows are written again under other times. A body that comes to stay is none, nor is, of spins
-    /// alone, one whose spin stays between pushes: these do not go by the law.
-    pub(crate) fn repeats(&self) -> bool {
+    /// The number of rows that are written again under other times, and the line of the first. A body that
+    /// comes to stay is none, nor is, of spins alone, one whose spin stays between pushes: these do not go by
+    /// the law.
+    pub(crate) fn written_again(&self) -> Option<(u64, usize)> {
         let moves = |pair: &Pair| pair.from.omega != pair.to.omega;
-        let goes_on = || law(self.sample().into_iter().filter(moves), &self.known.moments).0 > LAW_AGREES;
-        self.ends > 1 && (self.first.attitude.is_some() || goes_on())
+        let goes_on = || law(self.sampled().filter(moves), &self.known.moments).0 > LAW_AGREES;
+        self.equal.filter(|_| self.ends > 0 && (self.first.attitude.is_some() || goes_on()))
+    }
+
+    /// Whether so many rows are written again, and not in one place alone, that they name no rule.
+    pub(crate) fn repeats(&self) -> bool {
+        self.ends > 1 && self.written_again().is_some_and(|x| x.0 as f64 >= REPEATED * self.steps as f64)
     }
 }

@@ -158,13 +158,18 @@ fn torque(text: &str, named: bool) -> Result<Option<Vector3<f64>>, String> {
     let (numbers_in, named) = behind.map_or((text, named), |(_, rest)| (rest, true));
     no_decimal_comma(numbers_in, 3)?;
     let all: Vec<f64> = numbers(numbers_in).into_iter().map(|x| x.0).collect();
+    let has = |words: &str| after(text.split(';').next().unwrap_or(text), words).is_some();
+    let in_body = ["body axes", "body frame", "in body", "(body)"].into_iter().any(has) && !has("world");
+    // At most the name of an axis stands before the first digit.
+    let (before, _) = numbers_in.split_once(|c: char| c.is_ascii_digit()).unwrap_or(("none", ""));
+    let at_once = before.chars().filter(|c| c.is_alphabetic()).count() < 2;
     match all[..] {
         [_, ..] if all.iter().all(|x| *x == 0.0) => Ok(Some(Vector3::zeros())),
-        [_, ..] if text.to_lowercase().contains("body") => {
+        [_, ..] if in_body => {
             Err("the torque is one in body axes: known is one that is constant in the world".into())
         }
         [x, y, z] => Ok(Some(Vector3::new(x, y, z))),
-        _ if all.len() > 3 || named && numbers_in.contains(|c: char| c.is_ascii_digit()) => {
+        _ if all.len() > 3 || named && at_once => {
             let count = all.len();
             Err(format!("a torque has three numbers, as in `torque: 0 0 0.1`, and {count} can be read here"))
         }

@@ -118,10 +118,9 @@ pub enum Note {
     /// The record is of this story of the kit.
     Story(String),
     /// The body is at rest before this line: the rows before it are left out.
-    Rest {
-        /// The line.
-        line: usize,
-    },
+    Rest(usize),
+    /// Rows repeat the row before them, under other times: how many, and the line of the first.
+    Again(u64, usize),
     /// Rounded moments that no body has are taken for those of a flat body.
     Flat {
         /// The largest, as printed, kg m².

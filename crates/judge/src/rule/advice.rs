@@ -40,6 +40,7 @@ advices! {
     COMPARE: "Compare the engine's rule with the known ones." in STEPS;
     DRIFTS_ON: "Its errors fall with its step or its tolerance; what drifts in the table goes on drifting." in STEPS;
     EACH_STEP: "Write a row at each of the engine's steps, once, and none in between, and judge it again.";
+    RESAMPLED: "If the rows are resampled, write the engine's own; if not, find what acts in some of its steps.";
     ALL_DIGITS: "Write the engine's own numbers, with all their digits.";
     TAKEN_BACK: "The attitude is off in one step and back in the next: it has fewer digits than are printed, or noise. Write \
          it with all the engine's digits, and judge it again.";
@@ -104,8 +105,8 @@ advices! {
 impl Advice {
     /// What follows from the rule that fits best and how well it fits; `floor` is the record's rounding,
     /// `jumps` says whether some steps are not the rule's, `turns` whether there are attitudes, `scatter`
-    /// whether these do by more than the digits that are printed, `again`
-    /// whether the errors of the steps come again.
+    /// whether these do by more than the digits that are printed, `again` whether some steps are otherwise
+    /// than others.
     pub(crate) fn of(
         confidence: Confidence,
         rule: &Rule,
@@ -117,7 +118,7 @@ impl Advice {
             Confidence::NoneFits | Confidence::SmallErrors if jumps => Self::JUMPS,
             Confidence::NoneFits | Confidence::Altered if whole.on_wrong_side => Self::SIDE,
             Confidence::NoneFits | Confidence::Accurate if scatter => Self::TAKEN_BACK,
-            Confidence::NoneFits if again => Self::EACH_STEP,
+            Confidence::NoneFits | Confidence::Interpolated if again => Self::RESAMPLED,
             Confidence::NoneFits if !floor.few => Self::COMPARE,
             Confidence::Accurate => Self::DRIFTS_ON,
             Confidence::Interpolated | Confidence::Repeated | Confidence::FewSteps => Self::EACH_STEP,

@@ -317,6 +317,8 @@ pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &W
         confidence.names_a_rule() && (confidence != Confidence::ToRounding || best.rule != Rule::EXACT);
     let own: Vec<_> = engines(header, std::iter::once(&best.rule).chain(&alike));
     let leading = first_named(&best.rule, if named { &alike } else { &[] }, own.first().map(|own| own.0));
+    let again = hints.again.is_some() || confidence == Confidence::Interpolated;
+    let seen = [!jumps.is_empty(), turns, scatter, again];
     Some(Diagnosis {
         best: Explanation { rule: best.rule.times(subject.unit), ..best },
         alike: alike.iter().map(|rule| rule.times(subject.unit)).collect(),
@@ -328,13 +330,7 @@ pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &W
         settings: if whole.fails && named { settings(&own, &leading) } else { Vec::new() },
         leading: leading.iter().map(|rule| rule.times(subject.unit)).collect(),
         error,
-        advice: Advice::of(
-            confidence,
-            &best.rule,
-            floor,
-            whole,
-            [!jumps.is_empty(), turns, scatter, hints.again.is_some()],
-        ),
+        advice: Advice::of(confidence, &best.rule, floor, whole, seen),
         hints,
         open: alike.iter().any(|rule| is_another(subject, pairs, &best.rule, rule)),
         jumps,

@@ -135,7 +135,9 @@ pub(crate) struct Hints {
 impl Hints {
     pub(super) fn of(subject: &Subject, pairs: &[Pair], nearest: &Rule, floor: Floor) -> Self {
         let (alike, times) = law(pairs.iter().copied(), &subject.moments);
-        let is_seen = alike.abs() > LAW_AGREES && (times - 1.0).abs() > TERM_APART;
+        // A torque changes the spin too.
+        let is_seen =
+            subject.torque.is_none() && alike.abs() > LAW_AGREES && (times - 1.0).abs() > TERM_APART;
         Self { again: comes_again(subject, pairs, nearest, floor), term: is_seen.then_some(times) }
     }
 }

@@ -3,7 +3,7 @@
 use crate::law::LawName;
 use crate::laws::{FlipCount, Law, Trial};
 use crate::options::Options;
-use crate::read::{Kind, Pair, median, unit};
+use crate::read::{Kind, Note, Pair, median, unit};
 use crate::rule::{Advice, Confidence, Diagnosis, Rule, Subject, Whole, diagnose};
 use crate::thresholds::*;
 use crate::verdict::{Complaint, Outcome, Recording, Seen, Verdict};
@@ -33,9 +33,8 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, options: &Options) -> Ver
     let mut complaints = end.complaints();
     let (whole, steps) = (end.whole(&complaints), trial.sample());
     let mut diagnosis = if still { None } else { diagnose(subject, &steps, &trial.known, &whole) };
-    if free && trial.rows >= ENOUGH_ROWS {
-        complaints.extend(diagnosis.as_ref().and_then(wrong_rule));
-    }
+    let enough = diagnosis.as_ref().filter(|_| free && trial.rows >= ENOUGH_ROWS);
+    complaints.extend(enough.and_then(wrong_rule));
     let outcome = end.outcome(complaints.is_empty());
     if let Some(found) = diagnosis.as_mut().filter(|_| outcome == Outcome::TooShort) {
         found.advice = vec![Advice::LONGER];
@@ -48,6 +47,7 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, options: &Options) -> Ver
             law.growth = graded.iter().find(|x| x.name == law.name).map_or(law.growth, |x| x.growth);
         }
     }
+    let again = trial.written_again().map(|(count, line)| Note::Again(count, line));
     let Trial { known, laws: followed, first, .. } = trial;
     let has_attitude = first.attitude.is_some();
     Verdict {
@@ -63,7 +63,7 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, options: &Options) -> Ver
             sign_changes: followed.seen.sign_changes,
             engine: known.said.engine,
             ignored: known.said.ignored,
-            notes: known.said.notes,
+            notes: known.said.notes.into_iter().chain(again).collect(),
         },
         moments: known.moments,
         torque: known.said.torque,
@@ -112,7 +112,7 @@ impl End<'_> {
         let broken: Vec<LawName> = self.broken().map(|law| law.name).collect();
         let fails = !sound || !broken.is_empty() || !complaints.is_empty();
         let unkept = self.laws.iter().filter(|law| is_length(law.name) && law.growth.rank() > 0);
-        let of_rows = |x: &Complaint| matches!(x, Complaint::Ended { .. });
+        let of_rows = |x: &Complaint| matches!(x, Complaint::Ended(_));
         Whole {
             fails_otherwise: fails && broken.is_empty() && complaints.iter().all(of_rows),
             broken,
@@ -132,7 +132,7 @@ impl End<'_> {
     fn complaints(&self) -> Vec<Complaint> {
         let Trial { known, laws, steps, stopped, ended, rows, .. } = self.trial;
         let mut all = Vec::new();
-        all.extend(ended.clone().map(|at| Complaint::Ended { at }));
+        all.extend(ended.clone().map(Complaint::Ended));
         all.extend(self.flips.into_iter().flat_map(|flips| spin_faults(flips, laws.shows_flips())));
         let moved = laws.seen.moved;
         if self.free()
@@ -140,7 +140,7 @@ impl End<'_> {
             && laws.seen.constant
             && moved > ENOUGH_CHANGE.max(STILL * known.floor.size)
         {
-            all.push(Complaint::Constant { moved });
+            all.push(Complaint::Constant(moved));
         }
         all.extend(stopped.map(|(line, turn)| Complaint::TooFar { line, turn }));
         if *steps == 0 {
@@ -215,10 +215,10 @@ fn missing(attitude: bool, kind: Kind) -> Vec<LawName> {
 
 /// If digits show it, a spin that turns over, or flips where it never should, or never where it should.
 fn spin_faults(flips: &FlipCount, [axis, shown]: [bool; 2]) -> impl Iterator<Item = Complaint> + use<> {
-    let over = flips.turned_over.filter(|_| axis).map(|time| Complaint::TurnedOver { time });
+    let over = flips.turned_over.filter(|_| axis).map(Complaint::TurnedOver);
     let counted = match (flips.found, flips.exact) {
-        (0, exact) if shown && exact > 0 => Some(Complaint::NeverFlips { exact }),
-        (found, 0) if shown && found > 0 => Some(Complaint::Flips { found }),
+        (0, exact) if shown && exact > 0 => Some(Complaint::NeverFlips(exact)),
+        (found, 0) if shown && found > 0 => Some(Complaint::Flips(found)),
         _ => None,
     };
     over.into_iter().chain(counted)

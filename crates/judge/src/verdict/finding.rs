@@ -34,19 +34,19 @@ impl Diagnosis {
 
     /// The rule, the engines that go by it, and what to do.
     pub(crate) fn head(&self) -> Vec<String> {
-        let names: Vec<String> = self.leading.iter().map(Rule::name).collect();
+        let names = self.leading.iter().map(Rule::name).collect::<Vec<_>>();
+        let (names, steps) = (names.join("; or, with the same steps here: "), self.steps);
         let words = match (self.confidence, self.jumps.len()) {
             (Confidence::FewDigits, _) if !self.alike.is_empty() => {
                 format!("Too few digits to name the rule: they fit {} rules alike", 1 + self.alike.len())
             }
             _ if self.is_open() => self.words().into(),
             (Confidence::NoneFits | Confidence::SmallErrors, _) | (_, 0) => {
-                format!("{}: {}", self.words(), names.join("; or, with the same steps here: "))
+                format!("{}: {names}", self.words())
             }
-            (_, count) => format!(
-                "But for jumps ({count}) all steps agree to rounding with: {}",
-                names.join("; or, with the same steps here: ")
-            ),
+            (_, count) => {
+                format!("But for jumps ({count} of {steps} steps tried) all agree to rounding with: {names}")
+            }
         };
         let mut lines = vec![words];
         let unsaid =

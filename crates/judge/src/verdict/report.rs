@@ -61,8 +61,9 @@ impl Verdict {
     fn seen(&self) -> Option<String> {
         let found = self.diagnosis.as_ref().filter(|found| !found.confidence.names_a_rule())?;
         if let ([first, ..], true) = (&found.jumps[..], found.fails) {
-            let count = times(found.jumps.len() as u64);
-            return Some(format!("what is seen: from t = {:.4} s on the body jumps {count}", first.time));
+            let (from, count, steps) = (first.time, times(found.jumps.len() as u64), found.steps);
+            let words = format!("from t = {from:.4} s on the body jumps {count} in {steps} steps tried");
+            return Some(format!("what is seen: {words}"));
         }
         let each = self.broken().map(|law| format!("{}, {}", law.name.words(), law.plain()));
         let turned =
@@ -218,10 +219,8 @@ impl Verdict {
         all.push(section("Body", [format!("moments {} kg m²", three(self.moments))]));
         let torque = self.torque.map(|torque| format!("{} N m, constant in the world", three(torque)));
         all.extend(torque.map(|words| section("Torque", [words])));
-        let step = match self.record.step {
-            Some(step) => format!("steps of {step:.6} s"),
-            None => "steps of various lengths".into(),
-        };
+        let steps = |step| format!("steps of {step:.6} s");
+        let step = self.record.step.map_or_else(|| "steps of various lengths".into(), steps);
         let (rows, duration) = (self.record.rows, self.record.duration);
         all.push(section("Record", [format!("{rows} rows, {step}, judged over {duration:.3} s")]));
         all

@@ -12,31 +12,16 @@ use std::fmt;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Complaint {
-    /// The numbers end before the file does.
-    Ended {
-        /// Where, and with what.
-        at: String,
-    },
-    /// The spin turns over about the axis that it should circle for ever.
-    TurnedOver {
-        /// When first, s from the start.
-        time: f64,
-    },
-    /// The spin along the middle axis never changes sign in the record, and should.
-    NeverFlips {
-        /// How often it should.
-        exact: u64,
-    },
-    /// The spin along the middle axis changes sign, and should never.
-    Flips {
-        /// How often it does.
-        found: u64,
-    },
-    /// The spin stays as it is, and should change.
-    Constant {
-        /// By how much, as a share.
-        moved: f64,
-    },
+    /// The numbers end before the file does: where, and with what.
+    Ended(String),
+    /// The spin turns over about the axis that it should circle for ever: when first, s from the start.
+    TurnedOver(f64),
+    /// The spin along the middle axis never changes sign in the record, and should: how often it should.
+    NeverFlips(u64),
+    /// The spin along the middle axis changes sign, and should never: how often it does.
+    Flips(u64),
+    /// The spin stays as it is, and should change: by how much, as a share.
+    Constant(f64),
     /// Attitudes turn too far from one to the next to say which way; the record is judged up to there.
     TooFar {
         /// In which line.
@@ -83,19 +68,19 @@ pub enum Seen {
 impl fmt::Display for Complaint {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Ended { at } => write!(f, "the numbers end at {at}. Judged up to there"),
-            Self::TurnedOver { time } => {
+            Self::Ended(at) => write!(f, "the numbers end at {at}. Judged up to there"),
+            Self::TurnedOver(time) => {
                 write!(f, "the spin turns over at {time:.4} s about the axis that it should circle for ever")
             }
-            Self::NeverFlips { exact } => {
+            Self::NeverFlips(exact) => {
                 let n = times(*exact);
                 write!(f, "the recorded spin along the middle axis never changes sign, and should do so {n}")
             }
-            Self::Flips { found } => {
+            Self::Flips(found) => {
                 let found = times(*found);
                 write!(f, "the spin along the middle axis changes sign {found}, and should never do so")
             }
-            Self::Constant { moved } => {
+            Self::Constant(moved) => {
                 let moved = 100.0 * moved;
                 write!(f, "the spin stays as it is at the start, and should change by {moved:.0} % of it")
             }
@@ -139,8 +124,11 @@ impl fmt::Display for Note {
                 write!(f, "line {line} speaks of `{word}`, and no number is read from it")
             }
             Self::Story(name) => write!(f, "the record is of the kit's story {name}"),
-            Self::Rest { line } => {
+            Self::Rest(line) => {
                 write!(f, "the body is at rest before line {line}, and is judged from there")
+            }
+            Self::Again(rows, line) => {
+                write!(f, "rows that repeat the row before them: {rows}, first in line {line}")
             }
             Self::Flat { printed, missing, moments } => write!(
                 f,

@@ -180,10 +180,8 @@ fn bad_input_is_an_error_with_line_and_column() {
     let head = "# inertia: 1 2 2.5\nt,wx,wy,wz\n0,1,2,3\n";
     let with = |line: &str| error(&format!("{head}{line}\n"));
     assert_eq!(with("0.1,1,x2,3"), "line 4, column 3 (`wy`): `x2` is not a number");
-    assert_eq!(
-        with("0.1,1,NaN,3"),
-        "line 4, column 3 (`wy`): the value is NaN: from here on there is no motion"
-    );
+    let nan = "line 4, column 3 (`wy`): the value is NaN: from here on there is no motion";
+    assert_eq!(with("0.1,1,NaN,3"), nan);
     assert!(with("0.1,1,2,1e999").starts_with("line 4, column 4 (`wz`): the value is 1e999"));
     assert_eq!(with("0.1,1,,3"), "line 4, column 3 (`wy`): the field is empty");
     assert_eq!(with("0.1,1,2"), "line 4: there are 3 fields for 4 columns: `wz` is missing");

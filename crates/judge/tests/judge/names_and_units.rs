@@ -97,18 +97,21 @@ fn times_of_few_digits_are_taken_for_the_steps_that_they_are_rounded_from() {
         assert!(verdict.laws.iter().all(|law| law.growth.rank() == 0), "{verdict}");
         assert!(verdict.record.notes.iter().any(|note| note.to_string().contains("few digits")), "{verdict}");
     }
-    // Times that no step explains stay as they are.
+    // A step that does not explain the times is not used.
     let verdict = judged(&fixed(3, "# dt: 1/50 s"));
-    assert!(!verdict.record.notes.iter().any(|note| note.to_string().contains("length told")), "{verdict}");
+    assert!(verdict.to_string().contains("that they have in the mean"), "{verdict}");
 }
 
 #[test]
 fn a_comment_that_denies_a_torque_makes_none_and_one_that_is_not_understood_is_noted() {
     let with = |comment: &str| judged(&format!("# {comment}\n{}", csv(&good())));
     assert_eq!(with("no torque: 1 2 3").torque, None);
-    let both = ["torque: 1 2 3", "torque (4 runs): 1 2 3"].map(|said| with(said).torque);
-    assert_eq!(both, [Some(Vector3::new(1.0, 2.0, 3.0)); 2]);
-    assert!(with("torque unknown").record.notes[0].to_string().contains("speaks of `torque`"));
+    for said in "(4 runs): 1 2 3|(world, on the body): 1 2 3|1 2 3; body: a|1 2 3 (rigid body)".split('|') {
+        assert_eq!(with(&format!("torque {said}")).torque, Some(Vector3::new(1.0, 2.0, 3.0)), "{said}");
+    }
+    for said in " unknown|: off (body since 2024)|: none since t=0|: so, v2| 2 on the rigid body".split('|') {
+        assert!(with(&format!("torque{said}")).record.notes[0].to_string().contains("speaks of `torque`"));
+    }
     let steps = csv(&good()).lines().enumerate().fold(
         String::from("# step size 1/60\n"),
         |text, (i, line)| match i {
