@@ -15,7 +15,7 @@ const RATE: f64 = TAU / 5400.0; // rad/s
 
 /// Whether a satellite has too little energy to turn over, and its angle from the earth after a day, degrees.
 fn flown(k: usize) -> Result<(bool, f64), Error> {
-    // From -1 to 1, evenly, since roots of primes have no ratio.
+    // From -1 to 1, evenly, since roots of primes are irrational to each other.
     let even = |primes: [f64; 3]| Vector3::from(primes).map(|p| 2.0 * (k as f64 * p.sqrt()).fract() - 1.0);
     let (orbit, m) = (Vector3::z() * RATE, Vector3::new(10.0, 40.0, 45.0) + even([2.0, 3.0, 5.0])); // kg m²
     let (turn, spin) = (even([7.0, 11.0, 13.0]) * 0.5, orbit + even([17.0, 19.0, 23.0]) * 1e-3);
@@ -36,9 +36,9 @@ fn flown(k: usize) -> Result<(bool, f64), Error> {
     Ok((start < 3.0 * m.y - m.z, (there.attitude() * Vector3::x()).x.abs().min(1.0).acos().to_degrees()))
 }
 
-fn main() -> Result<(), Error> {
-    let count =
-        std::env::args().nth(1).map_or(10_000, |count| count.parse().expect("a number of satellites"));
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let given = std::env::args().nth(1).unwrap_or("10000".into());
+    let count = given.parse().map_err(|_| format!("`{given}` is no number of satellites"))?;
     let cores = thread::available_parallelism().map_or(1, usize::from);
     let fly = |core: usize| (core..count).step_by(cores).map(flown).collect::<Result<Vec<_>, _>>();
     let flown = thread::scope(|scope| {

@@ -21,8 +21,8 @@ import { serve } from "./serve.mjs";
 
 const THEMES = ["light", "rust", "coal", "navy", "ayu"];
 const WIDTHS = [320, 800, 1400];
-// Of all rules, those whose answer a narrower window can change. Colours, which take longest, are looked at in the widest, and on every
-// third page in the narrowest: what stands there alone is alike on all pages.
+// Of all rules, those whose answer a narrower window can change. Colours, which
+// take longest, are looked at in the widest and the narrowest.
 const OF_WIDTH = ["scrollable-region-focusable", "target-size", "aria-hidden-focus", "link-name", "button-name", "label", "bypass"];
 const HERE = path.dirname(fileURLToPath(import.meta.url));
 
@@ -209,7 +209,7 @@ async function looks(name) {
     await page.evaluate(unfold);
     for (const what of await withFonts(page, await page.evaluate(tooWide))) fault(`${name}, ${width} px`, what);
     if (width === WIDTHS[0]) for (const what of await foreignLetters(page)) fault(name, what);
-    const colours = width === WIDTHS[0] && pages.indexOf(name) % 3 === 0 ? ["color-contrast"] : [];
+    const colours = width === WIDTHS[0] ? ["color-contrast"] : [];
     if (own) await rules(page, `${name}, light, ${width} px`, width === WIDTHS.at(-1) ? null : [...OF_WIDTH, ...colours]);
     await shoot("light", width);
   }

@@ -1,4 +1,4 @@
-//! The three wrong engines must be wrong in the way their pitfall says, and right where it says.
+//! The three wrong engines must be wrong in the way their pitfall says.
 
 use crate::common::*;
 use nalgebra::{UnitQuaternion, Vector3};

@@ -18,8 +18,12 @@ static double widest(const IVector &x, int from, int to) {
     return most;
 }
 
-int main(int, char **argv) {
-    const int size = atoi(argv[1]);
+int main(int count, char **argv) {
+    const int size = count == 10 ? atoi(argv[1]) : 0;
+    if ((size != 3 && size != 7) || atoi(argv[2]) < 1) {
+        fprintf(stderr, "usage: capd_widths 3|7 ORDER HALF_PERIOD I1 I2 I3 W1 W2 W3\n");
+        return 2;
+    }
     double number[7];
     for (int k = 0; k < 7; ++k) number[k] = strtod(argv[k + 3], nullptr);
     const std::string spin = "a*y*z,b*z*x,c*x*y";

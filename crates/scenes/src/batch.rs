@@ -6,9 +6,9 @@
 //! worked on at once, and within a block each driven body on any thread, its plan too.
 //!
 //! Driven bodies have no lanes. A step by Taylor series is made of rows of four numbers already, which the
-//! compiler takes as vectors. Four bodies in lanes by the same series, each with steps of its own length and
-//! the bits that it has alone, took 1.21 of the time that they take one by one in a build for any x86-64,
-//! and 0.63 of it with `-C target-cpu=native`, for 470 lines of code more.
+//! compiler takes as vectors. Four bodies in lanes by this series, each with steps of its own length and the
+//! bits that it has alone, were slower than one by one in a build for any x86-64, and faster only with
+//! `-C target-cpu=native`; that did not pay for the code.
 //!
 //! An answer has the bits of [`Scene::run`].
 //!

@@ -11,8 +11,23 @@ use tumbling::exact::{FreeMotion, Polhode};
 /// The worked body's moments, kg m²: along the middle, the circled and the across axis.
 const MOMENTS: Vector3<f64> = Vector3::new(10.0, 13.0, 5.0);
 
-/// Where its theta zero lies, in parts of `K'`: (C8) and (C19), as the chapter computes both.
-const DEPTH: f64 = 0.4514 / 1.6817;
+/// The complement of the modulus: of the two other axes only the circled one always has some spin.
+fn complement(spin: &Vector3<f64>) -> Result<f64, tumbling::Error> {
+    let turning = Polhode::new(MOMENTS.try_into()?, spin)?;
+    Ok(turning.least.component_div(&turning.greatest).max())
+}
+
+/// Where the theta zero of a spin lies, in parts of `K'`: (C19), and (C8) by the integral for both.
+fn depth(spin: &Vector3<f64>) -> Result<f64, tumbling::Error> {
+    let duplicated = |of: [f64; 3], _| {
+        let [x, y, z] = of.map(f64::sqrt);
+        of.map(|a| 0.25 * (a + x * y + y * z + z * x))
+    };
+    let rf = |of: [f64; 3]| (0..30).fold(of, duplicated)[0].sqrt().recip();
+    let ([m, c, x], modulus) = (MOMENTS.into(), 1.0 - complement(spin)?.powi(2));
+    let [beta, gamma] = [x * (c - m), c * (m - x)].map(|part: f64| part / (m * (c - x)));
+    Ok(beta.sqrt() * rf([gamma, gamma + modulus * beta, 1.0]) / rf([0.0, modulus, 1.0]))
+}
 
 /// Its motion, and the turn that takes its momentum to a direction.
 fn worked(to: &Vector3<f64>) -> Result<(FreeMotion, UnitQuaternion<f64>), Box<dyn Error>> {
@@ -21,15 +36,13 @@ fn worked(to: &Vector3<f64>) -> Result<(FreeMotion, UnitQuaternion<f64>), Box<dy
 }
 
 pub(super) fn complements() -> Drawing {
-    let (body, canvas) = (MOMENTS.try_into()?, Canvas::sized(500, 500));
+    let canvas = Canvas::sized(500, 500);
     let plot = Plot::new(&canvas, [62.0, 62.0, 486.0, 436.0], -16.0..0.0, -16.0..0.0);
     // The slips with a complement of this power of ten: it is proportional to both, where they are small.
     let slips = |level: f64, ratio: f64| {
         let spin = Vector3::new(1.0, 1e-30 * 10_f64.powf(ratio), 1e-30);
-        // Of the two only the circled axis always has some spin.
-        let complement =
-            Polhode::new(body, &spin).map_or(f64::NAN, |it| it.least.component_div(&it.greatest).max());
-        (level - 30.0 - complement.log10() + ratio, level - 30.0 - complement.log10())
+        let slip = level - 30.0 - complement(&spin).unwrap_or(f64::NAN).log10();
+        (slip + ratio, slip)
     };
     let rounded = 0.5 * (0.5 * f64::EPSILON).log10();
     let ((left, bottom), (x, y)) = (plot.at(-16.0, -16.0), (slips(rounded, 20.0).0, slips(rounded, -20.0).1));
@@ -37,22 +50,23 @@ pub(super) fn complements() -> Drawing {
     canvas.tiles(&[[left, top, right, bottom]], Fill::new(Ink::Surface), Some(Pen::new(Ink::Wrong, 2.6)));
     let ticks = || (-4..=0).map(|n| (4.0 * f64::from(n), power_of_ten(4 * n)));
     plot.x_axis(ticks(), "slip toward the axis of the largest moment");
-    plot.y_axis(ticks().skip(1), "slip toward that of the smallest");
-    for level in [-3, -7, -11, -15] {
+    plot.y_axis(ticks().skip(1), "slip toward the axis of the smallest moment");
+    for (level, x, y) in [(-3, -15.7, -2.7), (-7, -15.7, -6.7), (-11, -15.7, -10.7), (-15, -14.9, -15.6)] {
         let line = (-320..=320).map(|i| slips(level.into(), 0.05 * f64::from(i)));
         let line = line.filter(|p| p.0.min(p.1) >= -16.0);
         plot.curve(line, Pen::new(Ink::Text, 1.8))?;
         let label = Label::new(format!("$k$′ = {}", power_of_ten(level))).size(15.5).halo(Ink::Paper);
-        canvas.label(plot.at(f64::from(level) + 0.1, -15.6), &label);
+        canvas.label(plot.at(x, y), &label);
     }
     // (C2): there I (I - I_M) w² is equal for both.
-    let apart = 0.5 * (25.0_f64 / 39.0).log10();
+    let [m, c, x] = MOMENTS.into();
+    let apart = 0.5 * f64::log10(x * (m - x) / (c * (c - m)));
     canvas.line(plot.at(-16.0 + apart, -16.0), plot.at(apart, 0.0), Pen::new(Ink::Separatrix, 3.4));
     canvas.label(plot.at(-4.8, -4.3), &Label::new("separatrix: $k$′ = 0").ink(Ink::Separatrix).end());
     canvas.label(plot.at(-15.5, -9.2), &Label::new("$k$ rounds to 1").ink(Ink::Wrong));
     canvas.described(
         "Starts of the worked body next to its middle axis, by the spin's slips toward the two other axes, from 1e-16 to 1. Lines of equal \
-         complement k′, 1e-3 to 1e-15, have corners at the separatrix, evenly apart. Below about 1e-8 the modulus k rounds to 1.",
+         complement k′, 1e-3 to 1e-15, turn along the separatrix, evenly apart. Below about 1e-8 the modulus k rounds to 1.",
     )
 }
 
@@ -115,11 +129,12 @@ pub(super) fn zeros() -> Drawing {
     plot.x_axis([(-1.0, "−$K$"), (0.0, "0"), (1.0, "$K$"), (2.0, "2$K$")].map(tick), "real part of $u$");
     plot.y_axis([(-2.0, "−2$K$′"), (0.0, "0"), (2.0, "2$K$′")].map(tick), "imaginary part of $u$");
     canvas.arrow(plot.at(-1.2, 0.0), plot.at(3.0, 0.0), Pen::new(Ink::Text, 3.4));
-    canvas.label(plot.at(2.06, 0.1), &Label::new("the motion"));
-    let marks = [(DEPTH - 2.0, "$a$ is zero"), (DEPTH, "$b$ is zero"), (1.0, "pole of dn")];
-    let mirrored = marks.map(|(y, name)| (-y, if y < 1.0 { "mirror image" } else { name }));
-    for (y, name) in marks.into_iter().chain(mirrored) {
-        let fill = Fill::new(if name.contains('$') { Ink::Text } else { Ink::Paper });
+    canvas.label(plot.at(1.06, 0.1), &Label::new("the motion"));
+    let deep = depth(&Vector3::repeat(1.0))?;
+    let zeros = [(deep - 2.0, "$a$ is zero"), (deep, "$b$ is zero")];
+    let mirrored = [(2.0 - deep, "mirror of $a$"), (-deep, "mirror of $b$")];
+    for (y, name) in zeros.into_iter().chain(mirrored).chain([(1.0, "pole of dn"), (-1.0, "pole of dn")]) {
+        let fill = Fill::new(if name.ends_with("zero") { Ink::Text } else { Ink::Paper });
         for at in [0.0, 2.0].map(|x| plot.at(x, y)) {
             if y.abs() == 1.0 {
                 canvas.crosses([at], 6.0, Pen::new(Ink::Text, 2.4))
@@ -132,16 +147,16 @@ pub(super) fn zeros() -> Drawing {
     }
     canvas.described(format!(
         "The plane of the complex argument; the motion runs along the real axis. In each cell, 2 K wide, 4 K′ high, a has one zero near the \
-         lower edge, b one {DEPTH:.3} K′ above the axis; their mirror images are on the other side. Two poles of dn are K′ off."
+         lower edge, b one {deep:.3} K′ above the axis; their mirror images are on the other side. Two poles of dn are K′ off."
     ))
 }
 
 pub(super) fn both_numbers() -> Drawing {
     let (motion, righting) = worked(&Vector3::y())?;
-    let period = 0.5 * motion.period()?.ok_or("no period")?;
+    let half = 0.5 * motion.period()?.ok_or("no period")?;
     let canvas = Canvas::sized(500, 580);
-    let plot = Plot::new(&canvas, [44.0, 40.0, 466.0, 150.0], 0.0..2.0 * period, 0.0..1.0);
-    plot.x_axis([0.0, period, 2.0 * period].map(|t| (t, format!("{t:.2} s"))), "");
+    let plot = Plot::new(&canvas, [44.0, 40.0, 466.0, 150.0], 0.0..2.0 * half, 0.0..1.0);
+    plot.x_axis([0.0, half, 2.0 * half].map(|t| (t, format!("{t:.2} s"))), "");
     plot.y_axis([(0.0, "0".into()), (0.5, "½".into()), (1.0, "1".into())], "squares of the lengths");
     let place = |z: &Complex<f64>| (250.0 + 165.0 * z.re, 362.0 - 165.0 * z.im);
     canvas.disc((250.0, 362.0), 165.0, Fill::new(Ink::Surface), None);
@@ -149,25 +164,27 @@ pub(super) fn both_numbers() -> Drawing {
     let [solid, dashed] = [Pen::new(Ink::Text, 3.0), Pen::new(Ink::Text, 2.2).dashed()];
     for (k, pen, name, below) in [(0, solid, "$a$", 22.0), (1, dashed, "$b$", -8.0)] {
         let number = |i: i32| -> Result<Complex<f64>, tumbling::Error> {
-            let q = righting * motion.attitude(period * f64::from(i) / 240.0)?;
+            let q = righting * motion.attitude(half * f64::from(i) / 240.0)?;
             Ok(if k == 0 { Complex::new(q.w, q.j) } else { Complex::new(q.k, q.i) })
         };
         let values = (0..=480).map(number).collect::<Result<Vec<_>, _>>()?;
-        let square = |i: usize| (period * i as f64 / 240.0, values[i].norm_sqr());
+        let square = |i: usize| (half * i as f64 / 240.0, values[i].norm_sqr());
         plot.curve((0..=480).map(square), pen)?;
         let places: Vec<P> = values.iter().map(place).collect();
         canvas.path(&places[240..], pen.opacity(0.3));
         canvas.arrow_along(&places[..=240], pen);
         canvas.disc(places[0], 5.5, Fill::new(Ink::Text), None);
-        let (x, y) = plot.at(square(86).0, square(86).1);
-        canvas.label((x, y + below), &Label::new(name));
+        for ((x, y), dy) in [(plot.at(square(86).0, square(86).1), below), (places[120], 24.0)] {
+            canvas.label((x, y + dy), &Label::new(name));
+        }
         turned[k] = (values[240] / values[0]).arg().to_degrees().rem_euclid(360.0);
     }
     let [a, b] = turned;
-    let words = format!("after a period: $a$ turned by {a:.0}°, $b$ by {b:.0}°");
+    canvas.label((380.0, 238.0), &Label::new("unit circle"));
+    let words = format!("after a half period: $a$ turned by {a:.0}°, $b$ by {b:.0}°");
     canvas.label((250.0, 562.0), &Label::new(words).middle());
     canvas.described(format!(
-        "The worked body's complex numbers a and b, of length one together. Above, the squares of their lengths repeat after {period:.2} s. \
-         Below, a runs near the unit circle, b, dashed, inside; after a period a has turned by {a:.1}°, b by {b:.1}°, half a turn less."
+        "The worked body's complex numbers a and b, of length one together. Above, the squares of their lengths repeat after {half:.2} s. \
+         Below, a runs near the unit circle, b, dashed, inside; after a half period a has turned by {a:.1}°, b by {b:.1}°, half a turn less."
     ))
 }

@@ -64,8 +64,7 @@ fn exactly() -> Result<Vec<(f64, f64)>, Box<dyn std::error::Error>> {
 
 pub(super) fn draw() -> Drawing {
     let canvas = Canvas::sized(NARROW, 380);
-    let end = f64::from(END);
-    let plot = Plot::new(&canvas, [62.0, 50.0, 484.0, 316.0], 0.0..end, 0.0..94.0);
+    let plot = Plot::new(&canvas, [62.0, 50.0, 484.0, 316.0], 0.0..f64::from(END), 0.0..94.0);
     plot.x_axis((0..=4).map(|k| (15.0 * f64::from(k), (15 * k).to_string())), "time $t$ (s)");
     plot.y_axis([0, 30, 60, 90].map(|y| (f64::from(y), format!("{y}°"))), "lean of the spin from its axis");
     let mut sentences = Vec::new();

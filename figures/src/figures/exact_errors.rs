@@ -50,8 +50,7 @@ fn off(ours: &[f64], table: &[&str]) -> Option<f64> {
 /// The worst error of spin and of attitude of one body spun one way, in units.
 fn case(case: &Value) -> Option<[f64; 2]> {
     let vector = |field: &str| numbers(&case[field]).map(Vector3::from_vec);
-    let moments = vector("inertia")?;
-    let motion = FreeMotion::new(moments.try_into().ok()?, &vector("w0")?).ok()?;
+    let motion = FreeMotion::new(vector("inertia")?.try_into().ok()?, &vector("w0")?).ok()?;
     let mut units = [0.0_f64; 2];
     for (k, t) in numbers(&case["t"])?.into_iter().enumerate() {
         let at = motion.at(t).ok()?;

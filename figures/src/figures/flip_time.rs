@@ -46,8 +46,7 @@ pub(super) fn draw() -> Drawing {
     canvas.label((stair[1].0 - 6.0, stair[1].1 + 24.0), &Label::new("ten times smaller:").end());
     let longer = Label::new(format!("{decade:.2} s longer")).end().bold();
     canvas.label((stair[1].0 - 6.0, stair[1].1 + 46.0), &longer);
-    let word = plot.at(3e-9, 10.6);
-    canvas.label(word, &Label::new("line: the formula; rings: simulated"));
+    canvas.label(plot.at(3e-9, 10.6), &Label::new("line: the formula; rings: simulated"));
     canvas.described(format!(
         "Time between two flips of the box spun at {SPIN:.0} rad/s about its middle axis, against the slip, from {:.2} s at a \
          push of 0.1 to {:.2} s at 1e-12: nearly a straight line over a logarithmic axis, {decade:.2} s for each factor of \

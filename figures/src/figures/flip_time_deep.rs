@@ -38,8 +38,7 @@ pub(super) fn draw() -> Drawing {
         .ok_or("no plain time")?;
     let least = exact(&m, LEAST)?;
     let canvas = Canvas::sized(500, 400);
-    let (x, y) = (-324.0..0.0, 0.0..350.0);
-    let plot = Plot::new(&canvas, [50.0, 56.0, 486.0, 336.0], x, y);
+    let plot = Plot::new(&canvas, [50.0, 56.0, 486.0, 336.0], -324.0..0.0, 0.0..350.0);
     let ticks = (-3..=0).map(|n| (100.0 * f64::from(n), power_of_ten(100 * n)));
     plot.x_axis(ticks, "slip, as a fraction of the spin");
     plot.y_axis((0..=3).map(|n| (100.0 * f64::from(n), (100 * n).to_string())), "time between two flips (s)");

@@ -42,8 +42,7 @@ fn panel(
     canvas.label((14.0, top - 36.0), &Label::new(words).bold());
     let (x, y) = (0.0..SECONDS, -15.0..15.0);
     let plot = Plot::new(canvas, [46.0, top, 488.0, top + 180.0], x, y);
-    let title = if top > 100.0 { "time (s)" } else { "" };
-    plot.x_axis((0..=4).map(|s| (f64::from(s), s.to_string())), title);
+    plot.x_axis((0..=4).map(|s| (f64::from(s), s.to_string())), if top > 100.0 { "time (s)" } else { "" });
     plot.y_axis([-10, 0, 10].map(|w| (f64::from(w), w.to_string().replace('-', "−"))), "spin (rad/s)");
     let texts = ["$ω_1$ = $a_1$ cn", "$ω_2$ = $a_2$ sn", "$ω_3$ = $a_3$ dn"];
     for (i, axis) in Axis::ALL.into_iter().enumerate() {

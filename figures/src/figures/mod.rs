@@ -105,7 +105,7 @@ pub(crate) static ALL: &[Figure] = figures! {
     closed_form::complements, "complements", "closed-form", "The complement of the modulus for starts next to the middle axis";
     closed_form::psi, "psi", "closed-form", "The angle about the momentum that the closed form adds up";
     closed_form::zeros, "theta-zeros", "closed-form", "Zeros and poles of the attitude's two numbers in the plane of the argument";
-    closed_form::both_numbers, "pair", "closed-form", "The attitude's two complex numbers through a period";
+    closed_form::both_numbers, "pair", "closed-form", "The attitude's two complex numbers through two half periods";
     exact_errors::draw, "exact-errors", "exact-motion", "Errors of the exact motion over many bodies, relative to what a rounded input does";
     a_top::draw, "a-top", "a-top", "The axis of a top that was let go: it nods and goes round";
     four_steps::draw, "four-steps", "stepping-through-time", "What four methods make of the energy of a tumbling box";

@@ -114,8 +114,7 @@ fn bars(canvas: &Canvas, left: f64, top: f64, principal: &PrincipalAxes) {
         let moment = principal.moment(axis);
         let length = 200.0 * moment / most;
         canvas.tiles(&[[left, y, left + length, y + 14.0]], Fill::new(ink_of(axis)), None);
-        let name = Label::new(format!("$I_{}$", i + 1)).ink(ink_of(axis));
-        canvas.label((left - 7.0, y + 13.0), &name.end());
+        canvas.label((left - 7.0, y + 13.0), &Label::new(format!("$I_{}$", i + 1)).ink(ink_of(axis)).end());
         canvas.label((left + length + 6.0, y + 13.0), &Label::new(three_digits(moment * per)));
     }
 }
@@ -140,10 +139,8 @@ pub(super) fn draw() -> Drawing {
 
 /// One body in its cell; returns its words.
 fn one(canvas: &Canvas, corner: P, body: NamedBody) -> Result<String, Box<dyn std::error::Error>> {
-    let properties = body.properties()?;
-    let principal = properties.inertia().principal();
-    let centre = (corner.0 + 62.0, corner.1 + 54.0);
-    let view = |scale| View::new(centre, scale, -58.0, 20.0);
+    let principal = body.properties()?.inertia().principal();
+    let view = |scale| View::new((corner.0 + 62.0, corner.1 + 54.0), scale, -58.0, 20.0);
     let (mut parts, full_name) = (Vec::new(), body.to_string());
     body.each_part(&mut |part| parts.push(part));
     let longest = parts.iter().map(|part: &Part| part.along.norm()).fold(0.0, f64::max);

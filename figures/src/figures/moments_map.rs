@@ -123,8 +123,8 @@ pub(crate) fn growth_lines(canvas: &Canvas, plot: &Plot) -> Result<Vec<String>, 
 /// What the lines of equal growth are.
 pub(crate) fn growth_key(canvas: &Canvas, plot: &Plot) {
     let words = plot.at(0.76, 0.72);
-    let lines = [(0.0, "dashed: $λ/ω$,"), (21.0, "a slip’s growth"), (42.0, "per radian of spin")];
-    for (down, line) in lines {
+    for (down, line) in [(0.0, "dashed: $λ/ω$,"), (21.0, "a slip’s growth"), (42.0, "per radian of spin")]
+    {
         canvas.label((words.0, words.1 + down), &Label::new(line).ink(Ink::AxisMid).size(15.5));
     }
 }

@@ -5,8 +5,7 @@ use tumbling::{Axis, Error, Inertia};
 
 /// The box's tensor in world axes after a turn about z.
 fn world(inertia: &Inertia, degrees: f64) -> Result<Matrix3<f64>, Error> {
-    let attitude = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), degrees.to_radians());
-    Ok(inertia.turned(attitude)?.matrix())
+    Ok(inertia.turned(UnitQuaternion::from_axis_angle(&Vector3::z_axis(), degrees.to_radians()))?.matrix())
 }
 
 pub(super) fn draw() -> Drawing {

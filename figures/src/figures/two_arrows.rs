@@ -81,8 +81,7 @@ fn large(canvas: &Canvas, light: f64, heavy: f64, shown: &Arrows, gap: &str) {
     canvas.arrow(centre, w_tip, Pen::new(Ink::Omega, 3.6));
     canvas.arrow(centre, l_tip, Pen::new(Ink::Momentum, 3.6));
     canvas.disc(centre, 4.0, Fill::new(Ink::Text), None);
-    let w_text = Label::new("spin $!ω$").ink(Ink::Omega);
-    canvas.label((w_tip.0 + 8.0, w_tip.1 + 2.0), &w_text);
+    canvas.label((w_tip.0 + 8.0, w_tip.1 + 2.0), &Label::new("spin $!ω$").ink(Ink::Omega));
     canvas.label((l_tip.0 + 12.0, l_tip.1 + 8.0), &Label::new("momentum $!L$ = $I!ω$").ink(Ink::Momentum));
     let by_the_arc = polar(centre, 132.0, 0.5 * (shown.omega + shown.momentum));
     canvas.label((by_the_arc.0, by_the_arc.1 + 6.0), &Label::new(gap).bold().middle());

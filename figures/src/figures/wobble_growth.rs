@@ -38,8 +38,7 @@ pub(super) fn draw() -> Drawing {
         } else {
             canvas.label((tail.0 - 4.0, tail.1 + 22.0), &Label::new(format!("a slip of {power} rad")).end());
         }
-        let top = plot.at(0.5 * whole, 4.5);
-        canvas.label(top, &Label::new(format!("{:.1} s", 0.5 * whole)).middle());
+        canvas.label(plot.at(0.5 * whole, 4.5), &Label::new(format!("{:.1} s", 0.5 * whole)).middle());
         said.push(format!("After a slip of {push:.0e} rad it flips after {:.2} s", 0.5 * whole));
     }
     canvas.label(plot.at(0.05, 4.5), &Label::new("flip:"));

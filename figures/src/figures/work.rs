@@ -79,8 +79,7 @@ fn plot(canvas: &Canvas, corner: P, size: P, every: i32, title: &str) -> Plot {
     let plot = Plot::new(canvas, [left, top, left + size.0, top + size.1], across, up);
     let times = [(1e-6, "1 µs"), (1e-3, "1 ms"), (1.0, "1 s")];
     plot.x_axis(times.map(|(t, text)| (t, text.to_owned())), title);
-    let powers = (-16..=0).filter(|n| n % every == 0).map(|n| (10_f64.powi(n), power_of_ten(n)));
-    plot.y_axis(powers, "");
+    plot.y_axis((-16..=0).filter(|n| n % every == 0).map(|n| (10_f64.powi(n), power_of_ten(n))), "");
     plot
 }
 

@@ -187,8 +187,7 @@ fn thrown(model: &BodyModel, request: &Request, push: f64) -> Result<Body, Box<d
     let principal = model.principal();
     let across = if request.axis == Axis::Largest { Axis::Smallest } else { Axis::Largest };
     let omega = (principal.axis(request.axis) + push * principal.axis(across)) * request.spin;
-    let attitude = upwards(&model.inertia.momentum(&omega));
-    Ok(Body::spinning(model.inertia, attitude, &omega)?)
+    Ok(Body::spinning(model.inertia, upwards(&model.inertia.momentum(&omega)), &omega)?)
 }
 
 /// A share of the spin, in percent, about another axis.

@@ -60,8 +60,7 @@ fn large(canvas: &Canvas, subject: &Subject<'_>, plane: [Axis; 2], degrees: f64)
     canvas.label((14.0, 24.0), &Label::new(subject.name()).bold());
     for (which, at) in plane.into_iter().zip([(490.0, centre.1 + 44.0), (centre.0 - 10.0, 66.0)]) {
         let k = which as usize;
-        let name = Label::new(format!("{} axis", NAMES[k])).ink(ink_of(which)).end();
-        canvas.label(at, &name);
+        canvas.label(at, &Label::new(format!("{} axis", NAMES[k])).ink(ink_of(which)).end());
         let value =
             Label::new(format!("$I_{}$ = {} {unit}", k + 1, written[k])).ink(ink_of(which)).end().size(15.5);
         canvas.label((at.0, at.1 + 22.0), &value);

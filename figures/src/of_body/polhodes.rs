@@ -113,8 +113,7 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
 pub(crate) fn cover(subject: &Subject<'_>) -> Drawing {
     let canvas = Canvas::new(430);
     let view = View::new((340.0, 215.0), 208.0, 62.0, 24.0);
-    let shares = [0.12, 0.26, 0.4, 0.54, 0.68, 0.82, 0.94];
-    paths(&canvas, &view, subject, &shares)?;
+    paths(&canvas, &view, subject, &[0.12, 0.26, 0.4, 0.54, 0.68, 0.82, 0.94])?;
     canvas.described(words(subject))
 }
 

@@ -55,8 +55,7 @@ impl<'a> Panel<'a> {
             (0..=POINTS).map(|k| Ok(motion.omega(time(k))? / subject.spin)).collect();
         let run = run?;
         for i in order {
-            let points = run.iter().zip(0..).map(|(w, k)| (time(k) / self.unit, w[i]));
-            self.plot.curve(points, pens()[i])?;
+            self.plot.curve(run.iter().zip(0..).map(|(w, k)| (time(k) / self.unit, w[i])), pens()[i])?;
         }
         let last = run.last().copied().unwrap_or_default();
         for i in order.into_iter().rev() {
@@ -119,18 +118,15 @@ pub(crate) fn jacobi(subject: &Subject<'_>) -> Drawing {
         let top = 96.0 + 236.0 * k as f64;
         // With nothing about the middle axis at the start, this ratio of the others has the parameter.
         let ratio = (parameter * (m.z - m.y) * m.z / ((m.y - m.x) * m.x)).sqrt();
-        let start = Vector3::new(ratio, 0.0, 1.0) / ratio.hypot(1.0);
-        let motion = subject.motion(&start)?;
+        let motion = subject.motion(&(Vector3::new(ratio, 0.0, 1.0) / ratio.hypot(1.0)))?;
         let period = motion.period()?.ok_or("it does not return")?;
         let most = (0..=64)
             .map(|i| motion.omega(period * f64::from(i) / 64.0).map(|w| w.amax() / subject.spin))
             .try_fold(1.0_f64, |most, w| Ok::<_, tumbling::Error>(most.max(w?)))?;
         canvas.label((14.0, top - 16.0), &Label::new(words).bold().size(15.5));
-        let panel = Panel::new(&canvas, top, 2.0 * period, true, 1.1 * most);
-        panel.curves(subject, &motion, [0, 1, 2])?;
+        Panel::new(&canvas, top, 2.0 * period, true, 1.1 * most).curves(subject, &motion, [0, 1, 2])?;
     }
-    let key = "$ω_1$ as cn, $ω_2$ as sn, $ω_3$ as dn of Jacobi";
-    canvas.label((14.0, 546.0), &Label::new(key).size(15.5));
+    canvas.label((14.0, 546.0), &Label::new("$ω_1$ as cn, $ω_2$ as sn, $ω_3$ as dn of Jacobi").size(15.5));
     canvas.described(format!(
         "The three components of the spin of {} against time, two periods each. Above, for the parameter 0.04, the component about \
          the largest axis is nearly constant; below, for 0.9998, the component about the middle axis waits and changes sign quickly.",

@@ -248,12 +248,12 @@ impl Polynomial {
 
     /// In whole numbers, since to reduce the fraction of each product of two terms takes most of the time.
     fn product(&self, other: &Self) -> Self {
-        let [(a, below), (b, other)] = [self, other].map(|p| {
+        let [(a, below), (b, others_below)] = [self, other].map(|p| {
             let below = p.denominator();
             let whole = p.terms.iter().map(|(m, c)| (m, c.numer() * (&below / c.denom())));
             (whole.collect::<Vec<_>>(), below)
         });
-        let (below, mut sums) = (below * other, BTreeMap::<_, BigInt>::new());
+        let (below, mut sums) = (below * others_below, BTreeMap::<_, BigInt>::new());
         for (m, a) in &a {
             b.iter().for_each(|(n, b)| *sums.entry(m.times(n)).or_default() += a * b);
         }
