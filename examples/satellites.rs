@@ -15,7 +15,7 @@ const RATE: f64 = TAU / 5400.0; // rad/s
 
 /// Whether a satellite has too little energy to turn over, and its angle from the earth after a day, degrees.
 fn flown(k: usize) -> Result<(bool, f64), Error> {
-    // From -1 to 1, evenly, since roots of primes are irrational to each other.
+    // From -1 to 1, evenly, since no two roots of primes have a rational ratio.
     let even = |primes: [f64; 3]| Vector3::from(primes).map(|p| 2.0 * (k as f64 * p.sqrt()).fract() - 1.0);
     let (orbit, m) = (Vector3::z() * RATE, Vector3::new(10.0, 40.0, 45.0) + even([2.0, 3.0, 5.0])); // kg m²
     let (turn, spin) = (even([7.0, 11.0, 13.0]) * 0.5, orbit + even([17.0, 19.0, 23.0]) * 1e-3);

@@ -46,8 +46,9 @@ const MOST_PARTS: f64 = 1000.0;
 ///
 /// # Errors
 /// A step of more than 1000 parts: 500 radians. A needle whose smallest moment is below 1000 roundings of
-/// the others: turned, its momentum has no digits of the spin about its length. A motion that leaves `f64`,
-/// a body so thin that squares of its moments do, or an attitude of no length.
+/// the others, in `f32` a rod longer than 112 of its diameters: turned, its momentum has no digits of the
+/// spin about its length. A motion that leaves `f64`, a body so thin that squares of its moments do, or an
+/// attitude of no length.
 pub fn fixed_rate<T: Analytic>(system: &System<T>, start: &State<T>, h: T) -> Result<State<T>, Error> {
     let square = start.attitude.coords.dot(&start.attitude.coords).size();
     if !(1e-30..=1e30).contains(&square) {

@@ -102,7 +102,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         Self::by(body, Rule::Method(method))
     }
 
-    /// A free body, to be stepped at a fixed rate: by the method and with the parts of [`fixed_rate`].
+    /// A free body, to be stepped at a fixed rate: by the method and with the parts of [`fixed_rate`],
+    /// whose steps refuse what it refuses.
     ///
     /// # Errors
     /// As [`new`](Self::new).
