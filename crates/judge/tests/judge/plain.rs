@@ -53,11 +53,8 @@ fn a_spin_without_its_gyroscopic_term_fails_however_few_its_digits() {
     let verdict = judged(&text(&plain(false, false, 1200), |x| format!("{x:.4}")));
     assert_eq!(verdict.outcome, Outcome::Failed, "{verdict}");
     let diagnosis = verdict.diagnosis.unwrap();
-    let kept = |rule: &Rule| {
-        rule.method() == Some((Method::ConstantSpin, 1))
-            || *rule == Rule::plain(Base::Straight(Method::ConstantSpin, 1))
-    };
-    assert!(kept(&diagnosis.best.rule), "{diagnosis}");
+    let (best, straight) = (diagnosis.best.rule, Rule::plain(Base::Straight(Method::ConstantSpin, 1)));
+    assert!(best.method() == Some((Method::ConstantSpin, 1)) || best == straight, "{diagnosis}");
     // Stepped slowly enough for no single step to show it.
     let slow: String =
         (0..4000).map(|i| format!("{:.3},0.0100,0.1200,0.0100\n", 0.01 * f64::from(i))).collect();
