@@ -131,17 +131,14 @@ fn a_few_rows_that_are_written_again_or_for_the_next_leave_the_rule_as_it_is() {
     let runs = [Method::SemiImplicitEuler, Method::ImplicitMidpoint].map(|by| stepped(by, SPIN, 0.01, 600));
     for (k, rows) in runs.into_iter().chain([exact(SPIN, 0.01, 600)]).enumerate() {
         for (columns, late) in [(ATTITUDE, 0), (ATTITUDE, 1), (NO_ATTITUDE, 0), (NO_ATTITUDE, 1)] {
-            let row = |i: u32| {
-                if i % 300 == 5 { vec![f64::from(i - late); 2 - late as usize] } else { vec![i.into()] }
-            };
+            let again = |i: u32| u32::from(i % 300 == 5);
+            let row = |i| vec![f64::from(i - late * again(i)); (1 + again(i) * (1 - late)) as usize];
             let text = placed(&rows, (0..600).flat_map(row)).replacen(ATTITUDE, columns, 1);
             let said = judged(&text).to_string();
             let wanted = ["row before them: 2, first in", "Every step tried agrees", "engine's steps, once"];
-            assert!(wanted.iter().all(|words| said.contains(words)), "{said}");
-            assert!(
-                !["errors below that", "jumps", "acts on"].iter().any(|words| said.contains(words)),
-                "{said}"
-            );
+            let has = |words: &&str| said.contains(words);
+            assert!(wanted.iter().all(has), "{said}");
+            assert!(!["errors below that", "jumps", "acts on"].iter().any(has), "{said}");
             assert_eq!(said.contains("is not the rule."), k == 1 && columns == ATTITUDE, "{said}");
         }
     }

@@ -97,8 +97,7 @@ fn a_record_whose_numbers_end_is_judged_up_to_there_and_fails() {
     let good = crate::common::csv(&crate::common::exact(SPIN, 0.01, 400));
     for end in ["NaN", "inf", "1e999", "-NAN(IND)", "-nan(ind)", "1.#QNAN"] {
         let verdict = judged(&format!("{good}4.01,1,0,0,0,1,{end},0\n4.02,NaN,NaN,NaN,NaN,NaN,NaN,NaN\n"));
-        assert_eq!(verdict.outcome, Outcome::Failed);
-        assert_eq!(verdict.record.rows, 401);
+        assert_eq!((verdict.outcome, verdict.record.rows), (Outcome::Failed, 401));
         let said = verdict.to_string();
         assert!(said.contains("line 404, column 7 (`wy`)") && said.contains("udged up to there"), "{said}");
     }
