@@ -287,6 +287,38 @@ impl Comparison {
         })
     }
 
+    fn why(&self, f: &mut fmt::Formatter<'_>, k: usize, apart: &Apart) -> fmt::Result {
+        let far = "of the greatest distance from the start";
+        let parts = [["spin", "of the fastest"], ["attitude", "rad"], ["position", far]];
+        for (off, [part, unit]) in apart.off.iter().zip(parts) {
+            if let Some(since) = off.since {
+                let [most, limit] = [off.most, off.limit].map(plain_number);
+                writeln!(
+                    f,
+                    "  the {part} is off by up to {most} {unit}, and by more than {limit} from {since:.4} s on."
+                )?;
+            }
+        }
+        let [spin, attitude, position] = apart.off.map(|off| off.since);
+        let turns = spin.or(attitude);
+        let words = match (turns, position) {
+            (Some(t), _) if t == self.start => {
+                "It starts otherwise: compare the first rows, and judge the file alone for a mistake in it."
+            }
+            (Some(_), _) => {
+                "It starts alike: look at the tensor, its axes, the parts that make it up, and the engine's settings."
+            }
+            (None, Some(_)) => {
+                "It turns alike: look at the centre of mass and at the velocity at the start. A step of first order errs by \
+                 itself where the origin is off the centre."
+            }
+            _ => "",
+        };
+        writeln!(f, "  {words}")?;
+        let tensors = self.tensors(self.reference, k).filter(|_| turns.is_some_and(|t| t > self.start));
+        tensors.map_or(Ok(()), |words| writeln!(f, "  {words}"))
+    }
+
     /// How the moments and axes that two records' spins fit differ.
     fn tensors(&self, one: usize, other: usize) -> Option<String> {
         let [a, b] = [one, other].map(|k| self.inertia.get(k).copied().flatten());
@@ -345,39 +377,5 @@ impl fmt::Display for Comparison {
             self.why(f, *k, apart)?;
         }
         Ok(())
-    }
-}
-
-impl Comparison {
-    fn why(&self, f: &mut fmt::Formatter<'_>, k: usize, apart: &Apart) -> fmt::Result {
-        let far = "of the greatest distance from the start";
-        let parts = [["spin", "of the fastest"], ["attitude", "rad"], ["position", far]];
-        for (off, [part, unit]) in apart.off.iter().zip(parts) {
-            if let Some(since) = off.since {
-                let [most, limit] = [off.most, off.limit].map(plain_number);
-                writeln!(
-                    f,
-                    "  the {part} is off by up to {most} {unit}, and by more than {limit} from {since:.4} s on."
-                )?;
-            }
-        }
-        let [spin, attitude, position] = apart.off.map(|off| off.since);
-        let turns = spin.or(attitude);
-        let words = match (turns, position) {
-            (Some(t), _) if t == self.start => {
-                "It starts otherwise: compare the first rows, and judge the file alone for a mistake in it."
-            }
-            (Some(_), _) => {
-                "It starts alike: look at the tensor, its axes, the parts that make it up, and the engine's settings."
-            }
-            (None, Some(_)) => {
-                "It turns alike: look at the centre of mass and at the velocity at the start. A step of first order errs by \
-                 itself where the origin is off the centre."
-            }
-            _ => "",
-        };
-        writeln!(f, "  {words}")?;
-        let tensors = self.tensors(self.reference, k).filter(|_| turns.is_some_and(|t| t > self.start));
-        tensors.map_or(Ok(()), |words| writeln!(f, "  {words}"))
     }
 }

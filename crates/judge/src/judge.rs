@@ -100,9 +100,6 @@ fn probed(rows: &mut dyn Source) -> Result<Vec<Raw>, Error> {
     {
         probe.push(raw);
     }
-    match probe.len() {
-        0 => Err(Error::NoRows),
-        1 => Err(Error::OneRow),
-        _ => Ok(probe),
-    }
+    let few = [Error::NoRows, Error::OneRow].into_iter().nth(probe.len());
+    few.map_or(Ok(probe), Err)
 }

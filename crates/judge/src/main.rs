@@ -110,12 +110,9 @@ fn mended(wrong: &Error) -> String {
 
 fn print(text: &str) -> Result<(), String> {
     let mut out = std::io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(wrong) if wrong.kind() != ErrorKind::BrokenPipe => {
-            Err(format!("the verdict could not be written: {wrong}"))
-        }
-        _ => Ok(()),
-    }
+    let written = out.write_all(text.as_bytes()).and_then(|()| out.flush());
+    let wrong = written.err().filter(|wrong| wrong.kind() != ErrorKind::BrokenPipe);
+    wrong.map_or(Ok(()), |wrong| Err(format!("the verdict could not be written: {wrong}")))
 }
 
 fn open(file: &Path) -> Result<Box<dyn BufRead>, Error> {

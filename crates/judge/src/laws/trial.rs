@@ -21,10 +21,10 @@ pub struct Gaps {
 
 /// Of two stretches one is kept, now the first and now the second: always the first would see of what comes
 /// back every sixteenth row all or nothing.
-impl Stretch for [Pair; TRIED_RUN] {
+impl Stretch for [(Pair, bool); TRIED_RUN] {
     fn join(&self, next: &Self) -> Self {
         // Fibonacci hashing of its place.
-        let is_odd = (self[0].to.line as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 63 == 1;
+        let is_odd = (self[0].0.to.line as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 63 == 1;
         if is_odd { *next } else { *self }
     }
 }
@@ -35,9 +35,10 @@ pub(crate) struct Trial {
     pub laws: Laws,
     pub first: Row,
     /// Steps of a record of any length, evenly from all of it, in runs of steps that follow one another; the
-    /// run that is not full yet, and how many steps there are.
-    runs: Stretches<[Pair; TRIED_RUN]>,
-    run: Vec<Pair>,
+    /// run that is not full yet, and how many steps there are. Of each step whether it ends or starts with a
+    /// row that repeats the row before it: the row behind a missed one is two steps on.
+    runs: Stretches<[(Pair, bool); TRIED_RUN]>,
+    run: Vec<(Pair, bool)>,
     pub steps: u64,
     /// Whether the last row repeats the row before it, how often such rows come to an end, how many they are,
     /// and the line of the first.
@@ -116,24 +117,24 @@ impl Trial {
         self.steps += 1;
         let is_equal = self.is_equal(&pair);
         self.ends += u64::from(self.is_equal && !is_equal);
+        self.run.push((pair, is_equal || self.is_equal));
         self.is_equal = is_equal;
         if is_equal {
             self.equal.get_or_insert((0, pair.to.line)).0 += 1;
         }
-        self.run.push(pair);
         if let Ok(run) = self.run[..].try_into() {
             self.runs.push(run);
             self.run.clear();
         }
     }
 
-    /// The steps that rules are tried on: of a few rows that are written again none.
+    /// The steps that rules are tried on: none to or from a few rows that are written again.
     pub(crate) fn sample(&self) -> Vec<Pair> {
         let all = self.written_again().is_none() || self.repeats();
-        self.sampled().filter(|pair| all || !self.is_equal(pair)).collect()
+        self.sampled().filter(|step| all || !step.1).map(|step| step.0).collect()
     }
 
-    fn sampled(&self) -> impl Iterator<Item = Pair> {
+    fn sampled(&self) -> impl Iterator<Item = (Pair, bool)> {
         self.runs.all.iter().flatten().chain(&self.run).copied()
     }
 
@@ -151,8 +152,8 @@ impl Trial {
     /// comes to stay is none, nor is, of spins alone, one whose spin stays between pushes: these do not go by
     /// the law.
     pub(crate) fn written_again(&self) -> Option<(u64, usize)> {
-        let moves = |pair: &Pair| pair.from.omega != pair.to.omega;
-        let goes_on = || law(self.sampled().filter(moves), &self.known.moments).0 > LAW_AGREES;
+        let moving = self.sampled().map(|step| step.0).filter(|pair| pair.from.omega != pair.to.omega);
+        let goes_on = || law(moving, &self.known.moments).0 > LAW_AGREES;
         self.equal.filter(|_| self.ends > 0 && (self.first.attitude.is_some() || goes_on()))
     }
 

@@ -61,14 +61,14 @@ fn after<'a>(text: &'a str, word: &str) -> Option<&'a str> {
 /// one. Words behind it that are no unit are a remark, or make it prose where no colon stands before it.
 fn seconds(text: &str, name: &str, named: bool) -> Result<Option<f64>, String> {
     let whole = text.split([',', ';']).next().unwrap_or_default();
-    let digits = |c: char| c.is_ascii_digit();
+    let is_digit = |c: char| c.is_ascii_digit();
     // A fraction may stand with blanks about its stroke.
     let parts = whole.split_once('/').map(|(over, under)| (over.trim_end(), under.trim_start()));
-    let is_one = |(over, under): &(&str, &str)| over.ends_with(digits) && under.starts_with(digits);
+    let is_one = |(over, under): &(&str, &str)| over.ends_with(is_digit) && under.starts_with(is_digit);
     let said = parts.filter(is_one).map_or_else(|| whole.into(), |(over, under)| format!("{over}/{under}"));
     let mut words = said.split([' ', '\t', '(', ')', '[', ']']).filter(|word| !word.is_empty());
     let word = words.next().unwrap_or_default();
-    let end = word.rfind(|c: char| c.is_ascii_digit() || c == '.').map_or(word.len(), |at| at + 1);
+    let end = word.rfind(|c| is_digit(c) || c == '.').map_or(word.len(), |at| at + 1);
     let (number, unit) = word.split_at(end);
     let (over, under) = number.split_once('/').unwrap_or((number, "1"));
     let (Ok(over), Ok(under)) = (over.parse::<f64>(), under.parse::<f64>()) else { return Ok(None) };
@@ -153,28 +153,49 @@ fn tensor(text: &str, named: bool, known: bool) -> Result<Option<Parts>, String>
 
 /// Three numbers, constant in the world, behind a remark in brackets if there is one. Behind a colon numbers
 /// that are not three are a mistake, and before one they may be prose.
-fn torque(text: &str, named: bool) -> Result<Option<Vector3<f64>>, String> {
-    let behind = text.strip_prefix('(').and_then(|rest| rest.split_once("):"));
-    let (numbers_in, named) = behind.map_or((text, named), |(_, rest)| (rest, true));
+fn torque(before: &str, text: &str) -> Result<Option<Vector3<f64>>, String> {
+    let is_digit = |c: char| c.is_ascii_digit();
+    let is_remark = |words: &str| words.starts_with(['(', '[']) && words.ends_with([')', ']']);
+    let is_other = |words: &str| [",", ";", "free", "inertia", "moments"].iter().any(|x| words.contains(x));
+    let behind = text.split_once(':').filter(|(words, _)| is_remark(words) || !is_other(words));
+    let numbers_in = behind.filter(|x| is_remark(x.0) && x.1.contains(is_digit)).map_or(text, |x| x.1);
     no_decimal_comma(numbers_in, 3)?;
     let all: Vec<f64> = numbers(numbers_in).into_iter().map(|x| x.0).collect();
-    let has = |words: &str| after(text.split(';').next().unwrap_or(text), words).is_some();
-    let in_body = ["body axes", "body frame", "in body", "(body)"].into_iter().any(has) && !has("world");
-    // At most the name of an axis stands before the first digit.
-    let (before, _) = numbers_in.split_once(|c: char| c.is_ascii_digit()).unwrap_or(("none", ""));
-    let at_once = before.chars().filter(|c| c.is_alphabetic()).count() < 2;
+    let clause = behind.map_or(text, |x| x.1).split(';').next().unwrap_or_default();
+    let (words, rest) = clause.split_at(clause.find(is_digit).unwrap_or(clause.len()));
+    // At most the name of an axis stands before the first digit; or three numbers or a unit tell a torque.
+    let is_given = words.chars().filter(|c| c.is_alphabetic()).count() < 2
+        || words.trim_end().ends_with('=')
+        || ["N m", "Nm", "N*m", "N·m"].iter().any(|unit| rest.contains(unit))
+        || numbers(rest).len() > 2;
+    let of_time = words.ends_with("t=") || words.contains(',') && words.contains([':', '=']);
+    let named = behind.is_some() || before.trim_end().ends_with([':', '=']);
+    let is_said = named && is_given && !of_time && !rest.is_empty();
     match all[..] {
         [_, ..] if all.iter().all(|x| *x == 0.0) => Ok(Some(Vector3::zeros())),
-        [_, ..] if in_body => {
+        _ if (is_said || !all.is_empty()) && is_in_body(before, text) => {
             Err("the torque is one in body axes: known is one that is constant in the world".into())
         }
         [x, y, z] => Ok(Some(Vector3::new(x, y, z))),
-        _ if all.len() > 3 || named && at_once => {
+        _ if all.len() > 3 || is_said => {
             let count = all.len();
             Err(format!("a torque has three numbers, as in `torque: 0 0 0.1`, and {count} can be read here"))
         }
         _ => Ok(None),
     }
+}
+
+/// Whether what is said of a torque, up to the next field, speaks of the body otherwise than as that which it
+/// acts on.
+fn is_in_body(before: &str, text: &str) -> bool {
+    let is_own = |part: &&str| !part.contains([':', '=']);
+    let later = text.split(';').skip(1).take_while(is_own).filter(|part| after(part, "spin").is_none());
+    let own = before.rsplit(';').take(1).chain(text.split(';').take(1));
+    let said = own.chain(later).collect::<Vec<_>>().join(" ").to_ascii_lowercase();
+    let plain = said.replace("on the body", "").replace("rigid body", "");
+    let has_axes = ["axes", "frame", "fixed", "body's"].into_iter().any(|word| said.contains(word));
+    let has = |text: &str, word: &str| after(text, word).is_some();
+    !has(&said, "world") && (has(&plain, "body") || has(&said, "body") && has_axes)
 }
 
 /// What comes before a semicolon.
@@ -216,7 +237,7 @@ impl Header {
         }
         self.products.extend(OFF_DIAGONAL.into_iter().filter_map(one).map(|product| (product.0, line)));
         if let Some(text) = after(comment, "torque").filter(|_| self.torque.is_none()) {
-            self.torque = torque(text, named(text)).map_err(wrong)?;
+            self.torque = torque(&comment[..comment.len() - text.len()], text).map_err(wrong)?;
             unread = unread.or(self.torque.is_none().then_some("torque"));
         }
         for word in ["dt", "timestep", "time step", "time_step", "time-step", "step size", "step"] {

@@ -38,11 +38,8 @@ fn rounding_of(probe: &[Raw], group: usize, size: f64, stays: bool) -> f64 {
     // The first digit of an attitude's numbers stands for tenths.
     let first = i32::from(group == 1);
     let bits = all.clone().map(|exact| exact.bits).max().unwrap_or(u32::MAX);
-    let of_digits = if digits >= DIGITS_OF_DOUBLE {
-        0.0
-    } else {
-        10.0_f64.powi(first - i32::try_from(digits).unwrap_or(17))
-    };
+    let last = 10.0_f64.powi(first - i32::try_from(digits).unwrap_or(17));
+    let of_digits = if digits >= DIGITS_OF_DOUBLE { 0.0 } else { last };
     let of_bits = match bits {
         ..=BITS_OF_HALF if digits >= FEWEST_DIGITS && !stays => HALF,
         ..=BITS_OF_SINGLE if digits > DIGITS_OF_SINGLE => f64::from(f32::EPSILON),
@@ -99,16 +96,8 @@ impl Floor {
 
 /// How many digits from the first that is not zero, before an exponent.
 pub(crate) fn significant(field: &str) -> u32 {
-    let mut count = 0;
-    for byte in field.bytes() {
-        match byte {
-            b'e' | b'E' => break,
-            b'0' if count == 0 => {}
-            b'0'..=b'9' => count += 1,
-            _ => {}
-        }
-    }
-    count
+    let digits = field.split(['e', 'E']).next().unwrap_or_default().chars().filter(char::is_ascii_digit);
+    digits.skip_while(|digit| *digit == '0').count() as u32
 }
 
 /// How many bits of a number's binary digits are significant.

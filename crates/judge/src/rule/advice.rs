@@ -118,10 +118,11 @@ impl Advice {
             Confidence::NoneFits | Confidence::SmallErrors if jumps => Self::JUMPS,
             Confidence::NoneFits | Confidence::Altered if whole.on_wrong_side => Self::SIDE,
             Confidence::NoneFits | Confidence::Accurate if scatter => Self::TAKEN_BACK,
-            Confidence::NoneFits | Confidence::Interpolated if again => Self::RESAMPLED,
+            Confidence::NoneFits if again => Self::RESAMPLED,
+            Confidence::Interpolated => Self::RESAMPLED,
             Confidence::NoneFits if !floor.few => Self::COMPARE,
             Confidence::Accurate => Self::DRIFTS_ON,
-            Confidence::Interpolated | Confidence::Repeated | Confidence::FewSteps => Self::EACH_STEP,
+            Confidence::Repeated | Confidence::FewSteps => Self::EACH_STEP,
             Confidence::Scattered => Self::ALL_DIGITS,
             Confidence::SmallErrors => Self::FASTER,
             Confidence::FewDigits if floor.single => Self::SINGLE,
@@ -132,21 +133,25 @@ impl Advice {
                 match Self::of_rule(rule, turns) {
                     Self::TURNED_OTHERWISE if scatter => Self::TAKEN_BACK,
                     Self::NOTHING if floor.single => Self::SINGLE,
+                    Self::NOTHING if whole.again => Self::EACH_STEP,
                     Self::NOTHING if !whole.kept && !whole.fails_otherwise => Self::ADDS_UP,
                     Self::NOTHING if whole.fails => Self::NAMED_HERE,
                     other => other,
                 }
             }
         };
+        let fine = [Self::NOTHING, Self::KEEPS_ALL, Self::KEEPS_SIZES, Self::KEEPS_MOMENTUM, Self::OF_ORDER];
         // A rule with something altered has a fault of its own, and so has one between jumps.
         let more = (confidence.names_a_rule() && (jumps || rule.alteration.is_some()))
-            .then(|| Self::of_rule(&if jumps { *rule } else { Rule::plain(rule.base) }, turns));
+            .then(|| Self::of_rule(&if jumps { *rule } else { Rule::plain(rule.base) }, turns))
+            .filter(|more| !fine.contains(more));
         // A term that is found by the spin alone says nothing of what turns the attitude.
         let side = (whole.on_wrong_side && one != Self::SIDE && rule.is_of_spin()).then_some(Self::SIDE);
-        let fine = [Self::NOTHING, Self::KEEPS_ALL, Self::KEEPS_SIZES, Self::KEEPS_MOMENTUM, Self::OF_ORDER];
         let is_sound = confidence.names_a_rule() && !jumps && rule.alteration.is_none() && !rule.is_wrong();
         let other = (whole.fails_otherwise && is_sound && *rule != Rule::EXACT).then_some(Self::NOT_THE_RULE);
-        other.into_iter().chain([one]).chain(side).chain(more.filter(|more| !fine.contains(more))).collect()
+        let again =
+            Some(Self::EACH_STEP).filter(|each| whole.again && confidence.names_a_rule() && one != *each);
+        [other, Some(one), again, side, more].into_iter().flatten().collect()
     }
 
     /// What follows from a rule that all steps are made by.

@@ -98,7 +98,8 @@ pub(crate) struct Whole {
     pub kept: bool,
     /// The share of the pairs of rows that are one step apart.
     pub share: f64,
-    /// Whether rows repeat the row before them.
+    /// Whether rows repeat the row before them, and whether so many that they name no rule.
+    pub again: bool,
     pub repeats: bool,
     /// Whether the attitude is turned on the wrong side.
     pub on_wrong_side: bool,
@@ -317,8 +318,7 @@ pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &W
         confidence.names_a_rule() && (confidence != Confidence::ToRounding || best.rule != Rule::EXACT);
     let own: Vec<_> = engines(header, std::iter::once(&best.rule).chain(&alike));
     let leading = first_named(&best.rule, if named { &alike } else { &[] }, own.first().map(|own| own.0));
-    let again = hints.again.is_some() || confidence == Confidence::Interpolated;
-    let seen = [!jumps.is_empty(), turns, scatter, again];
+    let seen = [!jumps.is_empty(), turns, scatter, hints.again.is_some()];
     Some(Diagnosis {
         best: Explanation { rule: best.rule.times(subject.unit), ..best },
         alike: alike.iter().map(|rule| rule.times(subject.unit)).collect(),

@@ -56,6 +56,48 @@ impl Limits {
     pub const NONE: Self = Self { turn: None, component: None, spin: None, rate: None, straight: false };
     /// None, and the attitude stepped straight.
     pub const STRAIGHT: Self = Self { straight: true, ..Self::NONE };
+
+    /// What the limits make of the end of a part of a step of `h` seconds.
+    fn keep(
+        &self,
+        method: Method,
+        system: &System<f64>,
+        start: &State<f64>,
+        end: State<f64>,
+        part: f64,
+        h: f64,
+    ) -> Result<State<f64>, Error> {
+        let requested = system.omega(&end.momentum);
+        let mut omega = requested;
+        if let Some(most) = self.component {
+            // Cut in the world's axes, at the attitude before the turn.
+            let rotation = attitude::rotation_matrix(&start.attitude);
+            let world = rotation * requested;
+            if world.amax() > most {
+                omega = rotation.tr_mul(&world.map(|x| x.max(-most).min(most)));
+            }
+        }
+        if let Some(most) = self.spin.map(|angle| angle / h.abs()) {
+            let speed = omega.norm();
+            if speed > most {
+                omega *= most / speed;
+            }
+        }
+        let cut = omega != requested;
+        let most = self.turn.unwrap_or(f64::INFINITY);
+        if !cut && !self.straight && omega.norm() * part.abs() <= most {
+            return Ok(end);
+        }
+        let attitude = if self.straight || method == Method::RescaledLinearAttitude {
+            turned_straight(&start.attitude, &omega, part)
+        } else {
+            turned_beyond(&start.attitude, &omega, part, most)
+        };
+        let momentum = if cut { system.momentum(&omega) } else { end.momentum };
+        let beyond = attitude.coords.iter().chain(&momentum).find(|x| !x.is_finite());
+        let wrong = |x: &f64| Err(Error::unrepresentable("the motion after a step", *x));
+        beyond.map_or(Ok(State { attitude, momentum }), wrong)
+    }
 }
 
 impl PhysicsEngine {
@@ -117,50 +159,6 @@ pub(crate) fn parted(
         let end = method.step(&free, &motion, part)?;
         limits.keep(method, system, &motion, end, part, h)
     })
-}
-
-impl Limits {
-    /// What the limits make of the end of a part of a step of `h` seconds.
-    fn keep(
-        &self,
-        method: Method,
-        system: &System<f64>,
-        start: &State<f64>,
-        end: State<f64>,
-        part: f64,
-        h: f64,
-    ) -> Result<State<f64>, Error> {
-        let requested = system.omega(&end.momentum);
-        let mut omega = requested;
-        if let Some(most) = self.component {
-            // Cut in the world's axes, at the attitude before the turn.
-            let rotation = attitude::rotation_matrix(&start.attitude);
-            let world = rotation * requested;
-            if world.amax() > most {
-                omega = rotation.tr_mul(&world.map(|x| x.max(-most).min(most)));
-            }
-        }
-        if let Some(most) = self.spin.map(|angle| angle / h.abs()) {
-            let speed = omega.norm();
-            if speed > most {
-                omega *= most / speed;
-            }
-        }
-        let cut = omega != requested;
-        let most = self.turn.unwrap_or(f64::INFINITY);
-        if !cut && !self.straight && omega.norm() * part.abs() <= most {
-            return Ok(end);
-        }
-        let attitude = if self.straight || method == Method::RescaledLinearAttitude {
-            turned_straight(&start.attitude, &omega, part)
-        } else {
-            turned_beyond(&start.attitude, &omega, part, most)
-        };
-        let momentum = if cut { system.momentum(&omega) } else { end.momentum };
-        let beyond = attitude.coords.iter().chain(&momentum).find(|x| !x.is_finite());
-        let wrong = |x: &f64| Err(Error::unrepresentable("the motion after a step", *x));
-        beyond.map_or(Ok(State { attitude, momentum }), wrong)
-    }
 }
 
 /// `start` times `turn`, at length 1.

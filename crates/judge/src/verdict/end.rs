@@ -107,18 +107,21 @@ impl End<'_> {
 
     /// What the whole record shows, besides its single steps.
     fn whole(&self, complaints: &[Complaint]) -> Whole {
-        let Trial { known, laws, steps, pairs, resets, ended, .. } = self.trial;
+        let Trial { known, steps, pairs, resets, ended, .. } = self.trial;
         let sound = known.reading.mistakes().is_empty() && resets.is_empty() && ended.is_none();
         let broken: Vec<LawName> = self.broken().map(|law| law.name).collect();
         let fails = !sound || !broken.is_empty() || !complaints.is_empty();
         let unkept = self.laws.iter().filter(|law| is_length(law.name) && law.growth.rank() > 0);
-        let of_rows = |x: &Complaint| matches!(x, Complaint::Ended(_));
+        let again = self.trial.written_again().is_some();
+        let of_again = |x: &Complaint| again && matches!(x, Complaint::Otherwise { seen: None, .. });
+        let of_rows = |x: &Complaint| matches!(x, Complaint::Ended(_)) || of_again(x);
         Whole {
             fails_otherwise: fails && broken.is_empty() && complaints.iter().all(of_rows),
             broken,
             unkept: unkept.map(|law| law.name).collect(),
             fails,
-            kept: !laws.untraceable() && self.laws.iter().all(|law| law.growth.rank() == 0),
+            kept: self.laws.iter().all(|law| law.growth.rank() == 0),
+            again,
             repeats: self.trial.repeats(),
             share: *steps as f64 / (*pairs).max(1) as f64,
             on_wrong_side: complaints.iter().any(|complaint| {

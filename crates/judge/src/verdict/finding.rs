@@ -51,9 +51,8 @@ impl Diagnosis {
         let mut lines = vec![words];
         let unsaid =
             self.is_open() || matches!(self.confidence, Confidence::FewDigits | Confidence::NoneFits);
-        if !self.engines.is_empty() && !unsaid {
-            lines.push(format!("as in {}", self.engines.join("; or in ")));
-        }
+        let said = Some(&self.engines).filter(|engines| !engines.is_empty() && !unsaid);
+        lines.extend(said.map(|engines| format!("as in {}", engines.join("; or in "))));
         lines.extend(self.advice.iter().map(|Advice { words, chapter }| {
             let more = chapter.map(|place| format!(" More about it: chapter {place}"));
             format!("{words}{}", more.unwrap_or_default())

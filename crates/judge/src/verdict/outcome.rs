@@ -70,6 +70,9 @@ pub struct Recording {
     pub sign_changes: u64,
 }
 
+/// Of the keys: another one where a key goes or changes its meaning, or a word is new.
+pub(crate) const VERSION: u32 = 3;
+
 /// A verdict.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Verdict {
@@ -115,12 +118,7 @@ impl Verdict {
     pub fn broken(&self) -> impl Iterator<Item = &Law> {
         self.laws.iter().filter(|law| !self.options.allows(law))
     }
-}
 
-/// Of the keys: another one where a key goes or changes its meaning, or a word is new.
-pub(crate) const VERSION: u32 = 3;
-
-impl Verdict {
     /// All of it as one JSON object.
     ///
     /// `version` is that of the keys: 3 since no start is fitted, 2 since a grade may be `changed, then

@@ -255,13 +255,8 @@ impl Verdict {
             };
             all.push(("Missing", format!("nothing is known of {} (the record has {why})", names.join(", "))));
         }
-        if record.sign_changes > 0 {
-            let times = record.sign_changes;
-            all.push((
-                "Signs",
-                format!("the quaternion changes its sign {times} times; the attitude does not"),
-            ));
-        }
+        let signs = |times| format!("the quaternion changes its sign {times} times; the attitude does not");
+        all.extend(Some(record.sign_changes).filter(|times| *times > 0).map(|times| ("Signs", signs(times))));
         all.into_iter().map(|(title, line)| section(title, [line])).collect()
     }
 }

@@ -239,10 +239,7 @@ pub(crate) fn plain_number(x: f64) -> String {
     let scientific = format!("{x:.2e}");
     let (digits, power) = scientific.split_once('e').unwrap_or((&scientific, "0"));
     match power.parse() {
-        Ok(power @ -3..=4_i32) => {
-            let decimals = usize::try_from(2 - power).unwrap_or(0);
-            format!("{x:.decimals$}")
-        }
+        Ok(power @ -3..=4_i32) => format!("{x:.0$}", usize::try_from(2 - power).unwrap_or(0)),
         _ => {
             let raised = |c| match c {
                 '-' => '⁻',

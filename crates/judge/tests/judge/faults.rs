@@ -57,6 +57,11 @@ fn a_tensor_frozen_where_the_body_started_is_named_under_damping_too() {
     assert!(name.starts_with("damping left on (0.2/s") && frozen, "{name}");
 }
 
+const GIVEN: &str = "torque: x=0 y=0 z=1|torque: Mz = 0.1|torque: constant, 0.1 N m|torque about z: 0 0 1";
+const IN_BODY: &str = "torque (body): 0 0 1|torque: 0 0 1 in the body frame; world: y up|torque: 0 0 1; in body axes|\
+     torque: body-fixed 0 0 1|torque [body]: 0 0 1|torque (N m, body): 0 0 1|torque: 0 0 1, on the body's axes|\
+     body torque: 0 0 1|torque in body axes: 0 0 1|torque: body 0 0 1|torque: [0; 0; 1] in the frame of the body";
+
 #[test]
 fn a_tensor_may_be_written_in_six_or_nine_numbers_and_a_step_in_place_of_times() {
     let text = csv(&stepped(Method::ConstantSpin, SPIN, H, 100));
@@ -100,34 +105,27 @@ fn a_tensor_may_be_written_in_six_or_nine_numbers_and_a_step_in_place_of_times()
         assert!(with(Some(Vector3::new(1.0, 2.0, 2.5)), bad).is_ok(), "{bad}");
     }
     let times = "dt: 1/60|dt: 1 / 60 s|dt: 1 / 60|step: 1 / 60 (s)|timestep: 1 / 60|time step: 1 / 60|\
-                 time_step: 1 / 60|step size: 1 / 60"
-        .split('|');
-    let counts = "step 3 of the tutorial|Step 1: integrate|step: 3 of 10|step: 3 / 10".split('|');
-    let read = times.map(|dt| (dt, "Some(0.01666")).chain(counts.map(|dt| (dt, UNTIMED)));
-    for (dt, says) in read.chain([
+                 time_step: 1 / 60|step size: 1 / 60";
+    for (all, says) in [
+        (times, "Some(0.01666"),
+        ("step 3 of the tutorial|Step 1: integrate|step: 3 of 10|step: 3 / 10", UNTIMED),
         ("dt: 1/60 Hz", "line 1: the step is given as 1/60 Hz, a fraction of a frequency: write"),
         ("dt: 1 / 2 kHz", "line 1: the step is given as 1/2 kHz, a fraction of a frequency: write"),
         ("dt: 5 ms / frame", "Some(0.005"),
-        ("dt: 100Hz", "Some(0.01"),
-        ("dt: 0.1 kHz", "Some(0.01"),
-        ("dt: 100 fps", "Some(0.01"),
-        ("dt: 10ms", "Some(0.01"),
-        ("dt: (0.5 s)", "Some(0.5)"),
-        ("dt: 0.5 (1/2)", "Some(0.5)"),
-        ("dt: 0.5 fixed", "Some(0.5)"),
-        ("dt: 2 hertz", "Some(0.5)"),
+        ("dt: 100Hz|dt: 0.1 kHz|dt: 100 fps|dt: 10ms", "Some(0.01"),
+        ("dt: (0.5 s)|dt: 0.5 (1/2)|dt: 0.5 fixed|dt: 2 hertz", "Some(0.5)"),
         ("dt: 0 Hz", "line 1: the step is given as 0 Hz: it must be above zero"),
         ("dt: 100 MHz", "line 1: the unit `MHz` is not known: s, ms"),
-        ("torque: 0,5 0 0", "line 1: a number has a decimal comma"),
-        ("torque: [0,5; 0; 0] N m", "line 1: a number has a decimal comma"),
+        ("torque: 0,5 0 0|torque: [0,5; 0; 0] N m", "line 1: a number has a decimal comma"),
         ("torque: 1 2 3 4", "line 1: a torque has three numbers, as in `torque: 0 0 0.1`, and 4"),
-        ("torque: x=0 y=0 z=1", "line 1: a torque has three numbers"),
-        ("torque (body): 0 0 1", "line 1: the torque is one in body axes"),
-        ("torque: 0 0 1 in the body frame; world: y up", "line 1: the torque is one in body axes"),
-    ]) {
-        let text = untimed.replacen("2.5 kg m2", &format!("2.5; {dt}"), 1);
-        let found = judge(text.as_bytes(), &Options::default()).map(|verdict| verdict.record.step);
-        let found = found.map_or_else(|error| error.to_string(), |step| format!("{step:?}"));
-        assert!(found.starts_with(says), "{found}");
+        (GIVEN, "line 1: a torque has three numbers, as in `torque: 0 0 0.1`, and 0"),
+        (IN_BODY, "line 1: the torque is one in body axes"),
+    ] {
+        for said in all.split('|') {
+            let text = untimed.replacen("2.5 kg m2", &format!("2.5; {said}"), 1);
+            let found = judge(text.as_bytes(), &Options::default());
+            let found = found.map_or_else(|wrong| wrong.to_string(), |x| format!("{:?}", x.record.step));
+            assert!(found.starts_with(says), "{said}: {found}");
+        }
     }
 }

@@ -43,14 +43,11 @@ fn the_points_to_draw_a_run_by_are_the_rows_and_the_exact_motion() {
     }
     let json = verdict.json();
     let curve = &json["curve"];
-    for name in ["time", "energy", "momentum", "direction", "phase"] {
-        assert_eq!(curve[name].as_array().unwrap().len(), verdict.curve.len(), "{name}");
-    }
-    for name in ["spin", "exact", "spin_least", "spin_greatest", "exact_least", "exact_greatest"] {
-        for axis in 0..3 {
-            assert_eq!(curve[name][axis].as_array().unwrap().len(), verdict.curve.len(), "{name}");
-        }
-    }
+    let one = ["time", "energy", "momentum", "direction", "phase"].map(|name| vec![&curve[name]]);
+    let three = ["spin", "exact", "spin_least", "spin_greatest", "exact_least", "exact_greatest"]
+        .map(|name| [0, 1, 2].map(|axis| &curve[name][axis]).to_vec());
+    let lengths = one.iter().chain(&three).flatten().map(|all| all.as_array().unwrap().len());
+    assert!(lengths.eq([verdict.curve.len(); 23]));
     assert_eq!(curve["spin"][1][0].as_f64(), Some(3.0));
     let flips = verdict.flips.unwrap();
     assert_eq!(flips.times.len() as u64, flips.found);

@@ -56,8 +56,7 @@ fn the_exact_motion_at_another_pace_fails_and_at_its_own_passes() {
         assert_eq!(verdict.outcome, Outcome::Failed, "{verdict}");
         assert!(complains(&verdict, "periods of the exact motion"), "{verdict}");
         // The caller's own limit takes the place of the usual one.
-        let options = Options::default().with(LawName::Phase, 1e3);
-        let verdict = judge(text.as_bytes(), &options).unwrap();
+        let verdict = judge(text.as_bytes(), &Options::default().with(LawName::Phase, 1e3)).unwrap();
         assert_eq!(verdict.outcome, Outcome::Passed, "{verdict}");
     }
 }

@@ -53,11 +53,8 @@ fn a_spin_without_its_gyroscopic_term_fails_however_few_its_digits() {
     let verdict = judged(&text(&plain(false, false, 1200), |x| format!("{x:.4}")));
     assert_eq!(verdict.outcome, Outcome::Failed, "{verdict}");
     let diagnosis = verdict.diagnosis.unwrap();
-    let kept = |rule: &Rule| {
-        rule.method() == Some((Method::ConstantSpin, 1))
-            || *rule == Rule::plain(Base::Straight(Method::ConstantSpin, 1))
-    };
-    assert!(kept(&diagnosis.best.rule), "{diagnosis}");
+    let (best, straight) = (diagnosis.best.rule, Rule::plain(Base::Straight(Method::ConstantSpin, 1)));
+    assert!(best.method() == Some((Method::ConstantSpin, 1)) || best == straight, "{diagnosis}");
     // Stepped slowly enough for no single step to show it.
     let slow: String =
         (0..4000).map(|i| format!("{:.3},0.0100,0.1200,0.0100\n", 0.01 * f64::from(i))).collect();
@@ -100,8 +97,7 @@ fn a_record_whose_numbers_end_is_judged_up_to_there_and_fails() {
     let good = crate::common::csv(&crate::common::exact(SPIN, 0.01, 400));
     for end in ["NaN", "inf", "1e999", "-NAN(IND)", "-nan(ind)", "1.#QNAN"] {
         let verdict = judged(&format!("{good}4.01,1,0,0,0,1,{end},0\n4.02,NaN,NaN,NaN,NaN,NaN,NaN,NaN\n"));
-        assert_eq!(verdict.outcome, Outcome::Failed);
-        assert_eq!(verdict.record.rows, 401);
+        assert_eq!((verdict.outcome, verdict.record.rows), (Outcome::Failed, 401));
         let said = verdict.to_string();
         assert!(said.contains("line 404, column 7 (`wy`)") && said.contains("udged up to there"), "{said}");
     }
