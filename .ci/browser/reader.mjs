@@ -149,8 +149,8 @@ export async function withoutScripts(open, base, page, fault) {
  */
 export async function questions(open, base, pages, fault) {
   let seen = 0;
-  const page = await open(base, { hasTouch: true });
   for (const name of pages.filter((name) => !["print.html", "index.html"].includes(name))) {
+    const page = await open(base, { hasTouch: true });
     await page.goto(base + name);
     const boxes = page.locator(".question");
     for (let k = 0; k < await boxes.count(); k += 1, seen += 1) {
@@ -204,8 +204,8 @@ export async function questions(open, base, pages, fault) {
       wants("then the answer is there", await answer.isVisible());
       wants("and the page is", page.url() === address);
     }
+    await page.context().close();
   }
-  await page.context().close();
   if (seen < 20) fault("questions", `there are ${seen} only`);
   for (const [name, options] of [["toss-a-book.html", { javaScriptEnabled: false }], ["print.html", {}]]) {
     const page = await open(base, options);

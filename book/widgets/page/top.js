@@ -378,9 +378,10 @@ tumblingLive.widget("top", async (stage, from) => {
         });
     }
     scrub.addEventListener("input", () => {
+        const t = Number(scrub.value); // `fully` sets it
         pause();
         if (state.fine > FINE) fully();
-        say(at(Number(scrub.value)));
+        say(at(t));
     });
     dragged(canvas("body"), (right, down) => {
         state.turn += 0.5 * right;
