@@ -103,8 +103,8 @@ impl<T: Field> System<T> {
     }
 }
 
-/// The system, prepared for Moser and Veselov's steps as where the moment about this axis is the smallest: of
-/// letters none is, and proofs choose.
+/// The system, prepared for Moser and Veselov's steps as if the moment about this axis were the smallest: no
+/// letter is, so proofs choose.
 pub fn prepared_about<T: Analytic>(mut system: System<T>, axis: usize) -> System<T> {
     system.corrections = Corrections::about(axis % 3, &system.moments);
     system

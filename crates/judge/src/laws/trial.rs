@@ -157,7 +157,7 @@ impl Trial {
         self.equal.filter(|_| self.ends > 0 && (self.first.attitude.is_some() || goes_on()))
     }
 
-    /// Whether so many rows are written again, and not in one place alone, that they name no rule.
+    /// Whether too many rows are written again, in more than one place, for a rule to be named.
     pub(crate) fn repeats(&self) -> bool {
         self.ends > 1 && self.written_again().is_some_and(|x| x.0 as f64 >= REPEATED * self.steps as f64)
     }

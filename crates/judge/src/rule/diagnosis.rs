@@ -98,7 +98,7 @@ pub(crate) struct Whole {
     pub kept: bool,
     /// The share of the pairs of rows that are one step apart.
     pub share: f64,
-    /// Whether rows repeat the row before them, and whether so many that they name no rule.
+    /// Whether rows repeat the row before them, and whether too many do for a rule to be named.
     pub again: bool,
     pub repeats: bool,
     /// Whether the attitude is turned on the wrong side.

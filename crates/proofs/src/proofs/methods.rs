@@ -30,7 +30,7 @@ macro_rules! methods {
                 "One step of the method of this name from the attitude without a turn, in units of the first moment, agrees with the motion of every free body through the power $p = ", $order, "$ of the step, in every component of attitude and momentum; for two starts in exact fractions not through the next, so that its order is no higher. \
                 For these two, the first power of the step at which the method changes the energy is $e = ", $e, "$, the momentum's length $m = ", $m, "$, the momentum in the world $d = ", $d, "$, the attitude's length $l = ", $l, "$, and that at which a step back does not lead to the start $b = ", $b, "$; 0 stands for none through two or four powers more than its order: a test of what is kept, a proof of what is not. \
                 Weights that are no roots of whole numbers stand with 27 digits, and what they leave over has no coefficient above a quintillionth; exact ones lie next to them. \
-                Where the step tells the axis of the smallest moment apart, each is taken for it to order 6, and above the first.");
+                Where a step depends on which axis has the smallest moment, the proof takes each axis in turn up to order 6, and the first axis above it.");
             Proof {
                 name: $name,
                 part: "step",
@@ -173,8 +173,8 @@ fn holds(method: Method, more: usize) -> Outcome {
         agrees(method, case, 0..=order)?;
         breaks("the next power does not agree", agrees(method, case, order + 1..=order + 1))?;
     }
-    // Of letters none is the smallest: about each axis in turn. The two highest orders, about the first axis
-    // alone, take long enough.
+    // No letter is the smallest, so the proof chooses the axis. The two highest orders take too long to run
+    // about all three.
     let axes = if order <= 7 && method.info().name.starts_with("Moser") { 3 } else { 1 };
     let about = |(system, start), axis| (prepared_about(system, axis), start);
     (0..axes).try_for_each(|axis| agrees(method, &about(any(), axis), 0..=order))
