@@ -106,7 +106,7 @@ pub(crate) fn check(folder: &Path) -> Result<Report, String> {
         report.offences.extend(found.offences);
         report.held.extend(found.held);
         report.offences.extend(answers::offences(chapter));
-        report.offences.extend(equations::offences(chapter, &mut report.held));
+        report.offences.extend(equations::offences(chapter, &mut report.held)?);
     }
     Ok(report)
 }

@@ -26,8 +26,11 @@ fn maths(chapter: &Chapter) -> Vec<Equation> {
 }
 
 /// Proves the equations of a chapter; what cannot be proven is an offence.
-pub(crate) fn offences(chapter: &Chapter, held: &mut Vec<String>) -> Vec<Offence> {
-    let read = read(&laws::of(&chapter.name), &maths(chapter));
+///
+/// # Errors
+/// The list of exemptions cannot be read.
+pub(crate) fn offences(chapter: &Chapter, held: &mut Vec<String>) -> Result<Vec<Offence>, String> {
+    let read = read(&laws::of(&chapter.name)?, &maths(chapter));
     let (again, proven): (Vec<_>, _) = read.proven.into_iter().partition(|s| s.again);
     let kinds = [proven, again, read.apart, read.exempt, read.notation, read.values];
     for (settled, how) in kinds.into_iter().zip(KINDS) {
@@ -40,7 +43,7 @@ pub(crate) fn offences(chapter: &Chapter, held: &mut Vec<String>) -> Vec<Offence
         let expected = format!("an equation that the library's functions prove ({problem})");
         chapter.offence(line.unwrap_or(1), format!("`{tex}`"), &expected)
     };
-    read.faults.into_iter().map(offence).collect()
+    Ok(read.faults.into_iter().map(offence).collect())
 }
 
 /// Chapters that have laws to prove and are not among these.

@@ -62,6 +62,7 @@ pub(super) const CHAPTERS: &[(&str, &[Law])] = &[
 
 /// What of `equations.toml` is said of a piece of maths.
 #[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
 struct Line {
     chapter: String,
     tex: String,
@@ -69,7 +70,8 @@ struct Line {
     proof: Option<String>,
 }
 
-#[derive(Deserialize, Default)]
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
 struct Lists {
     exempt: Vec<Line>,
     notation: Vec<Line>,
@@ -83,20 +85,40 @@ fn own(lines: &'static [Line], chapter: &str) -> &'static [Exemption] {
         .leak()
 }
 
-/// What is expected of a chapter. The guard names each equation that a list which cannot be read would miss.
-pub(super) fn of(chapter: &str) -> Expected {
-    static LISTS: OnceLock<Lists> = OnceLock::new();
-    static ALL: OnceLock<Vec<(&str, Expected)>> = OnceLock::new();
-    let text = || files::text(&paths::book().join("equations.toml")).unwrap_or_default();
+/// What is expected of a chapter.
+///
+/// # Errors
+/// `equations.toml` cannot be read, at which line and why.
+pub(super) fn of(chapter: &str) -> Result<Expected, String> {
+    static ALL: OnceLock<Result<Vec<(&str, Expected)>, String>> = OnceLock::new();
     let all = ALL.get_or_init(|| {
-        let lists = LISTS.get_or_init(|| toml::from_str(&text()).unwrap_or_default());
+        let text = files::text(&paths::book().join("equations.toml"))?;
+        let Lists { exempt, notation } = &*Box::leak(Box::new(read(&text)?));
         let of = |&(name, laws)| {
-            (
-                name,
-                Expected { laws, exemptions: own(&lists.exempt, name), notation: own(&lists.notation, name) },
-            )
+            (name, Expected { laws, exemptions: own(exempt, name), notation: own(notation, name) })
         };
-        CHAPTERS.iter().map(of).collect()
+        Ok(CHAPTERS.iter().map(of).collect())
     });
-    all.iter().find(|known| known.0 == chapter).map_or(Expected::NOTHING, |known| known.1)
+    let mut all = all.as_ref().map_err(String::clone)?.iter();
+    Ok(all.find(|known| known.0 == chapter).map_or(Expected::NOTHING, |known| known.1))
+}
+
+fn read(text: &str) -> Result<Lists, String> {
+    toml::from_str(text).map_err(|e| format!("book/equations.toml: {e}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::read;
+
+    #[test]
+    fn a_broken_list_of_equations_is_named_with_its_line_and_what_is_wrong() {
+        let right = "[[exempt]]\nchapter = \"a\"\ntex = 'x'\nwhy = 'y'\n[[notation]]\nchapter = \"a\"\ntex = 'z'\nwhy = 'y'\n";
+        assert!(read(right).is_ok());
+        for (from, to, at) in [("why", "whi", 4), ("'z'", "'z", 7), ("[not", "[nut", 5), ("tex", "", 3)] {
+            let wrong = read(&right.replacen(from, to, 1)).err().unwrap_or_default();
+            let says = format!("book/equations.toml: TOML parse error at line {at},");
+            assert!(wrong.contains(&says), "{wrong}");
+        }
+    }
 }
