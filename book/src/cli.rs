@@ -263,16 +263,9 @@ mod tests {
 
     #[test]
     fn options_go_with_their_command_alone() {
-        for words in [
-            "build --site example.org",
-            "figures --check --format svg",
-            "figures --width 0",
-            "figures --body hamer",
-            "figures --check --body hammer",
-            "report nothing",
-            "measure --check",
-            "measure scenes --check --builds",
-        ] {
+        let all = "build --site example.org, figures --check --format svg, figures --width 0, figures --body hamer, \
+                   figures --check --body hammer, report nothing, measure --check, measure scenes --check --builds";
+        for words in all.split(", ") {
             assert!(parsed(words).is_err(), "{words}");
         }
     }

@@ -15,7 +15,7 @@ use syn::{BinOp, Expr, ExprLit, Lit, Token};
 #[derive(Debug, Default)]
 pub(crate) struct Code {
     pub(crate) phrases: Vec<Phrase>,
-    /// The strings without a number that assertions expect: answers in words.
+    /// The strings without a number or a denial that assertions expect: answers in words.
     pub(crate) answers: Vec<String>,
     /// What holds nothing, though it looks so: the line, from zero, what stands there, and what would be
     /// right.
@@ -214,13 +214,14 @@ impl<'a> Reader<'a> {
         digits.parse().map(|v: f64| if minus { -v } else { v }).into_iter().collect()
     }
 
-    /// One side of `assert_eq!`: strings with numbers are what the text must repeat.
+    /// One side of `assert_eq!`: strings with numbers, and those that deny, are what the text must repeat.
     fn expected(&mut self, expr: &Expr, certainty: Certainty) {
         match expr {
             Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => {
                 let at = self.literal(text.span());
                 let phrase = Phrase::new(&text.value(), true, at.line, certainty);
-                if digits::plain(&phrase.text).is_empty() {
+                let negates = DENIALS.iter().any(|words| phrase.text.contains(words));
+                if digits::plain(&phrase.text).is_empty() && !negates {
                     self.code.answers.push(phrase.text);
                 } else {
                     self.code.phrases.push(phrase);
@@ -263,6 +264,8 @@ impl<'a> Reader<'a> {
     }
 }
 
+/// A string with one of these says that something does not happen: dropped from the text, it is missed.
+const DENIALS: [&str; 4] = ["does not", "do not", "it is not", "never "];
 /// What an assertion should be.
 const COMPUTED: &str = "a computed value compared with what it must be";
 /// Where a number may come from that is called exact.

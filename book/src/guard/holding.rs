@@ -178,7 +178,7 @@ impl Checker<'_> {
     fn quoted(&self, passage: &Passage, phrases: &[Phrase]) -> Vec<(Range<usize>, Holder)> {
         let text = &passage.text;
         let rows = passage.kind == Kind::Row && phrases.iter().any(Phrase::is_row);
-        let read = matches!(passage.kind, Kind::Prose | Kind::Row | Kind::Heading(_));
+        let read = !matches!(passage.kind, Kind::Alt | Kind::Comment | Kind::Note);
         let mut found: Vec<(Range<usize>, Holder)> = Vec::new();
         for fact in self.own_facts() {
             let holder = ("a fact".to_owned(), Certainty::Fact);
