@@ -38,10 +38,11 @@ pub(super) fn print(
         (name, kind) => problems::sheet(paper, name, size, setting, kind == "answers"),
     };
     let file = |at: usize, ending| folder.join(format!("{}-{}.{ending}", sheets[at].0, sheets[at].1));
+    // First what can be printed by hand, whatever becomes of the browser.
+    for at in 0..sheets.len() {
+        write(&file(at, "html"), make(at, [FITS / 2, 0])?.as_bytes())?;
+    }
     let Some(browser) = browser::found() else {
-        for at in 0..sheets.len() {
-            write(&file(at, "html"), make(at, [FITS / 2, 0])?.as_bytes())?;
-        }
         say!("{NO_BROWSER}");
         return Ok(());
     };
@@ -55,10 +56,7 @@ pub(super) fn print(
         write_changed(&file(at, "html"), make(at, found[at])?.as_bytes())?;
         browser::pdf(&browser, &file(at, "html"))
     };
-    each_made(sheets.len(), printed, |at, pdf, _| {
-        say!("{}", file(at, "html").display());
-        write(&file(at, "pdf"), &mended(pdf?, &paper.about))
-    })
+    each_made(sheets.len(), printed, |at, pdf, _| write(&file(at, "pdf"), &mended(pdf?, &paper.about)))
 }
 
 /// The settings of a sheet of this kind, the best first; the last takes the fewest pages.
