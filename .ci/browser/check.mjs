@@ -34,7 +34,7 @@ const shots = values.shots ? path.resolve(values.shots) : null;
 const atOnce = Number(values["at-once"]);
 const folder = path.resolve(values.pages);
 const names = (await readdir(folder)).filter((name) => name.endsWith(".html")).sort();
-const pages = names.filter((name) => name !== "toc.html"); // that one is a frame of the others
+const pages = names.filter((name) => !/^toc\b/.test(name)); // these are frames of the others
 if (pages.length < 3) throw new Error(`no book in ${folder}: build it first`);
 if (shots) await mkdir(shots, { recursive: true });
 

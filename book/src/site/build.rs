@@ -114,8 +114,8 @@ mod tests {
         let pages = build_into(Some(folder.path()), Some(&site)).unwrap();
         let chapters = include_str!("../../chapters/SUMMARY.md").matches("](").count();
         // Besides the chapters: the first once more as index, the table of contents, the whole book
-        // for printing, and the page for addresses that lead nowhere.
-        assert_eq!(pages, chapters + 4);
+        // for printing, and the page for addresses that lead nowhere; the table of contents in German.
+        assert_eq!(pages, chapters + 5);
         for file in TO_TAKE_ALONG {
             assert!(folder.path().join("engine").join(file).exists(), "{file}");
         }
@@ -127,8 +127,10 @@ mod tests {
         for name in ["index.html", "404.html", "toc.html", "print.html", "proofs.html"] {
             assert_eq!(read(name).matches("og:image").count(), 1, "{name}");
         }
-        let german = read("toss-a-book-de.html");
+        let [german, toc] = ["toss-a-book-de.html", "toc-de.html"].map(read);
         assert!(german.contains("<html lang=\"de\"") && !german.contains("\"Next chapter\""));
+        assert!(german.contains("\"toc-de.html\""));
+        assert!(toc.contains("Hauptachsen") && !toc.contains("-book.html"));
         let files = fs::read_dir(folder.path()).unwrap().map(|file| file.unwrap().path());
         let index = files.filter(|file| file.to_string_lossy().contains("searchindex"));
         let index: String = index.map(|file| fs::read_to_string(file).unwrap()).collect();

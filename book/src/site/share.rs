@@ -48,6 +48,9 @@ pub(crate) fn tell(book: &Path, pages: &Path, site: Option<&Site>) -> Result<(),
     let Some(sentences) = Sentences::read(book)? else {
         return Ok(());
     };
+    for (name, sentence) in OTHERS {
+        rewrite(&pages.join(format!("{name}.html")), |html| with_head(&named(html), sentence, None, site))?;
+    }
     let mut map = String::new();
     for name in sentences.pages() {
         let sentence = sentences.of(Path::new(name))?;
@@ -56,8 +59,14 @@ pub(crate) fn tell(book: &Path, pages: &Path, site: Option<&Site>) -> Result<(),
         let index = name == "introduction";
         let address = if index { String::new() } else { format!("{name}.html") };
         rewrite(&file, |html| with_head(&html, sentence, Some(&address), site))?;
-        if let Some((own, _)) = Language::of(name)? {
-            write_changed(&file, own.framed(&files::text(&file)?)?.as_bytes())?;
+        if let Some((own, original)) = Language::of(name)? {
+            // Without scripts the contents are a page in a frame; this chapter's leads to itself.
+            let toc = format!("toc-{}.html", own.code);
+            let page = own.framed(&files::text(&file)?)?.replace("\"toc.html\"", &format!("\"{toc}\""));
+            write_changed(&file, page.as_bytes())?;
+            let all = own.markup(&files::text(&pages.join("toc.html"))?).0;
+            let all = all.replace(&format!("{original}."), &format!("{name}."));
+            write_changed(&pages.join(toc), all.as_bytes())?;
         }
         if index {
             write_changed(&pages.join("index.html"), &files::bytes(&file)?)?;
@@ -65,9 +74,6 @@ pub(crate) fn tell(book: &Path, pages: &Path, site: Option<&Site>) -> Result<(),
         if let Some(Site(root)) = site {
             map.push_str(&format!("<url><loc>{root}{address}</loc></url>\n"));
         }
-    }
-    for (name, sentence) in OTHERS {
-        rewrite(&pages.join(format!("{name}.html")), |html| with_head(&named(html), sentence, None, site))?;
     }
     if site.is_some() {
         let text = format!(
@@ -87,12 +93,8 @@ fn rewrite(file: &Path, change: impl Fn(String) -> Option<String>) -> Result<boo
 
 /// The page with a title and a place for a description: mdBook's table of contents has neither.
 fn named(html: String) -> String {
-    if html.contains("<title>") {
-        return html;
-    }
-    let head = "<meta charset=\"UTF-8\">\n        <title>Contents - Tumbling</title>\n        \
-                <meta name=\"description\" content=\"\">";
-    html.replacen("<meta charset=\"UTF-8\">", head, 1)
+    let head = "<meta charset=\"UTF-8\">\n<title>Contents - Tumbling</title>\n<meta name=\"description\" content=\"\">";
+    if html.contains("<title>") { html } else { html.replacen("<meta charset=\"UTF-8\">", head, 1) }
 }
 
 /// The page with its own description; nothing if it has none to replace. Without an address it is no page for
@@ -100,10 +102,8 @@ fn named(html: String) -> String {
 fn with_head(html: &str, sentence: &str, address: Option<&str>, site: Option<&Site>) -> Option<String> {
     let written = between(html, "<title>", "</title>")?;
     // The first page has the book's own name.
-    let title = match written.split_once(" - ") {
-        Some((page, book)) if page == book => book,
-        _ => written,
-    };
+    let doubled = written.split_once(" - ").filter(|(page, book)| page == book);
+    let title = doubled.map_or(written, |(_, book)| book);
     let old = between(html, "<meta name=\"description\" content=\"", "\">")?;
     let sentence = escaped(sentence);
     // Without an address the picture's is relative: enough for those who read the pages where they stand.
