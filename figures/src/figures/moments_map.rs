@@ -5,9 +5,10 @@ use crate::picture::Drawing;
 use tumbling::body::named::NamedBody;
 use tumbling::dynamics::stability::rate_squared;
 
-/// The triangle of possible bodies, with its corners and edges named.
-pub(crate) fn map(canvas: &Canvas) -> Result<Plot, Box<dyn std::error::Error>> {
-    let plot = Plot::new(canvas, [52.0, 92.0, 432.0, 412.0], 0.0..1.0, 0.5..1.0);
+/// The triangle of possible bodies, as wide as its sheet allows.
+pub(crate) fn map() -> Result<(Canvas, Plot), Box<dyn std::error::Error>> {
+    let canvas = Canvas::sized(500, 570);
+    let plot = Plot::new(&canvas, [46.0, 78.0, 474.0, 506.0], 0.0..1.0, 0.5..1.0);
     let tenths = |range: std::ops::RangeInclusive<i32>| {
         range.map(|i| (0.1 * f64::from(i), format!("{:.1}", 0.1 * f64::from(i))))
     };
@@ -16,7 +17,7 @@ pub(crate) fn map(canvas: &Canvas) -> Result<Plot, Box<dyn std::error::Error>> {
     canvas.label((14.0, 30.0), &Label::new("middle moment over the largest, $I_2/I_3$"));
     let corners = [(0.0, 1.0), (0.5, 0.5), (1.0, 1.0)].map(|(x, y)| plot.at(x, y));
     canvas.area(&corners, Fill::new(Ink::Surface), Some(Pen::new(Ink::Text, 2.2)));
-    Ok(plot)
+    Ok((canvas, plot))
 }
 
 /// Two lines on each side of the triangle that no body crosses, and what stands in its corners.
@@ -29,11 +30,11 @@ pub(crate) fn edges(canvas: &Canvas, plot: &Plot) {
         }
     };
     outside(0.335, 0.57, ["flat: plates", "$I_1 + I_2 = I_3$"], true);
-    outside(0.68, 0.57, ["round: wheels, coins", "$I_1 = I_2$"], false);
+    outside(0.665, 0.57, ["round: wheels, coins", "$I_1 = I_2$"], false);
     let corner = plot.at(0.5, 0.5);
     canvas.label((corner.0 + 22.0, corner.1 - 8.0), &Label::new("disk").size(15.5));
     let ball = plot.at(1.0, 1.0);
-    canvas.label((ball.0 + 10.0, ball.1 + 5.0), &Label::new("ball").size(15.5));
+    canvas.label((ball.0, ball.1 - 12.0), &Label::new("ball").size(15.5).end());
     let needle = plot.at(0.0, 1.0);
     canvas.label((needle.0, needle.1 - 12.0), &Label::new("needle").size(15.5));
     let top = plot.at(0.5, 1.0);
@@ -71,8 +72,7 @@ fn points(canvas: &Canvas, plot: &Plot) -> Result<Vec<String>, Box<dyn std::erro
 }
 
 pub(super) fn draw() -> Drawing {
-    let canvas = Canvas::sized(500, 476);
-    let plot = map(&canvas)?;
+    let (canvas, plot) = map()?;
     edges(&canvas, &plot);
     let said = points(&canvas, &plot)?;
     canvas.described(format!(
@@ -122,7 +122,7 @@ pub(crate) fn growth_lines(canvas: &Canvas, plot: &Plot) -> Result<Vec<String>, 
 
 /// What the lines of equal growth are.
 pub(crate) fn growth_key(canvas: &Canvas, plot: &Plot) {
-    let words = plot.at(0.76, 0.72);
+    let words = plot.at(0.73, 0.70);
     for (down, line) in [(0.0, "dashed: $λ/ω$,"), (21.0, "a slip’s growth"), (42.0, "per radian of spin")]
     {
         canvas.label((words.0, words.1 + down), &Label::new(line).ink(Ink::AxisMid).size(15.5));
@@ -131,8 +131,7 @@ pub(crate) fn growth_key(canvas: &Canvas, plot: &Plot) {
 
 /// How much the angle grows on the way of one radian of spin: lines of equal growth over the map.
 pub(super) fn draw_growth() -> Drawing {
-    let canvas = Canvas::sized(500, 476);
-    let plot = map(&canvas)?;
+    let (canvas, plot) = map()?;
     let levels = growth_lines(&canvas, &plot)?;
     edges(&canvas, &plot);
     points(&canvas, &plot)?;

@@ -47,8 +47,7 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
 
 /// Its place in the triangle of all bodies, with lines of equal growth or without.
 fn place(subject: &Subject<'_>, growth: bool) -> Drawing {
-    let canvas = Canvas::sized(500, 476);
-    let plot = map(&canvas)?;
+    let (canvas, plot) = map()?;
     edges(&canvas, &plot);
     if growth {
         growth_lines(&canvas, &plot)?;
