@@ -7,6 +7,11 @@ export async function twoArrows(page, wants) {
   const spin = "#two-arrows-spin";
   const numbers = () => Promise.all(["spin", "momentum", "gap"].map((what) => shown(page, "two-arrows", what)));
 
+  // The arrows do not answer the question above them, and part once it is answered.
+  const before = (await numbers())[2];
+  await page.locator(".question button").first().click();
+  wants(`the gap is ${before} before the question is answered, then ${(await numbers())[2]}`, before === "0.0°" && (await numbers())[2] === "31.0°");
+
   // The chapter's own numbers, and the worked example.
   const text = (await page.textContent("main")).replace(/\s+/g, " ");
   const [, ...pairs] = text.match(/at (\d+)° of spin the momentum stands at ([\d.]+°), and at (\d+)° it stands at ([\d.]+°)/) ?? [];

@@ -113,11 +113,14 @@ tumblingLive.meeting = (canvas, colours, half, names, { get, moved, ended }) => 
                 pen.fill();
                 if (!faces(end)) continue;
                 pen.fillStyle = colours.fg;
+                pen.strokeStyle = colours.bg;
                 pen.font = colours.font;
                 // So far to the side that a small loop about the dot, and the point on it, leave it free.
                 const aside = x > 0.6 * width ? -1 : x < 0.4 * width ? 1 : 0;
                 pen.textAlign = { "-1": "right", 0: "center", 1: "left" }[aside];
-                pen.fillText(name, x + 24 * aside, y + (aside ? 5 : y > height / 2 ? 18 : -8));
+                const place = [x + 24 * aside, y + (aside ? 5 : y > height / 2 ? 18 : -8)];
+                pen.strokeText(name, ...place); // and where a large loop passes, the name stands clear of it
+                pen.fillText(name, ...place);
             }
         });
         pen.globalAlpha = faces(now) ? 1 : 0.4;

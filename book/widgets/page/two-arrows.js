@@ -150,5 +150,16 @@ tumblingLive.widget("two-arrows", async (stage, origin) => {
     back.addEventListener("click", () => say(show()));
     const change = () => say(show());
     for (const control of [spin, body, between]) control.addEventListener("input", change);
+    // Apart, unless a question above is still to be answered: until then the arrows lie together and do not answer it.
+    const question = document.querySelector(".question");
+    if (question && question.dataset.state !== "told") {
+        spin.value = 0;
+        new MutationObserver((_, seen) => {
+            seen.disconnect();
+            if (spin.value !== "0") return;
+            spin.value = 45;
+            show();
+        }).observe(question, { attributeFilter: ["data-state"] });
+    }
     show();
 });
