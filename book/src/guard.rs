@@ -7,7 +7,7 @@
 //!
 //! - **asserted**: a string that an `assert_eq!` expects. That its digits are right is the doc-test's affair.
 //!   The text must say it, and say first what is asserted first. One that begins with `|` is a whole row of a
-//!   table;
+//!   table. A string without a number that denies (`never closes`) must be said too;
 //! - **noted**: the comment behind a line of code, divided by `;`. Its numbers must be literals of that line,
 //!   one after the other, so that inputs too are said as they are;
 //! - **a fact** of `facts.toml`, which the text must state. The versions in the README are facts of the

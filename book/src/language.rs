@@ -261,7 +261,7 @@ fn without_targets(text: &str) -> (String, Vec<&str>) {
 }
 
 /// Digits with this mark for decimals in place of that one.
-fn with(text: &str, mark: char, other: char) -> String {
+pub(crate) fn with(text: &str, mark: char, other: char) -> String {
     let all: Vec<char> = text.chars().collect();
     let digit = |at: Option<usize>| at.and_then(|at| all.get(at)).is_some_and(char::is_ascii_digit);
     let decimal = |at: usize| all[at] == mark && digit(at.checked_sub(1)) && digit(Some(at + 1));

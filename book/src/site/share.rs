@@ -1,6 +1,6 @@
 //! What a page says to other programs: its description, how it looks when shared, and the map of the site.
 
-use crate::language::Language;
+use crate::language::{Language, with};
 use crate::site::files::{self, write_changed};
 use crate::site::places::{Sentences, escaped};
 use std::path::Path;
@@ -64,9 +64,10 @@ pub(crate) fn tell(book: &Path, pages: &Path, site: Option<&Site>) -> Result<(),
             let toc = format!("toc-{}.html", own.code);
             let page = own.framed(&files::text(&file)?)?.replace("\"toc.html\"", &format!("\"{toc}\""));
             write_changed(&file, page.as_bytes())?;
-            let all = own.markup(&files::text(&pages.join("toc.html"))?).0;
+            let all = own.markup(&files::text(&pages.join("toc.html"))?.replace("&#39;", "'")).0;
             let all = all.replace(&format!("{original}."), &format!("{name}."));
-            write_changed(&pages.join(toc), all.as_bytes())?;
+            // A chapter's number is no decimal.
+            write_changed(&pages.join(toc), with(&all, ',', '.').as_bytes())?;
         }
         if index {
             write_changed(&pages.join("index.html"), &files::bytes(&file)?)?;
