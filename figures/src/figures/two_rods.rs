@@ -8,12 +8,12 @@ const TILT: f64 = 0.5;
 /// The rods of the chapter, tilted in two ways from each axis about which they spin, and how each mass is
 /// pulled outward: as strongly as it is heavy and far from that axis.
 pub(super) fn draw() -> Drawing {
-    let canvas = Canvas::sized(500, 636);
+    let canvas = Canvas::sized(500, 596);
     let tilt = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), -TILT);
     let [x, y, z] = [Vector3::x(), Vector3::y(), Vector3::z()];
     let rows = ["Spun flat: both held", "About the light rod: one flung", "About the heavy rod: both flung"];
     for (row, words) in rows.into_iter().enumerate() {
-        canvas.label((14.0, 24.0 + 212.0 * row as f64), &Label::new(words).bold());
+        canvas.label((14.0, 24.0 + 198.0 * row as f64), &Label::new(words).bold());
     }
     // Where the heavy and the light rod lie before the tilt, the axis upright.
     #[rustfmt::skip]
@@ -23,7 +23,7 @@ pub(super) fn draw() -> Drawing {
         (z, y, "toward the light pair"), (z, x, "across"),
     ];
     for (k, (heavy, light, toward)) in tilts.into_iter().enumerate() {
-        let centre: P = (125.0 + 250.0 * (k % 2) as f64, 112.0 + 212.0 * (k / 2) as f64);
+        let centre: P = (125.0 + 250.0 * (k % 2) as f64, 106.0 + 198.0 * (k / 2) as f64);
         let view = View::new(centre, 46.0, 24.0, 16.0);
         canvas.line(view.at(&(-1.5 * z)), view.at(&(1.5 * z)), Pen::new(Ink::Omega, 2.2).dash_dotted());
         for (rod, mass) in [(light, 0.5), (heavy, 1.0)] {
@@ -35,7 +35,7 @@ pub(super) fn draw() -> Drawing {
                 canvas.disc(at, 3.0 + 5.0 * mass, Fill::new(Ink::Surface), Some(Pen::new(Ink::Text, 1.6)));
             }
         }
-        canvas.label((centre.0, centre.1 + 88.0), &Label::new(toward).size(15.5).middle());
+        canvas.label((centre.0, centre.1 + 83.0), &Label::new(toward).size(15.5).middle());
     }
     canvas.described(
         "Two rods that cross in their middles, with a heavy pair of masses at the ends of one and a light pair at the ends of the \
