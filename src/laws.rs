@@ -8,4 +8,4 @@ pub use crate::exact::series::{
 pub use crate::number::real::Real;
 pub use crate::solid::mesh::{mesh_moments, tetrahedron_moments};
 pub use crate::step::position_stage::turn::{change_of_spin, conserving_rate, conserving_turn};
-pub use crate::step::system::prepared_about;
+pub use crate::step::system::altered;

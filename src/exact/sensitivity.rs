@@ -70,8 +70,8 @@ impl FreeMotion {
     /// from `t` to the start, the lower left zero, the lower right the derivative of the spin by that at the
     /// start.
     ///
-    /// The derivatives are those of the closed form, in every regime. In tests each block is right to 8
-    /// roundings of its own norm, times the angle in radians that the body has spun through where that is
+    /// The derivatives come in every regime, by the closed form or by series. In tests each block is right to
+    /// 8 roundings of its own norm, times the angle in radians that the body has spun through where that is
     /// above 1.
     ///
     /// ```

@@ -1,7 +1,7 @@
 //! What is known of a method: its order and the quantities that it conserves.
 
-/// A method's name, and its order and conserved quantities in free motion: the order is proven, and each
-/// quantity is tested.
+/// A method's name, and its order and conserved quantities in free motion: the order is proven (that of the
+/// longest splitting but for the last digits of its decimal weights), and each quantity is tested.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct MethodInfo {
     /// Its usual name.

@@ -27,7 +27,7 @@ const MOST_PARTS: f32 = 4096.0;
 ///
 /// - But for rounding, the step changes neither energy nor momentum, whatever the spin and `h`, if no axis is
 ///   locked. So the energy that a body gains is the work that the engine's velocity stages do.
-/// - A step by `-h` leads back.
+/// - But for rounding, a step by `-h` leads back.
 /// - The rate of the turn is right to the sixth power of the turn in a step, that of the flips to the
 ///   eighth. A turn of more than half a radian is taken in parts.
 ///

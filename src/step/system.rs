@@ -4,9 +4,10 @@ use crate::attitude;
 use crate::body::{Rate, State};
 use crate::dynamics::{euler, observe};
 use crate::error::{Error, Refusal, Subject, representable};
-use crate::inertia::PrincipalMoments;
+use crate::inertia::{PrincipalMoments, ascending};
 use crate::number::{Analytic, Field};
 use crate::step::methods::moser_veselov::Corrections;
+pub use crate::step::methods::moser_veselov::altered;
 use crate::step::torque::{Instant, Torque};
 use crate::step::torques::Torques;
 use alloc::vec::Vec;
@@ -103,13 +104,6 @@ impl<T: Field> System<T> {
     }
 }
 
-/// The system, prepared for Moser and Veselov's steps as if the moment about this axis were the smallest: no
-/// letter is, so proofs choose.
-pub fn prepared_about<T: Analytic>(mut system: System<T>, axis: usize) -> System<T> {
-    system.corrections = Corrections::about(axis % 3, &system.moments);
-    system
-}
-
 impl<T: Analytic> System<T> {
     /// A system of any [`Analytic`] numbers, unchecked: a moment of zero is divided by as the number type
     /// does, and of moments that no body has a step may be refused.
@@ -117,7 +111,7 @@ impl<T: Analytic> System<T> {
     pub fn of_numbers(moments: Vector3<T>, torques: Vec<Torque<T>>) -> Self {
         let inverse = moments.map(|moment| T::one() / moment);
         let sum = Torques::of(&torques);
-        let corrections = Corrections::of(&moments);
+        let corrections = Corrections::about(ascending(&moments.map(|moment| moment.size()))[0], &moments);
         Self { moments, inverse, torques, sum, time: T::zero(), corrections }
     }
 

@@ -37,6 +37,13 @@ impl Theta {
         i64::from(there) * if odd { -1 } else { 1 }
     }
 
+    /// The first coefficient at zero, as a power series in the nome, but for `q^(1/4)` of a sum over halves;
+    /// for a `slope` each term counts with its frequency, `2n`.
+    pub(crate) fn first(self, slope: bool) -> Fraction {
+        let term = |twice: i64| self.sign(twice) * if slope { twice } else { 1 };
+        Fraction::from(if self.halves { term(-1) + term(1) } else { term(0) })
+    }
+
     /// After half of the quasi-period: `n² + n = (n + 1/2)² - 1/4`, so the indices move by a half.
     pub(crate) fn after_half_a_quasi_period(self) -> Self {
         Self { halves: !self.halves, ..self }

@@ -39,6 +39,9 @@ pub(crate) trait Cases {
     fn cases(self) -> Result<Vec<Scope>, Residue>;
 }
 
+/// What the names of a sentence mean, or what is left over.
+pub(crate) type Case<S = Scope> = Result<S, Residue>;
+
 macro_rules! cases {
     ($($T:ty: |$found:ident| $all:expr;)*) => {$(
         impl Cases for $T {

@@ -36,17 +36,11 @@ impl Region {
 
     /// A parameter that runs from `from` to `to`, which may hold the parameters before it.
     pub(crate) fn between(self, name: &str, from: &Polynomial, to: &Polynomial) -> Self {
-        self.between_with(name, from, to, Derivation::default())
+        self.along(name, from, to, Derivation::default())
     }
 
     /// A parameter with which other symbols change too.
-    pub(crate) fn between_with(
-        mut self,
-        name: &str,
-        from: &Polynomial,
-        to: &Polynomial,
-        also: Derivation,
-    ) -> Self {
+    pub(crate) fn along(mut self, name: &str, from: &Polynomial, to: &Polynomial, also: Derivation) -> Self {
         let run = Run::Between(name.into(), from.clone(), to.clone());
         self.ranges.push(Range { rate: also.and(name, Fraction::one()), run });
         self

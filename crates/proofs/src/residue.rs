@@ -46,12 +46,9 @@ pub enum Residue {
 const SHOWN: usize = 8;
 
 fn shortened(x: &Fraction) -> String {
-    let count = x.numerator().len();
-    if count <= SHOWN {
-        return x.to_string();
-    }
-    let few: Vec<_> = x.to_string().split_inclusive([' ']).take(6 * SHOWN).map(str::to_owned).collect();
-    format!("{}... ({count} terms)", few.concat())
+    let (count, text) = (x.numerator().len(), x.to_string());
+    let few: String = text.split_inclusive([' ']).take(6 * SHOWN).collect();
+    if count > SHOWN { format!("{few}... ({count} terms)") } else { text }
 }
 
 impl fmt::Display for Residue {

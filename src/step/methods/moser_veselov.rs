@@ -16,13 +16,14 @@
 //!
 //! Their powers in `h` come from the exact motion: for it, `1/K_j = 4 p0 p_j / (h (L + L')_j)` with `(p0, p)`
 //! the turn of one step. `crates/proofs/programs/moser_veselov.py` expands this in exact fractions and prints
-//! the sums below. The order of the result is proven of this very code, on power series.
+//! the sums below. The order of the result is proven of this very code, on power series: up to 6 of the whole
+//! step, and to 4 and more of the altered moments, which the motion itself has to that order in the equation
+//! that the step solves.
 
 use super::implicit::{cramer, whole};
 use crate::attitude;
 use crate::body::State;
 use crate::error::{Error, Refusal, Subject};
-use crate::inertia::ascending;
 use crate::number::functions::atan2;
 use crate::number::{Analytic, Field};
 use crate::step::system::System;
@@ -83,17 +84,10 @@ impl<T: Analytic> Prepared<T> {
     pub(crate) fn new(system: &System<T>, momentum: &Vector3<T>, h: &T, order: u32) -> Result<Self, Error> {
         let corrections = &system.corrections;
         let (value, least) = (corrections.shape[0].size(), LEAST_RATIO * T::rounding());
-        if value < least {
-            let meaning = "for the momentum to have digits of the spin about each axis";
-            return Err(Refusal::TooSmall { what: Subject::MomentRatio, value, least, meaning }.into());
-        }
+        let meaning = "for the momentum to have digits of the spin about each axis";
+        Refusal::TooSmall { what: Subject::MomentRatio, value, least, meaning }.when(value < least)?;
         let whole = corrections.unit.clone() * h.clone();
-        let (a, b) = if order > 2 {
-            corrections.at(&momentum.map(|x| x * whole.clone()), order)
-        } else {
-            (T::one(), T::zero())
-        };
-        let inverse = corrections.ratios.map(|x| a.clone() * x + b.clone());
+        let (a, inverse) = corrections.altered(&momentum.map(|x| x * whole.clone()), order);
         for (before, after) in corrections.ratios.as_slice().iter().zip(inverse.as_slice()) {
             let change = (after.clone() - before.clone()).size();
             if change >= MOST_ALTERED * before.size() {
@@ -120,10 +114,8 @@ impl<T: Analytic> Prepared<T> {
         let c = self.tangents(&half)?;
         let square = c.dot(&c);
         if square.size() >= 1.0 {
-            let turn = 2.0 * atan2(square.size().sqrt(), 1.0);
-            return Err(
-                Refusal::NotBelow { what: Subject::MoserVeselovTurn, value: turn, limit: LONGEST }.into()
-            );
+            let value = 2.0 * atan2(square.size().sqrt(), 1.0);
+            return Err(Refusal::NotBelow { what: Subject::MoserVeselovTurn, value, limit: LONGEST }.into());
         }
         let cosine = T::one() / (T::one() + square).sqrt();
         let part = |x: &T| x.clone() * cosine.clone();
@@ -153,7 +145,7 @@ impl<T: Analytic> Prepared<T> {
         // to find.
         let square = T::rounding() * T::rounding();
         let least = square * square;
-        let mut moved = f64::NAN;
+        let mut residual = f64::NAN;
         for _ in 0..ROUNDS {
             let grown = T::one() + c.dot(&c);
             let [x, y, z] = [0, 1, 2].map(|i| self.differences.map(|d| d * c[i].clone()));
@@ -168,18 +160,25 @@ impl<T: Analytic> Prepared<T> {
                 [column(0, [&k.x, &z.y, &y.z]), column(1, [&z.x, &k.y, &x.z]), column(2, [&y.x, &x.y, &k.z])];
             let change = cramer(columns, &miss);
             let size = |v: &Vector3<T>| v.as_slice().iter().map(Analytic::size).sum::<f64>();
-            moved = size(&change);
+            residual = size(&change);
             c -= change;
-            if moved <= enough * size(&c) || moved < least {
+            if residual <= enough * size(&c) || residual < least {
                 return Ok(c);
             }
-            if !moved.is_finite() {
+            if !residual.is_finite() {
                 break;
             }
         }
-        Err(Refusal::NotConverged { what: Subject::MoserVeselovTurn, iterations: ROUNDS, residual: moved }
-            .into())
+        Err(Refusal::NotConverged { what: Subject::MoserVeselovTurn, iterations: ROUNDS, residual }.into())
     }
+}
+
+/// The altered inverse moments of a body, for a momentum times the step, and the differences of its own that
+/// the step takes, with the smallest moment about the axis `x`: no letter is, so proofs choose.
+pub fn altered<T: Analytic>(x: usize, moments: &Vector3<T>, l: &Vector3<T>, order: u32) -> [Vector3<T>; 2] {
+    let corrections = Corrections::about(x % 3, moments);
+    let in_unit = |v: &Vector3<T>| v.map(|x| x * corrections.unit.clone());
+    [in_unit(&corrections.altered(&in_unit(l), order).1), in_unit(&corrections.differences)]
 }
 
 fn times<T: Field>(x: &T, y: &T) -> T {
@@ -218,10 +217,6 @@ pub(crate) struct Corrections<T: nalgebra::Scalar> {
 }
 
 impl<T: Analytic> Corrections<T> {
-    pub(crate) fn of(moments: &Vector3<T>) -> Self {
-        Self::about(ascending(&moments.map(|moment| moment.size()))[0], moments)
-    }
-
     /// Where the moment about this axis is the smallest; right for any, but for rounding.
     pub(crate) fn about(x: usize, moments: &Vector3<T>) -> Self {
         let (y, z) = ((x + 1) % 3, (x + 2) % 3);
@@ -271,6 +266,14 @@ impl<T: Analytic> Corrections<T> {
             weights,
             shape,
         }
+    }
+
+    /// `a`, and the altered inverse moments, for the momentum times the step.
+    #[inline]
+    fn altered(&self, momentum: &Vector3<T>, order: u32) -> (T, Vector3<T>) {
+        let (a, b) = if order > 2 { self.at(momentum, order) } else { (T::one(), T::zero()) };
+        let inverse = self.ratios.map(|x| a.clone() * x + b.clone());
+        (a, inverse)
     }
 
     /// `a` and `b` for the momentum times the step, in units of the mean inverse moment.

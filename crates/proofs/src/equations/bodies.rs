@@ -45,8 +45,8 @@ fn of_points(places: &[Vector; 3]) -> Scope {
         tensor += point_mass(m, r);
         momentum += r.cross(&velocity).map(|x| x * m);
         energy += m * &velocity.dot(&velocity) / Fraction::from(2);
-        scope =
-            scope.with_piece([("m", m.clone()), ("x", r.x.clone()), ("y", r.y.clone()), ("z", r.z.clone())]);
+        let [x, y, z] = r.clone().into();
+        scope = scope.with_piece([("m", m.clone()), ("x", x), ("y", y), ("z", z)]);
     }
     scope = with_components(scope, "L", &momentum);
     scope = with_components(scope, r"\omega", &omega);

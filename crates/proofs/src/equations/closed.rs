@@ -58,8 +58,8 @@ pub(crate) fn of_motion(motion: Motion, sense: i64, saddle: bool) -> Scope {
     scope = scope.with_functions(&names, "(u_0)");
     let (twice, momentum) = (&motion.twice_energy, &motion.momentum);
     let circled = put(&Fraction::variable("dn")) * gamma / delta;
-    let tilt =
-        (&h * variables(["x2"])[0].clone() * &r / Fraction::variable("e")) / (&one + &kp * gamma / delta);
+    let [x2, e] = variables(["x2", "e"]);
+    let tilt = &h * x2 * &r / e / (&one + &kp * gamma / delta);
     scope
         .with_all([("d_{CX}", r.pow(2)), ("d_{CM}", q.pow(2)), ("d_{MX}", p.pow(2))])
         .with_all([("E", twice / Fraction::from(2)), ("L", momentum.clone())])
@@ -204,8 +204,8 @@ pub(super) fn drift() -> Scope {
 pub(super) fn drift_at_the_saddle() -> Scope {
     let [psi, s, pi, eta, other, p] = variables(["psi", "s", "pi", "eta", "K'", "p"]);
     let [sin, cos] = variables(["sin", "cos"]);
-    let pair =
-        ComplementaryPair::new(p.clone(), ComplementaryPair::waves(sin.clone(), cos.clone()), s.clone());
+    let waves = ComplementaryPair::waves(sin.clone(), cos.clone());
+    let pair = ComplementaryPair::new(p.clone(), waves, s.clone());
     let (two, mut scope) = (Fraction::from(2), Scope::default());
     // Cosines and sines of the even multiples, each from the one before.
     let doubled = [cos.pow(2) - sin.pow(2), &two * &sin * &cos];

@@ -303,7 +303,7 @@ pub(super) fn gyroscopic() -> Scope {
 
 /// The rate of the energy, with a torque, for without one it is zero.
 pub(super) fn power() -> Scope {
-    conserved::power(momentum_rate, angular_acceleration).swap_remove(1)
+    conserved::power(&momentum_rate, &angular_acceleration).swap_remove(1)
 }
 
 /// Moments in order.

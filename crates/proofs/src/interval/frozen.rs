@@ -79,15 +79,11 @@ pub fn energies(
 }
 
 /// The attitude turned in the world by a spin for this long, as floats, and the angle that they are off by.
-fn turn(
-    attitude: &Quaternion<Interval>,
-    spin: &Vector3<Interval>,
-    time: Interval,
-) -> (Quaternion<Interval>, Interval) {
+fn turn(q: &Quaternion<Interval>, spin: &Vector3<Interval>, h: Interval) -> (Quaternion<Interval>, Interval) {
     let speed = super::geometry::length(spin);
-    let (sin, cos) = (speed * time / whole(2)).sin_cos();
+    let (sin, cos) = (speed * h / whole(2)).sin_cos();
     let [x, y, z] = spin.map(|w| w * sin / speed).into();
-    let turned = product(&Quaternion::new(cos, x, y, z), attitude);
+    let turned = product(&Quaternion::new(cos, x, y, z), q);
     let width: f64 = turned.coords.iter().map(|x| x.width()).sum();
     let middle = |x: Interval| {
         let middle = x.low + 0.5 * (x.high - x.low);

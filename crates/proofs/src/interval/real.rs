@@ -90,9 +90,8 @@ impl Enclosed {
 
     /// A float near its middle.
     fn middle(self) -> f64 {
-        let half = 0.5 * self.0.width();
-        let middle =
-            if half.is_infinite() { 0.5 * self.0.low + 0.5 * self.0.high } else { self.0.low + half };
+        let (low, half) = (self.0.low, 0.5 * self.0.width());
+        let middle = if half.is_infinite() { 0.5 * low + 0.5 * self.0.high } else { low + half };
         if middle.is_infinite() { 0.0 } else { middle }
     }
 

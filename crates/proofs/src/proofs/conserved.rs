@@ -11,14 +11,14 @@ use tumbling::dynamics::observe::energy;
 
 proofs! {
     "euler" {
-        "energy": power(momentum_rate, angular_acceleration),
+        "energy": power(&momentum_rate, &angular_acceleration),
             r"The energy $E = \tfrac{1}{2}\boldsymbol{\omega}\cdot\mathbf{L}$ changes at the rate $\dot{E} = \boldsymbol{\omega}\cdot\boldsymbol{\tau}$, and not at all without a torque: by the law of the momentum for every symmetric inverse tensor, by Euler's equations along principal axes for every spin.";
-            but "the torque taken twice": power(|j, l, t| momentum_rate(j, l, &(t * Fraction::from(2))), angular_acceleration),
-            but "the sign of one of Euler's equations": power(momentum_rate, one_sign_wrong),
-        "length-of-momentum": length(momentum_rate, angular_acceleration),
+            but "the torque taken twice": power(&|j, l, t| momentum_rate(j, l, &(t * Fraction::from(2))), &angular_acceleration),
+            but "the sign of one of Euler's equations": power(&momentum_rate, &one_sign_wrong),
+        "length-of-momentum": length(&momentum_rate, &angular_acceleration),
             r"The momentum's square $S = \mathbf{L}\cdot\mathbf{L}$ changes at the rate $\dot{S} = 2\mathbf{L}\cdot\boldsymbol{\tau}$, and not at all without a torque: by the law of the momentum for every symmetric inverse tensor, by Euler's equations along principal axes for every spin.";
-            but "the sign of one of Euler's equations": length(momentum_rate, one_sign_wrong),
-            but "L x (J L) becomes L x (J L) + L": length(|j, l, t| momentum_rate(j, l, t) + l, angular_acceleration),
+            but "the sign of one of Euler's equations": length(&momentum_rate, &one_sign_wrong),
+            but "L x (J L) becomes L x (J L) + L": length(&|j, l, t| momentum_rate(j, l, t) + l, &angular_acceleration),
         "spin-is-not-conserved": spin(angular_acceleration),
             r"The spin's square $S = \omega\cdot\omega$ changes at the rate $S' = -2 (I_1 - I_2) (I_2 - I_3) (I_3 - I_1)\omega_1\omega_2\omega_3/(I_1 I_2 I_3)$, which is not zero for all bodies.";
             but "the law of a ball": spin(|_, w, t| angular_acceleration(&Vector::repeat(Fraction::from(1)), w, t)),
@@ -58,18 +58,12 @@ fn changes(
     ]
 }
 
-pub(crate) fn power(
-    momentum_law: impl Fn(&Matrix, &Vector, &Vector) -> Vector,
-    spin_law: impl Fn(&Vector, &Vector, &Vector) -> Vector,
-) -> Vec<Scope> {
-    changes(&momentum_law, &spin_law, |w, l| ("E", energy(w, l)))
+pub(crate) fn power(momentum_law: MomentumLaw<'_>, spin_law: SpinLaw<'_>) -> Vec<Scope> {
+    changes(momentum_law, spin_law, |w, l| ("E", energy(w, l)))
 }
 
-fn length(
-    momentum_law: impl Fn(&Matrix, &Vector, &Vector) -> Vector,
-    spin_law: impl Fn(&Vector, &Vector, &Vector) -> Vector,
-) -> Vec<Scope> {
-    changes(&momentum_law, &spin_law, |_, l| ("S", l.dot(l)))
+fn length(momentum_law: MomentumLaw<'_>, spin_law: SpinLaw<'_>) -> Vec<Scope> {
+    changes(momentum_law, spin_law, |_, l| ("S", l.dot(l)))
 }
 
 fn spin(law: impl Fn(&Vector, &Vector, &Vector) -> Vector) -> Result<Scope, Residue> {

@@ -132,8 +132,7 @@ fn keeps(run: &Run, law: Kept) -> Outcome {
     let quarter_turn = [("x", Fraction::zero()), ("y", Fraction::zero()), ("z", w)];
     let (claim, left) = (format!("{law:?}"), run.left_over(law));
     for x in &left {
-        let there =
-            quarter_turn.iter().fold(x.clone(), |x, (name, value)| x.substitute(&(*name).into(), value));
+        let there = quarter_turn.iter().fold(x.clone(), |x, (name, w)| x.substitute(&(*name).into(), w));
         vanishes(&claim, &there, &half)?;
     }
     same_entries_under(&run.unit, &claim, &left, &Vector::zeros())

@@ -112,9 +112,8 @@ fn circling(case: Side, sign: i64) -> Result<Scope, Residue> {
 
 /// With the first sign, the second or both in the rate.
 fn separatrix(in_rate: [bool; 2]) -> Result<Scope, Residue> {
-    let [x1, x2, x3, p, q, r, z, sech, tanh] =
-        variables(["x1", "x2", "x3", "p", "q", "r", "z", "sech", "tanh"]);
-    let [s, t] = variables(["s", "s'"]);
+    let [x1, x2, x3, p, q, r, z] = variables(["x1", "x2", "x3", "p", "q", "r", "z"]);
+    let [s, t, sech, tanh] = variables(["s", "s'", "sech", "tanh"]);
     let speed = &z * &p * &q / (&x1 * &x3 * &x2.pow(2));
     let counted = [&s, &t].into_iter().zip(in_rate).filter(|(_, counts)| *counts);
     let rate = counted.fold(speed.clone(), |rate, (sign, _)| rate * sign);

@@ -98,8 +98,7 @@ fn legendre(sign: i64) -> Result<Vec<Scope>, Residue> {
     let far = &cn / &dn;
     let left = Scope::default().with("S'", Derivation::elliptic(&one).of(&far)).with("k", k(1));
     let left = left.with_all([("S", far), ("C", &kp * &sn / &dn), ("D", &kp / &dn)]).under(jacobi);
-    let Motion { relations: of_motion, zero: [beta, gamma, delta], .. } = motion(1, Change::None)?;
-    let zero =
-        Scope::default().with_all([(r"\beta", beta), (r"\gamma", gamma), (r"\delta", delta), ("k'", kp)]);
+    let Motion { relations: of_motion, zero: [b, c, d], .. } = motion(1, Change::None)?;
+    let zero = Scope::default().with_all([(r"\beta", b), (r"\gamma", c), (r"\delta", d), ("k'", kp)]);
     Ok(vec![integrand.under(relations), left, zero.under(of_motion)])
 }

@@ -224,10 +224,10 @@ fn separatrix(sign: i64) -> Result<Scope, Residue> {
     let [x2, r, p] = variables(["x2", "r", "p"]);
     let at_rest = [("e", x2 * r / p), ("cn", Fraction::zero())];
     let settled = |x: &Fraction| put(&limit(x), &at_rest);
-    let scope =
-        Scope::default().with_all([("L", settled(&motion.momentum)), ("I_2", motion.moments[1].clone())]);
-    let scope = scope.with_all([("E", settled(&motion.twice_energy) / Fraction::from(2))]);
-    let scope = scope.with(r"\psi'", settled(&motion.turning)).with(r"\sigma", Fraction::variable("sigma"));
+    let energy = settled(&motion.twice_energy) / Fraction::from(2);
+    let [momentum, turning] = [&motion.momentum, &motion.turning].map(settled);
+    let scope = Scope::default().with_all([("L", momentum), ("E", energy), (r"\psi'", turning)]);
+    let scope = scope.with("I_2", motion.moments[1].clone()).with(r"\sigma", Fraction::variable("sigma"));
     Ok(scope.under(motion.relations))
 }
 

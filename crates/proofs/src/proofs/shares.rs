@@ -63,9 +63,8 @@ fn nearby(shares: &[Rational; 5], power: u32) -> Result<Scope, Residue> {
     }
     let decimals: Vec<_> = NAMES.into_iter().zip(shares[1..].iter().cloned()).collect();
     let slopes = Matrix4::from_fn(|i, j| left[i].derivative(&NAMES[j].into()));
-    let Some(inverse) = slopes.map(|x| x.at(&decimals).to_f64()).try_inverse() else {
-        return Err(Residue::Missing { claim: "an inverse".to_owned() });
-    };
+    let inverse = slopes.map(|x| x.at(&decimals).to_f64()).try_inverse();
+    let inverse = inverse.ok_or_else(|| Residue::Missing { claim: "an inverse".to_owned() })?;
     let inverse = inverse.map(|x| Interval::from(Rational::of_f64(x)));
     let (one, ball, wide): (Interval, Interval, Interval) = (given!(1), given!(1e-24), given!(1e-10));
     let around = |name: &str| {

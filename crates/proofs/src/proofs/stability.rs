@@ -2,7 +2,7 @@
 
 use crate::equations::in_order;
 use crate::number::Fraction;
-use crate::proof::{Residue, same};
+use crate::proof::{Case, same};
 use crate::symbols::{Vector, ordered_moments, variables, vector};
 use crate::tex::{Scope, Value};
 use nalgebra::Quaternion;
@@ -53,9 +53,7 @@ fn steady(law: impl Fn(&Vector, &Vector, &Vector) -> Vector) -> Vec<Scope> {
     [0, 1, 2].map(|axis| Scope::default().with(r"\dot{\omega}", rate(axis)).with("v", vector("v"))).into()
 }
 
-fn linearised(
-    law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Fraction,
-) -> Result<Vec<Scope>, Residue> {
+fn linearised(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Fraction) -> Case<Vec<Scope>> {
     let (moments, omega) = (vector("I"), vector("omega"));
     let rate = angular_acceleration(&moments, &omega, &Vector::zeros());
     let about = |axis: usize| {
@@ -92,8 +90,7 @@ fn middle(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Fraction, 
 fn equal(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Fraction) -> Vec<Scope> {
     let [i, a] = variables(["I1", "a"]);
     let case = |pair: &Fraction, lone: &Fraction| {
-        let rates =
-            [0, 1, 2].map(|axis| rate_about(&law, &[pair, pair, lone].map(Fraction::clone).into(), axis));
+        let rates = [0, 1, 2].map(|k| rate_about(&law, &[pair, pair, lone].map(Fraction::clone).into(), k));
         Scope::default().with_each("r", &rates).positive(["I1", "a", "Omega"])
     };
     vec![case(&i, &(&i + &a)), case(&(&i + &a), &i)]

@@ -1,10 +1,11 @@
 //! Theta functions: identities of their quotients and products, each decided in all terms of its infinite
-//! sums, for every nome. That a nome belongs to its modulus follows by a limit, which is no part of this.
+//! sums, for every nome; and the terms of both sides of Jacobi's imaginary transformation. From these follow
+//! the scale of the argument and the nome of a modulus, as the chapter on the closed form shows.
 
 use crate::lattice::{Pairs, THETA_1, THETA_2, THETA_3, THETA_4, Theta};
-use crate::number::{Derivation, Fraction, Polynomial, Relations};
+use crate::number::{Fraction, Polynomial, Relations};
 use crate::proof::Residue;
-use crate::symbols::{square, variables};
+use crate::symbols::variables;
 use crate::tex::{Scope, Value};
 
 proofs! {
@@ -22,12 +23,13 @@ proofs! {
         "attitude-by-complementary-thetas": products(ALL),
             r"For every nome and any two arguments $P_{22} = S_{23} + S_{32}$, $P_{11} = S_{32} - S_{23}$ and $P_{21} = S_{14} - S_{41}$: products of the theta functions of these numbers, on the left of the sum and of the difference of the arguments, on the right of twice each argument in the square of the nome.";
             but "the theta of the direct series": products([THETA_1, THETA_4, THETA_3, THETA_4]),
-        "nome-and-scale": nome(ALL),
-            r"For every nome $P_{33} = S_{33} + S_{22}$, $P_{44} = S_{33} - S_{22}$, $P_{22} = S_{23} + S_{32}$, $P_{34} = S_{44} - S_{11}$ and $P_{21} = S_{14} - S_{41}$: products as in the proof attitude-by-complementary-thetas. Where the arguments are zero, these tie the values $t_2$, $t_3$ and $t_4$ of the theta functions to $T_2$, $T_3$ and $T_4$ in the square of the nome, $t_3^2 = T_3^2 + T_2^2$, $t_4^2 = T_3^2 - T_2^2$, $t_2^2 = 2 T_2 T_3$ and $t_3 t_4 = T_4^2$, and the slope $d$ of the first to $D$, $d t_2 = 2 D T_4$. So $\frac{d}{t_2 t_3 t_4} = \frac{D}{T_2 T_3 T_4}$, and Gauss's step takes one pair of squares to the other: $\tfrac{1}{2} (t_3^2 + t_4^2) = T_3^2$ and $t_3^2 t_4^2 = T_4^4$. The modulus $k = t_2^2/t_3^2$ with the complement $k' = t_4^2/t_3^2$ becomes $l = T_2^2/T_3^2$ with $l (1 + k') = 1 - k'$ and $(1 + l)^2 k^2 = 4 l$. The limit of small nomes is no part of it.";
-            but "the third for the fourth": nome([THETA_1, THETA_2, THETA_3, THETA_3]),
+        "nome-and-scale": nome(ALL, true),
+            r"For every nome $P_{33} = S_{33} + S_{22}$, $P_{44} = S_{33} - S_{22}$, $P_{22} = S_{23} + S_{32}$, $P_{34} = S_{44} - S_{11}$ and $P_{21} = S_{14} - S_{41}$: products as in the proof attitude-by-complementary-thetas. Where the arguments are zero, these tie the values $t_2$, $t_3$ and $t_4$ of the theta functions to $T_2$, $T_3$ and $T_4$ in the square of the nome, $t_3^2 = T_3^2 + T_2^2$, $t_4^2 = T_3^2 - T_2^2$, $t_2^2 = 2 T_2 T_3$ and $t_3 t_4 = T_4^2$, and the slope $d$ of the first to $D$, $d t_2 = 2 D T_4$. So $\frac{d}{t_2 t_3 t_4} = \frac{D}{T_2 T_3 T_4}$, and Gauss's step takes one pair of squares to the other: $\tfrac{1}{2} (t_3^2 + t_4^2) = T_3^2$ and $t_3^2 t_4^2 = T_4^4$. The modulus $k = t_2^2/t_3^2$ with the complement $k' = t_4^2/t_3^2$ becomes $l = T_2^2/T_3^2$ with $l (1 + k') = 1 - k'$ and $(1 + l)^2 k^2 = 4 l$. As power series in the nome the squares of $t_3$ and $t_4$, and the quotient of the slope and the three values, begin with $a = 1$, $b = 1$ and $c = 1$.";
+            but "the third for the fourth": nome([THETA_1, THETA_2, THETA_3, THETA_3], true),
+            but "the value of the first for its slope": nome(ALL, false),
         "imaginary-transformation": imaginary(1),
-            r"With $S' = C D$, $C' = S D$ and $D' = k'^2 S C$, the rates of Jacobi's functions of an imaginary argument and the complement, where $C^2 = 1 + S^2$ and $D^2 = 1 + k'^2 S^2$, the quotients $\operatorname{sn} = S/C$, $\operatorname{cn} = 1/C$ and $\operatorname{dn} = D/C$ obey Jacobi's laws: $\operatorname{sn}' = \operatorname{cn}\operatorname{dn}$, $\operatorname{cn}' = -\operatorname{sn}\operatorname{dn}$, $\operatorname{sn}^2 + \operatorname{cn}^2 = 1$ and $\operatorname{dn}^2 + (1 - k'^2)\operatorname{sn}^2 = 1$.";
-            but "the rate of a real argument": imaginary(-1),
+            r"The terms of Jacobi's imaginary transformation, in two sums over all whole numbers $n$. In one each term is the exponential of $E = -\frac{\pi (v - n)^2}{t}$ over the root of $t$, in the other that of $F = \pi n (2 i v - n t)$. With dots by $t$ and primes by $v$, terms of both obey one law of heat, $4\pi (\dot{E} - \frac{1}{2 t}) = E'' + E'^2$ and $4\pi\dot{F} = F'' + F'^2$. Where $v$ moves by a half, $E_1 = E$, if the number does too, and $F_1 = F + \pi i n$; where it moves by half of a quasi-period, $E_2 = E + \pi (\tfrac{1}{4} t - i v + i n)$, and $F_2 = G + \pi (\tfrac{1}{4} t - i v)$, with the number moved by a half in $G$. So over a period, and over a quasi-period, both sums have the same factor. At argument zero and time one their terms are the same, $E_3 = F_3$. With $x = \frac{\pi u}{2 K'}$, $\phi = \frac{\pi y}{4 K'}$ and $l = -\frac{\pi K}{2 K'}$, the first exponents, less what they share, are those of the attitude's complementary sums, $A = n (x - 2 s i \phi + n l)$, in the square of the nome, and of the spin's, $B = 2 n (x + n l)$. That such sums are Fourier series, settled by their factors, is no part of it.";
+            but "the quasi-period the other way": imaginary(-1),
         "half-periods": half_periods([THETA_4, THETA_1], [THETA_2, THETA_1]),
             r"By the terms of the sums: where the argument moves by half a turn, the fourth theta function is multiplied by $h_1 = 1$ and the first by $h_2 = -1$; where it moves by a quasi-period, the second by $q_1 = 1$ and the first by $q_2 = -1$, but for one factor of both; by half of that, the first becomes the fourth and the second the third, but for such a factor: their products $X = P_{41}$ with the first and $Y = P_{32}$ with the second.";
             but "the second without alternating signs": half_periods([THETA_4, THETA_2], [THETA_2, THETA_2]),
@@ -77,30 +79,46 @@ fn jacobi(sign: i64, above: Theta) -> Result<Vec<Scope>, Residue> {
     Ok(vec![products(ALL), scope.with("k", Value::Root(z2.pow(2) / z3.pow(2)))])
 }
 
-/// The products, and the values at zero that they tie to those in the square of the nome.
-fn nome(thetas: [Theta; 4]) -> Result<Vec<Scope>, Residue> {
+/// The products, and the values at zero that they tie to those in the square of the nome; of the first the
+/// slope, or as a mutant the value.
+fn nome(thetas: [Theta; 4], slope: bool) -> Result<Vec<Scope>, Residue> {
     let letters = ["t_2", "t_3", "t_4", "T_2", "T_3", "T_4", "D"];
-    let [t2, t3, t4, v2, v3, v4, slope] = variables(letters);
+    let [t2, t3, t4, v2, v3, v4, d] = variables(letters);
     let [product, sum, less] = [&v2 * &v3 * Fraction::from(2), v3.pow(2) + v2.pow(2), v3.pow(2) - v2.pow(2)];
     let squares = [("T_4", &t3 * &t4), ("t_2", product), ("t_3", sum), ("t_4", less)];
     let ties = Relations::new(squares.map(|(name, x)| (name, x.numerator().clone())).into())?;
     let moduli = [("k", &t2 / &t3), ("k'", t4 / t3), ("l", v2 / v3)].map(|(name, x)| (name, x.pow(2)));
-    let values = Scope::default().with_letters(letters).with_all(moduli);
-    Ok(vec![products(thetas), values.with("d", slope * v4 / t2 * Fraction::from(2)).under(ties)])
+    let [second, third, fourth] = [THETA_2, THETA_3, THETA_4].map(|f| f.first(false));
+    let begin =
+        [("b", fourth.pow(2)), ("a", third.pow(2)), ("c", THETA_1.first(slope) / second / third / fourth)];
+    let values = Scope::default().with_letters(letters).with_all(moduli).with_all(begin);
+    Ok(vec![products(thetas), values.with("d", d * v4 / t2 * Fraction::from(2)).under(ties)])
 }
 
-fn imaginary(sign: i64) -> Result<Scope, Residue> {
-    let ([s, c, d, k], one) = (variables(["S", "C", "D", "k'"]), Polynomial::from(1));
-    let rates = [("S", &c * &d), ("C", &s * &d * Fraction::from(sign)), ("D", k.pow(2) * &s * &c)];
-    let by = Derivation::new(rates);
-    let quotients = [("sn", &s / &c), ("cn", Fraction::from(1) / &c), ("dn", &d / &c)];
-    let quotients = quotients.map(|(name, x)| (format!(r"\operatorname{{{name}}}"), x));
-    let all =
-        quotients.into_iter().chain([("S", s), ("C", c), ("D", d)].map(|(name, x)| (name.to_owned(), x)));
-    let scope = all
-        .fold(Scope::default(), |scope, (name, x)| scope.with(&format!("{name}'"), by.of(&x)).with(&name, x));
-    let laws = vec![("C", &one + square("S")), ("D", &one + square("k'") * square("S"))];
-    Ok(scope.with("k'", k).under(Relations::new(laws)?))
+/// The exponents of the terms of both sides, and where the argument moves; `up` is one.
+fn imaginary(up: i64) -> Result<Scope, Residue> {
+    let letters = [r"\pi", "i", "t", "v", "n", "u", "y", "s", "K", "K'"];
+    let ([pi, i, t, v, n, u, y, s, k, l], [none, one, two]) =
+        (variables(letters), [0, 1, 2].map(Fraction::from));
+    let heat = |[v, t, n]: [&Fraction; 3]| -(&pi * (v - n).pow(2) / t);
+    let wave = |[v, t, n]: [&Fraction; 3]| &pi * n * (&two * &i * v - n * t);
+    let mut scope = Scope::default().with_letters(letters);
+    for (name, x) in [("E", heat([&v, &t, &n])), ("F", wave([&v, &t, &n]))] {
+        let [by_t, slope] = ["t", "v"].map(|name| x.derivative(&name.into()));
+        scope = scope.with(&format!("{name}''"), slope.derivative(&"v".into())).with(name, x);
+        scope = scope.with(&format!("{name}'"), slope).with(&format!(r"\dot{{{name}}}"), by_t);
+    }
+    let half = &one / &two;
+    let (more, right, up) = (&n + &half, &v + &half, &v + &i * &t * &half * Fraction::from(up));
+    scope = scope.with_each("E", &[heat([&right, &t, &more]), heat([&up, &t, &n]), heat([&none, &one, &n])]);
+    scope = scope.with_each("F", &[wave([&right, &t, &n]), wave([&up, &t, &n]), wave([&none, &one, &n])]);
+    let less = |v: &Fraction, t: &Fraction| heat([v, t, &n]) - heat([v, t, &none]);
+    let attitude = less(&((&u - s * &i * &y) / (&two * &k)), &(&two * &l / &k));
+    let spin = less(&(&u / (&two * &k)), &(&l / &k));
+    let of_half = |x: &Fraction| &pi * x / (&two * &l);
+    scope = scope.with_all([("x", of_half(&u)), (r"\phi", of_half(&y) / &two), ("l", -of_half(&k))]);
+    scope = scope.with_all([("G", wave([&v, &t, &more])), ("A", attitude), ("B", spin)]);
+    Ok(scope.under(Relations::new(vec![("i", Polynomial::from(-1))])?))
 }
 
 fn half_periods(direct: [Theta; 2], complementary: [Theta; 2]) -> Scope {

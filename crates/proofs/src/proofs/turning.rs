@@ -102,9 +102,8 @@ fn spin(law: impl Fn(&Matrix, &Matrix, &Vector) -> Vector) -> Vec<Scope> {
     let (r, tensor, l) = (rotation_matrix(&q), symmetric("I"), vector("L"));
     let (inverse, determinant) = adjugate(&tensor);
     let with = |j: Matrix| {
-        let scope =
-            Scope::default().with(r"\omega", law(&r, &j, &l)).with("R", r.clone()).with("L", l.clone());
-        scope.with("J", j).under(unit.clone())
+        let scope = Scope::default().with(r"\omega", law(&r, &j, &l)).with("R", r.clone());
+        scope.with("L", l.clone()).with("J", j).under(unit.clone())
     };
     vec![with(symmetric("J")), with(inverse).with("I", tensor).with("d", determinant)]
 }

@@ -70,11 +70,8 @@ fn rounds_to(exact: &BigRational, decimal: &BigRational) -> bool {
     for _ in 0..40 {
         if (decimal / &unit).is_integer() {
             let off = (exact - decimal).abs();
-            return if unit.is_integer() {
-                off.is_zero()
-            } else {
-                off * BigRational::from_integer(2.into()) <= unit
-            };
+            let twice = &off + &off;
+            return if unit.is_integer() { off.is_zero() } else { twice <= unit };
         }
         unit /= &ten;
     }
@@ -136,9 +133,8 @@ impl Statement {
                 }
             }
         }
-        let numbers =
-            self.others.iter().rev().take_while(|(relation, side)| is_value(*relation, side)).count();
         let mut others = self.others.clone();
+        let numbers = others.iter().rev().take_while(|(relation, side)| is_value(*relation, side)).count();
         others.truncate(others.len() - numbers);
         Ok(Self { others, ..self.clone() })
     }

@@ -79,8 +79,7 @@ fn command_length(rest: &str) -> usize {
 
 /// Digits, and a point only with digits after it: another one ends the sentence.
 fn number_length(rest: &str) -> usize {
-    let digits =
-        |from: usize| rest[from..].find(|c: char| !c.is_ascii_digit()).map_or(rest.len(), |n| from + n);
+    let digits = |at: usize| rest[at..].find(|c: char| !c.is_ascii_digit()).map_or(rest.len(), |n| at + n);
     let whole = digits(0);
     let decimals = rest[whole..].strip_prefix('.').map_or(whole, |_| digits(whole + 1));
     if decimals > whole + 1 { decimals } else { whole }

@@ -114,8 +114,7 @@ impl Statement {
     pub fn gives_values(&self) -> bool {
         let Node::Name(name) = &self.left.tree else { return false };
         let letter = name.len() == 1 && name.chars().all(|c| c.is_ascii_lowercase());
-        let bold =
-            [r"\mathbf{", r"\boldsymbol{"].iter().any(|bold| name.starts_with(bold)) && name.ends_with('}');
+        let bold = [r"\mathbf{", r"\boldsymbol{"].iter().any(|b| name.starts_with(b)) && name.ends_with('}');
         match &self.others[..] {
             [(Relation::Equal, Side { tree: Node::Tuple(parts), .. })] => {
                 bold && parts.iter().all(Node::is_written_number)

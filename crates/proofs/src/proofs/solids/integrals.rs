@@ -5,7 +5,7 @@ use super::{
     hollow_sphere_moments, plate_moments, rod_moments, tube_moments,
 };
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
-use crate::proof::{Residue, positive, same_entries};
+use crate::proof::{Case, Residue, positive, same_entries};
 use crate::region::{Region, Sums};
 use crate::symbols::{Matrix, Vector, diagonal, square, variables, vector};
 use crate::tex::Scope;
@@ -24,7 +24,7 @@ fn half(p: &Polynomial) -> Polynomial {
 }
 
 /// That a body evenly filled with mass `m` has this mass, centre and inertia; and these.
-fn has_moments(solid: &Sums, body: &MassMoments<Fraction>) -> Result<Scope, Residue> {
+fn has_moments(solid: &Sums, body: &MassMoments<Fraction>) -> Case {
     let density = &body.mass / &solid.volume;
     same_entries("centre", &body.centre, &solid.first.map(|x| x / solid.volume.clone()))?;
     let about_origin = &body.inertia + point_mass(&body.mass, &body.centre);
@@ -46,9 +46,7 @@ fn box_sums() -> Result<Sums, Residue> {
     region.sums()
 }
 
-pub(super) fn cuboid(
-    law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector,
-) -> Result<Scope, Residue> {
+pub(super) fn cuboid(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector) -> Case {
     let [m, a, b, c] = variables(["m", "a", "b", "c"]);
     has_moments(&box_sums()?, &centred(&m, &law(&m, &a, &b, &c)))
 }
@@ -60,13 +58,12 @@ fn ellipsoid_part(axes: &Vector, lift: &Fraction, from: i64, to: i64) -> Result<
     let one = Polynomial::one;
     let relations = Relations::new(vec![("cos", one() - square("sin")), ("k", one() - square("t"))])?;
     let across = &rho * &k;
-    let position =
-        Vector3::new(&axes.x * &across * cos, &axes.y * &across * sin, &axes.z * &t + lift.clone());
+    let point = Vector3::new(&axes.x * &across * cos, &axes.y * &across * sin, &axes.z * &t + lift.clone());
     let slope = -t / k;
-    Region::new(position, relations)
+    Region::new(point, relations)
         .between("rho", &Polynomial::zero(), &Polynomial::one())
         .around("cos", "sin")
-        .between_with("t", &from.into(), &to.into(), Derivation::new([("k", slope)]))
+        .along("t", &from.into(), &to.into(), Derivation::new([("k", slope)]))
         .sums()
 }
 
@@ -74,22 +71,18 @@ fn ball_sums(radius: &Fraction) -> Result<Sums, Residue> {
     ellipsoid_part(&Vector::repeat(radius.clone()), &Fraction::zero(), -1, 1)
 }
 
-pub(super) fn ellipsoid(
-    law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector,
-) -> Result<Scope, Residue> {
+pub(super) fn ellipsoid(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector) -> Case {
     let [m, a, b, c] = variables(["m", "a", "b", "c"]);
     let moments = law(&m, &a, &b, &c);
     has_moments(&ellipsoid_part(&Vector3::new(a, b, c), &Fraction::zero(), -1, 1)?, &centred(&m, &moments))
 }
 
-pub(super) fn ball(law: impl Fn(&Fraction, &Fraction) -> Vector) -> Result<Scope, Residue> {
+pub(super) fn ball(law: impl Fn(&Fraction, &Fraction) -> Vector) -> Case {
     let [m, r] = variables(["m", "r"]);
     has_moments(&ball_sums(&r)?, &centred(&m, &law(&m, &r)))
 }
 
-pub(super) fn hollow_sphere(
-    law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector,
-) -> Result<Scope, Residue> {
+pub(super) fn hollow_sphere(law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector) -> Case {
     let [m, i, o] = variables(["m", "i", "o"]);
     let solid = ball_sums(&o)?.without(&ball_sums(&i)?);
     let whole = has_moments(&solid, &centred(&m, &law(&m, &i, &o)))?;
@@ -111,24 +104,19 @@ fn cylinder_sums(radius: &str, height: &str) -> Result<Sums, Residue> {
     cylinder_part(radius, &-half.clone(), &half)
 }
 
-pub(super) fn cylinder(law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector) -> Result<Scope, Residue> {
+pub(super) fn cylinder(law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector) -> Case {
     let [m, r, h] = variables(["m", "r", "h"]);
     has_moments(&cylinder_sums("r", "h")?, &centred(&m, &law(&m, &r, &h)))
 }
 
-pub(super) fn tube(
-    law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector,
-) -> Result<Scope, Residue> {
+pub(super) fn tube(law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector) -> Case {
     let [m, i, o, h] = variables(["m", "i", "o", "h"]);
     let solid = cylinder_sums("o", "h")?.without(&cylinder_sums("i", "h")?);
     has_moments(&solid, &centred(&m, &law(&m, &i, &o, &h)))
 }
 
 /// A cone whose centre is one `part`-th of the way up.
-pub(super) fn cone(
-    law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector,
-    part: i64,
-) -> Result<Scope, Residue> {
+pub(super) fn cone(law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector, part: i64) -> Case {
     let [m, r, h, rho, cos, sin, t] = variables(["m", "r", "h", "rho", "cos", "sin", "t"]);
     let across = rho * &r * (Fraction::one() - &t);
     let position = Vector3::new(&across * &cos, across * sin, &h * &t);
@@ -141,7 +129,7 @@ pub(super) fn cone(
     has_moments(&solid, &MassMoments { centre, ..centred(&m, &law(&m, &r, &h)) })
 }
 
-pub(super) fn capsule(law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector) -> Result<Scope, Residue> {
+pub(super) fn capsule(law: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector) -> Case {
     let [m, r, l] = variables(["m", "r", "l"]);
     let end = &l / &Fraction::from(2);
     let round = Vector::repeat(r.clone());
@@ -161,7 +149,7 @@ pub(super) fn thin(
     rod: impl Fn(&Fraction, &Fraction) -> Vector,
     plate: impl Fn(&Fraction, &Fraction, &Fraction) -> Vector,
     disk: impl Fn(&Fraction, &Fraction) -> Vector,
-) -> Result<Scope, Residue> {
+) -> Case {
     let names = ["m", "a", "b", "c", "r"];
     let ([m, a, b, c, r], cuboid) = (variables(names), box_sums()?);
     let [rod, plate, disk] = [rod(&m, &c), plate(&m, &a, &b), disk(&m, &r)];
@@ -176,9 +164,7 @@ fn corners() -> [Vector; 4] {
     [1, 2, 3, 4].map(|n| Vector::from(["x", "y", "z"].map(|axis| Fraction::variable(&format!("{axis}{n}")))))
 }
 
-pub(super) fn tetrahedron(
-    law: impl Fn(&Fraction, &[Vector; 4]) -> MassMoments<Fraction>,
-) -> Result<Scope, Residue> {
+pub(super) fn tetrahedron(law: impl Fn(&Fraction, &[Vector; 4]) -> MassMoments<Fraction>) -> Case {
     let corners = corners();
     let [m, u, v, w] = variables(["m", "u", "v", "w"]);
     let edge = |n: usize, along: &Fraction| (&corners[n] - &corners[0]).map(|x| x * along.clone());
@@ -202,12 +188,12 @@ pub(super) fn tetrahedron(
 pub(super) fn mesh_of_a_box(
     inside_out: bool,
     law: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector,
-) -> Result<Scope, Residue> {
+) -> Case {
     let [a, b, c] = variables(["a", "b", "c"]);
     let at = Vector::from(variables(["x", "y", "z"]));
     let edges = [&a, &b, &c];
-    let corner =
-        |n: usize| Vector::from_fn(|i, _| if n >> i & 1 == 1 { &at[i] + edges[i] } else { at[i].clone() });
+    let far = |n: usize, i: usize| Fraction::from((n >> i & 1) as i64);
+    let corner = |n: usize| Vector::from_fn(|i, _| &at[i] + edges[i] * far(n, i));
     let corners: Vec<Vector> = (0..8).map(corner).collect();
     // Each face as a square, its corners in order; bit i of a corner's number says whether it is at the far
     // end of edge i.
@@ -227,7 +213,7 @@ pub(super) fn mesh_of_a_box(
     Ok(scope.with_each("I", &found.inertia.diagonal()).with_letters(["a", "b", "c"]))
 }
 
-pub(super) fn mesh_of_a_tetrahedron(base: [usize; 3]) -> Result<Scope, Residue> {
+pub(super) fn mesh_of_a_tetrahedron(base: [usize; 3]) -> Case {
     // One corner at the origin, and the point that the formula counts from anywhere: only their distance
     // matters.
     let mut corners = corners();
@@ -245,7 +231,7 @@ pub(super) fn mesh_of_a_tetrahedron(base: [usize; 3]) -> Result<Scope, Residue> 
 
 pub(super) fn triangle_inequality(
     cuboid: impl Fn(&Fraction, &Fraction, &Fraction, &Fraction) -> Vector,
-) -> Result<Vec<Scope>, Residue> {
+) -> Case<Vec<Scope>> {
     let [m, a, b, c, r, h] = variables(["m", "a", "b", "c", "r", "h"]);
     // An outer radius is an inner one and something more.
     let outer = &r + &a;
