@@ -189,7 +189,8 @@ impl FreeMotion {
     /// ```
     #[must_use]
     pub fn energy(&self) -> f64 {
-        energy(&self.start, &self.moments.vector().component_mul(&self.start))
+        // Of half the momentum, so that it is infinite only where the result is.
+        2.0 * energy(&self.start, &(self.moments.vector() * 0.5).component_mul(&self.start))
     }
 
     /// The period of the spin as seen from the body, s; two flips fall into it. `None` where the spin is

@@ -69,9 +69,10 @@ pub fn mesh_moments<'a, T: Field>(
     let n = T::integer;
     let mass = sums.six_volumes.clone() / n(6);
     let middle = sums.first.map(|x| x / (n(4) * sums.six_volumes.clone()));
-    let about_reference = sums.second.map(|x| x / n(120));
-    let spread = about_reference - &middle * middle.transpose() * mass.clone();
-    let inertia = Matrix3::from_diagonal_element(spread.trace()) - spread;
+    let spread = sums.second.map(|x| x / n(120)) - &middle * middle.transpose() * mass.clone();
+    // Sums of two, not the trace less one: a needle's smallest moment keeps its digits.
+    let s = |i: usize, j: usize| spread[(i % 3, j % 3)].clone();
+    let inertia = Matrix3::from_fn(|i, j| if i == j { s(i + 1, i + 1) + s(i + 2, i + 2) } else { -s(i, j) });
     MassMoments { mass, centre: reference + middle, inertia }
 }
 

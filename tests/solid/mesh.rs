@@ -50,6 +50,17 @@ fn a_mesh_far_from_the_origin_keeps_its_digits() {
     assert_same("far box", &away, &moved(&near, &far).unwrap(), 4e-16, 1.0);
 }
 
+// A wire: the integrals are the cuboid's, and no moment is a difference of larger numbers.
+#[test]
+fn a_meshed_needle_keeps_the_digits_of_its_smallest_moment() {
+    for edges in [1e-3, 1e-8, 1e-60].map(|thin| Vector3::new(1.1, 0.7 * thin, 0.9 * thin)) {
+        let mesh = solid(&brick(edges * -0.3, edges)).unwrap().with_mass(2.0).unwrap();
+        let cuboid = Cuboid::new(edges.x, edges.y, edges.z).unwrap().with_mass(2.0).unwrap();
+        let [found, expected] = [mesh, cuboid].map(|solid| solid.inertia().matrix()[(0, 0)]);
+        assert!((found / expected - 1.0).abs() < 1e-14, "{edges}: {found:e}, {expected:e}");
+    }
+}
+
 // Half the corners belong to a speck 1 km off: their mean is 500 m from the centre.
 #[test]
 fn a_speck_far_away_does_not_blur_the_solid() {

@@ -120,10 +120,11 @@ fn reworded(message: &str) -> (Option<String>, String) {
         return if field.is_some() { (field, format!("no such field.{hint}")) } else { (None, none) };
     }
     if let Some(name) = message.strip_prefix("missing field ") {
-        return (None, format!("{name} is missing; it stands above the first `[[...]]`"));
+        let places = ["it stands above the first `[[...]]`", "each begins with `[[body]]`"];
+        return (None, format!("{name} is missing; {}", places[usize::from(name == "`body`")]));
     }
     let Some((found, expected)) = message.split_once(", expected ") else {
-        return (None, message.to_owned());
+        return (None, message.replace("wanted string or table", "a text is expected here"));
     };
     let known = [("f64", "a number"), ("a sequence", "a list"), ("struct Table", "a table")];
     let expected = known.iter().find(|(own, _)| *own == expected).map_or(expected, |(_, words)| words);

@@ -322,9 +322,9 @@ impl<'a> Reader<'a> {
     fn placed(&self, mut found: BodyModel) -> Result<BodyModel, Error> {
         if let Some(turn) = &self.table.turn {
             let [x, y, z, degrees] = *turn.get_ref();
-            let why = "x, y and z must be a direction, of finite numbers that are not all zero";
-            let axis = nalgebra::Unit::try_new(Vector3::new(x, y, z), 0.0);
-            let axis = axis.filter(|axis| axis.iter().all(|x| x.is_finite()));
+            let (axis, why) = (Vector3::new(x, y, z), "x, y and z must be a direction: they are all zero");
+            // By its largest component, so that no square leaves the range.
+            let axis = nalgebra::Unit::try_new(axis / axis.amax(), 0.0);
             let axis = axis.ok_or_else(|| self.wrong("turn", why))?;
             found.question = found.question.or_else(|| question::turned(degrees));
             let attitude = UnitQuaternion::from_axis_angle(&axis, degrees.to_radians());

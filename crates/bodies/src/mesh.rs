@@ -72,7 +72,8 @@ fn vertex(words: &str, line: usize) -> Result<Vector3<f64>, Error> {
 fn obj(text: &str) -> Result<Triangles, Error> {
     let (mut vertices, mut faces) = (Vec::new(), Vec::new());
     for (number, line) in text.lines().enumerate() {
-        let line = line.trim();
+        // Some programs write a remark behind a face.
+        let line = line.split('#').next().unwrap_or_default().trim();
         let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
         if word == "v" {
             vertices.push(vertex(rest, number)?);
@@ -123,7 +124,8 @@ mod tests {
             weld(&vertices, &mut faces);
             assert_eq!(Mesh::new(&vertices, &faces).unwrap().measure().unwrap(), 16.0);
         }
-        assert_eq!(obj("v 1 2 3\nf 1 2\n").unwrap_err().line, Some(2));
+        assert_eq!(obj("v 1 2 3\nf 1 2 # 3\n").unwrap_err().line, Some(2));
+        assert_eq!(obj("v 1 2 3\nf 1 1 1 # front\n").unwrap().1, [[0; 3]]);
         assert!(stl(b"PK").is_err());
         assert_eq!(stl(text.to_uppercase().as_bytes()).unwrap(), stl(text.as_bytes()).unwrap());
         // A triangle of two corners is not left out, and a tab is as good as a space.

@@ -53,12 +53,10 @@ fn a_wrong_file_is_refused_by_line_field_and_what_was_expected() {
         (refusal("span = 1.0", "span = -1.0"), "line 2, `span`: the span is -1.0: it must not be below zero"),
         (refusal("every = 0.5\n", ""), "line 2, `span`: `every` is missing, which goes with it"),
         (refusal("every = 0.5", "every = 0"), "line 3, `every`: the time between states is 0.0"),
-        (
-            refusal("span = 1.0\nevery = 0.5", "times = [2.0, 1.0]"),
-            "line 2, `times`: a time is 2.0: it must not be larger than the one after it, 1.0",
-        ),
+        (refusal("span = 1.0\nevery = 0.5", "times = [2.0, 1.0]"), "line 2, `times`: a time is 2.0: it must"),
         (refusal("span = 1.0", "times = [1.0]"), "line 2, `times`: either `times` or `every` and `span`"),
         (refusal("\"spin\"", "\"spni\""), "line 4, `wants`: `spni` is not known here. Did you mean `spin`?"),
+        (refusal("\"spin\"", "1"), "line 4, `wants`: a text is expected here"),
         (refusal("[1, 2.0, 2.5]", "[1, 2.0]"), "line 7, `moments`: 3 numbers are expected here, not 2"),
         (refusal("2.5]", "inf]"), "line 7, `moments`: inf is no finite number"),
         (refusal("2.5]", "1e999]"), "line 7"),
@@ -84,33 +82,20 @@ fn a_wrong_file_is_refused_by_line_field_and_what_was_expected() {
             torque("arm = [1, 0, 0]\nmoment = [1, 0, 0]\nfield = [1, 0, 0]"),
             "line 6, `torque`: one kind of torque is expected",
         ),
-        (
-            torque("toward = [1, 0, 0]"),
-            "line 7, `toward`: it is a part of `toward` with `orbit`, or `toward` with `strength`",
-        ),
+        (torque("toward = [1, 0, 0]"), "line 7, `toward`: it is a part of `toward` with `orbit`, or `to"),
         (torque("damping = [1, 1, 1]\nfrom = 2\nto = 1"), "line 8, `from`: the start of a torque"),
         (torque("in-body = [1, 0, 0]\nuntil = 1"), "line 8, `until`: no such field. Did you mean `to`?"),
         (torque("dissipation = 1\nin-body = [1, 0, 0]"), "line 6, `torque`: one kind of torque is expected"),
     ] {
         assert!(message.starts_with(expected), "{message}\nwhere expected: {expected}");
     }
-    for alone in [
-        "stiffness = 2",
-        "orbit = [1, 0, 0]",
-        "amplitude = [1, 0, 0]",
-        "rate = 1",
-        "phase = 1",
-        "strength = 1",
-    ] {
-        let (field, _) = alone.split_once(' ').unwrap();
+    for alone in "stiffness=2|orbit=[1,0,0]|amplitude=[1,0,0]|rate=1|phase=1|strength=1".split('|') {
+        let (field, _) = alone.split_once('=').unwrap();
         let message = torque(alone);
         assert!(message.starts_with(&format!("line 7, `{field}`: it is a part of")), "{message}");
     }
     let error = read("accuracy = 1\nspan = 0\nevery = 1\nwants = []\n").unwrap_err();
-    assert_eq!(
-        (error.line, error.why.as_str()),
-        (None, "`body` is missing; it stands above the first `[[...]]`")
-    );
+    assert_eq!((error.line, error.why.as_str()), (None, "`body` is missing; each begins with `[[body]]`"));
 }
 
 /// Each field of each kind of torque, made bad so that the library refuses it, and made infinite.
