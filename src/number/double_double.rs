@@ -198,6 +198,7 @@ impl<T: Lane> Sub for DoubleDouble<T> {
 
 impl<T: Lane> Mul for DoubleDouble<T> {
     type Output = Self;
+    #[inline(always)]
     fn mul(self, other: Self) -> Self {
         let [hi, lo] = self.hi.product_in_two(other.hi);
         let lo = lo + (self.hi * other.lo + self.lo * other.hi);

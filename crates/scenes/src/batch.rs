@@ -43,15 +43,17 @@
 //! ```
 
 use crate::error::Error;
-use crate::four_lanes::FourLanes;
+use crate::lanes::Lanes;
 use crate::plan::Plan;
 use crate::scene::Scene;
 use crate::states::{Answer, States};
-use nalgebra::Vector3;
+use multiversion::multiversion;
+use nalgebra::{UnitQuaternion, Vector3};
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
 use std::ops::{ControlFlow, Range};
-use tumbling::exact::Batch;
+use tumbling::exact::{Batch, FreeMotion, Instant};
+use tumbling::number::Lane;
 
 /// The number of bodies that are sorted, worked on and put out together.
 const TILE: usize = 256;
@@ -135,7 +137,8 @@ struct ActiveTile<'p> {
     scene: &'p Scene,
     first: usize,
     plans: &'p [Result<Plan<'p>, Error>],
-    lanes: Lanes,
+    /// Those that go in lanes.
+    lanes: Answers,
     /// The places in the tile of the bodies in the lanes, in their order there.
     places: Vec<usize>,
     /// The others that have a plan.
@@ -146,9 +149,48 @@ struct ActiveTile<'p> {
     failed: Vec<bool>,
 }
 
-enum Lanes {
-    Spins(Batch<FourLanes, Vector3<f64>>),
-    Instants(Batch<FourLanes>),
+/// Takes the number of a time, that of a body, its spin and its attitude.
+type Put<'a> = dyn FnMut(usize, usize, Vector3<f64>, Option<UnitQuaternion<f64>>) + 'a;
+
+/// Answers bodies at some times.
+type Answers = Box<dyn Fn(&[f64], &mut Put<'_>) -> Result<(), tumbling::Error> + Send>;
+
+/// Free motions in as many lanes as this processor's vectors are worth, with attitudes or spins alone.
+pub(crate) fn side_by_side(motions: &[FreeMotion], attitudes: bool) -> Answers {
+    #[cfg(target_arch = "x86_64")]
+    if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
+        // Two vectors of four: the processor works on one while it waits for the other.
+        return in_lanes::<Lanes<8, true>>(motions, attitudes);
+    }
+    in_lanes::<Lanes<4, { cfg!(any(target_arch = "aarch64", target_feature = "fma")) }>>(motions, attitudes)
+}
+
+pub(crate) fn in_lanes<T: Lane + Send + 'static>(motions: &[FreeMotion], attitudes: bool) -> Answers {
+    if attitudes {
+        let batch = Batch::<T>::new(motions);
+        return Box::new(move |times, put| {
+            let put = |time, body, at: Instant| put(time, body, at.omega, Some(at.attitude));
+            with_vectors(
+                #[inline(always)]
+                || batch.each(times, put),
+            )
+        });
+    }
+    let batch = Batch::<T, Vector3<f64>>::new(motions);
+    Box::new(move |times, put| {
+        let put = |time, body, spin| put(time, body, spin, None);
+        with_vectors(
+            #[inline(always)]
+            || batch.each(times, put),
+        )
+    })
+}
+
+/// Does some work, in which all is inlined, in the version for the processor that it runs on. The bits stay:
+/// the compiler fuses no product and sum by itself.
+#[multiversion(targets("x86_64+avx2+fma"))]
+fn with_vectors<R>(work: impl FnOnce() -> R) -> R {
+    work()
 }
 
 impl<'p> ActiveTile<'p> {
@@ -167,11 +209,7 @@ impl<'p> ActiveTile<'p> {
                 Err(error) => wrong.push((first + place, error.clone())),
             }
         }
-        let lanes = if scene.outputs().attitude {
-            Lanes::Instants(Batch::new(&motions))
-        } else {
-            Lanes::Spins(Batch::new(&motions))
-        };
+        let lanes = side_by_side(&motions, scene.outputs().attitude);
         let failed = plans.iter().map(Result::is_err).collect();
         Self { scene, first, plans, lanes, places, alone, room: Vec::new(), wrong, failed }
     }
@@ -194,18 +232,12 @@ impl<'p> ActiveTile<'p> {
             }
             _ => {}
         };
-        let mut answer = |time: usize, body: usize, omega, attitude| {
+        let answered = lanes(&at, &mut |time, body, omega, attitude| {
             let place = places[body];
             if let Ok(plan) = &plans[place] {
                 put(time, place, plan.state(at[time], omega, attitude));
             }
-        };
-        let answered = match lanes {
-            Lanes::Spins(spins) => spins.each(&at, |time, body, omega| answer(time, body, omega, None)),
-            Lanes::Instants(batch) => {
-                batch.each(&at, |time, body, at| answer(time, body, at.omega, Some(at.attitude)))
-            }
-        };
+        });
         // The times of a scene are finite; if one were not, no body in lanes would have an answer.
         if let Err(error) = answered {
             for &place in places.iter() {

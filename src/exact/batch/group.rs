@@ -100,6 +100,7 @@ impl<T: Lane, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
         n.checked_sub(self.spins.len() - parts.len()).and_then(|n| parts.get(n)).copied()
     }
 
+    #[inline(always)]
     pub(super) fn each<W: Answer>(
         &self,
         times: &[f64],
@@ -115,30 +116,26 @@ impl<T: Lane, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
                 let time = clock * t;
                 let phase = spin.phase(time);
                 let omega = frame.in_body(spin.omega(&phase));
-                let turn = attitude.map(|attitude| {
-                    let turn = spin.turn(attitude, &phase, time);
-                    world.map_or(turn, |world| frame.attitude_of_body(product(&world, &turn)))
-                });
-                each_lane(bodies, time, |lane, body, starts| {
-                    let here = || {
-                        let turn = turn
-                            .map_or(Quaternion::identity(), |turn| turn.coords.map(|x| x.lane(lane)).into());
-                        let omega = omega.map(|x| x.lane(lane));
-                        W::of(Instant { omega, attitude: UnitQuaternion::new_unchecked(turn) })
-                    };
-                    put(k, body, if starts { first(body) } else { here() });
-                });
+                // Closures as large as this work are not inlined, and so not compiled for the vectors of a
+                // caller that has them.
+                let mut turn = Quaternion::new(T::one(), T::zero(), T::zero(), T::zero());
+                if let Some(attitude) = attitude {
+                    turn = spin.turn(attitude, &phase, time);
+                    if let Some(world) = world {
+                        turn = frame.attitude_of_body(product(&world, &turn));
+                    }
+                }
+                // Where no time has passed at all the start itself is the answer.
+                let any_starts = T::any(time.abs().lt(splat::<T>(f64::from_bits(1))));
+                for (lane, &body) in bodies.iter().enumerate() {
+                    let starts = any_starts && time.lane(lane) == 0.0;
+                    let attitude = UnitQuaternion::new_unchecked(turn.coords.map(|x| x.lane(lane)).into());
+                    let here = Instant { omega: omega.map(|x| x.lane(lane)), attitude };
+                    if body != NOBODY {
+                        put(k, body, if starts { first(body) } else { W::of(here) });
+                    }
+                }
             }
         }
-    }
-}
-
-/// Calls `put` for each lane with a body: with the lane, the body, and whether no time has passed for it at
-/// all, where the start itself is the answer.
-#[inline(always)]
-fn each_lane<T: Lane>(bodies: &[usize], time: T, mut put: impl FnMut(usize, usize, bool)) {
-    let any_starts = T::any(time.abs().lt(splat::<T>(f64::from_bits(1))));
-    for (lane, &body) in bodies.iter().enumerate().filter(|(_, body)| **body != NOBODY) {
-        put(lane, body, any_starts && time.lane(lane) == 0.0);
     }
 }
