@@ -2,7 +2,7 @@
 
 use super::{Inertia, PrincipalAxes, ascending, in_range, is_diagonal, moments_of, symmetrized, turned};
 use crate::error::{Error, ErrorKind, Refusal, Subject, finite, not_negative, positive, representable};
-use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
+use crate::number::{exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, Vector3};
 
 /// The number of units in the last place of the largest moment that count as rounding: twice what was

@@ -3,7 +3,7 @@
 use super::properties::combined_about_heaviest;
 use super::{MassMoments, MassProperties};
 use crate::error::{Error, Refusal, Subject, finite_vector, positive};
-use crate::number::extended::Extended;
+use crate::number::Extended;
 use alloc::vec::Vec;
 use nalgebra::{Matrix3, Vector3};
 

@@ -74,6 +74,7 @@ const SMALL: f64 = 1e-120;
 const LARGE: f64 = 1e120;
 
 impl Series for FourLanes {}
+impl tumbling::laws::Rounding for FourLanes {}
 
 impl Lane for FourLanes {
     type Mask = f64x4;

@@ -5,7 +5,7 @@ use crate::attitude::product;
 use crate::exact::elementary::Kernel;
 use crate::exact::{FreeMotion, Instant};
 use crate::inertia::Frame;
-use crate::number::{Gather, Lane, splat};
+use crate::number::{Gather, Rounding, splat};
 use alloc::vec::Vec;
 use nalgebra::{Quaternion, UnitQuaternion};
 
@@ -29,7 +29,7 @@ pub(super) struct Group<T, K, A> {
     frames: Vec<Frame<T>>,
 }
 
-impl<T: Lane, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
+impl<T: Rounding, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
     /// Of the bodies for which `of` has constants.
     pub(super) fn new<'a, K1: 'a, A1: 'a>(
         motions: &'a [FreeMotion],
@@ -136,7 +136,7 @@ impl<T: Lane, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
 /// Calls `put` for each lane with a body: with the lane, the body, and whether no time has passed for it at
 /// all, where the start itself is the answer.
 #[inline(always)]
-fn each_lane<T: Lane>(bodies: &[usize], time: T, mut put: impl FnMut(usize, usize, bool)) {
+fn each_lane<T: Rounding>(bodies: &[usize], time: T, mut put: impl FnMut(usize, usize, bool)) {
     let any_starts = T::any(time.abs().lt(splat::<T>(f64::from_bits(1))));
     for (lane, &body) in bodies.iter().enumerate().filter(|(_, body)| **body != NOBODY) {
         put(lane, body, any_starts && time.lane(lane) == 0.0);

@@ -10,8 +10,7 @@ use crate::exact::elementary::Axes;
 use crate::exact::elliptic::{self, ComplementarySeries, DirectSeries, NOME_RATIO};
 use crate::exact::geometry::quarter_period;
 use crate::inertia::Axis;
-use crate::number::double_double::DoubleDouble;
-use crate::number::{Real, splat};
+use crate::number::{DoubleDouble, Real, splat};
 
 /// Up to this power of two the spin's components come out in one product with their amplitudes, with all
 /// digits: the rest of the exponent's range is room for what is small relative to the largest.
@@ -236,7 +235,7 @@ impl<'a, T: Real> Preparation<'a, T> {
     fn direct(&self, shares: [T; 3]) -> Prepared<T> {
         let quarter = self.quarter.hi();
         // (C9)
-        let nome = (-pi::<T>() * (self.other / quarter)).exp();
+        let nome = (-pi::<T>() * (self.other / quarter)).exp_and_exp_m1().0;
         let series = DirectSeries::new(nome);
         let pair = DirectPair::of_shape(nome, &self.shape(shares, quarter));
         // (C13)

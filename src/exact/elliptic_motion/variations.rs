@@ -13,10 +13,8 @@ use crate::error::{Error, Refusal, Subject};
 use crate::exact::elementary::Kernel;
 use crate::exact::elliptic::rd;
 use crate::exact::sensitivity::{ByTensor, SpinDerivatives};
-use crate::number::Lane;
-use crate::number::double_double::DoubleDouble;
 use crate::number::functions::atan2;
-use crate::number::power_of_two::times_power_of_two;
+use crate::number::{DoubleDouble, Lane, times_power_of_two};
 use core::f64::consts::TAU;
 use nalgebra::Matrix3;
 
