@@ -1,5 +1,6 @@
 //! Laws on any kind of number that are public for proofs alone: `crates/proofs` runs these very functions on
 //! algebraic symbols, and the closed form on intervals. The other laws that it runs stand in their modules.
+//! Only [`Rounding`] is named elsewhere too: a [lane](crate::number::Lane) takes it over as it is.
 
 pub use crate::body::Rate;
 pub use crate::exact::series::{

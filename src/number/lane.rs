@@ -27,7 +27,8 @@ impl Series for f64 {}
 /// Several `f64` that go through the same arithmetic at once, each for itself: a processor's vector register.
 /// `f64` is the case of one lane.
 ///
-/// The closed form of [free motion](crate::exact) is written over this trait. Every operation rounds as that
+/// The closed form of [free motion](crate::exact) is written over this trait and
+/// [`Rounding`](crate::laws::Rounding), which a lane takes over as it is. Every operation rounds as that
 /// of `f64` does, so a lane's answer is to the bit what the same `f64` would have got alone, whatever stands
 /// in the other lanes. A type that keeps its promises keeps that one too:
 ///

@@ -94,8 +94,8 @@ methods! {
     /// An exact turn about each principal axis, there and back.
     RotationSplitting2("three rotations", 2, EXPLICIT, ALL_BUT_ENERGY, "McL93") => splitting::order_2(system, start, h);
     /// Seven steps of [`RotationSplitting2`](Self::RotationSplitting2) in one. It refuses no needle, and
-    /// turns a long one wrongly: a solid rod of 10,000 diameters that spins at 10 rad/s, stepped at 60 Hz for
-    /// ten seconds, by two radians in `f32`, and by 0.06 in `f64`.
+    /// turns a long one wrongly: in `f32` a solid rod of 1000 diameters that spins at 10 rad/s, stepped at 60
+    /// Hz for ten seconds, by more than a tenth of a radian.
     RotationSplitting4("three rotations, 7 in 1", 4, EXPLICIT, ALL_BUT_ENERGY, "our own weights") => splitting::order_4(system, start, h);
     /// Nine steps of [`RotationSplitting2`](Self::RotationSplitting2) in one.
     RotationSplitting6("three rotations, 9 in 1", 6, EXPLICIT, ALL_BUT_ENERGY, "KL97") => splitting::order_6(system, start, h);
