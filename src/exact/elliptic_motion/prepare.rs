@@ -104,10 +104,8 @@ impl<'a, T: Real> Preparation<'a, T> {
         let shift = if direct || motion.small > -200 { 0 } else { (-motion.small).min(1000) };
         let lift = if direct && motion.off_axis < -200 { -motion.off_axis } else { 0 };
         let scaled_complement = if shift == 0 { complement } else { motion.complement(shift).hi() };
-        if !motion.separatrix && !direct && !scaled_complement.has_all_digits() {
-            let what = Subject::ComplementaryModulus;
-            return Err(Refusal::OutOfRange { what, value: complement.lane(0) }.into());
-        }
+        Refusal::OutOfRange { what: Subject::ComplementaryModulus, value: complement.lane(0) }
+            .when(!motion.separatrix && !direct && !scaled_complement.has_all_digits())?;
         let at_start = |axis: usize, up: i32| omega[axis].times_power_of_two(up - motion.clock);
         let (x, m, c) = (motion.across, motion.middle, motion.around);
         let spin = [at_start(x, shift + lift), at_start(m, lift), at_start(c, shift)];

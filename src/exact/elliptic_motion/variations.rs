@@ -135,10 +135,8 @@ impl EllipticMotion {
         tensor: bool,
     ) -> Result<SpinDerivatives, Error> {
         let run = self.constants.rate * time;
-        if !self.returns() && (self.constants.argument + run).hi().abs() > REST {
-            let (what, value) = (Subject::Derivative, f64::INFINITY);
-            return Err(Refusal::OutOfRange { what, value }.into());
-        }
+        let back = !self.returns() && (self.constants.argument + run).hi().abs() > REST;
+        Refusal::OutOfRange { what: Subject::Derivative, value: f64::INFINITY }.when(back)?;
         let run = run.hi();
         let (start, end) = (self.end(0.0), self.end(time));
         let inputs = self.inputs(moments, &start);
