@@ -6,7 +6,7 @@
 
 use crate::exact::cayley_klein::{ComplementaryPair, Pair};
 use crate::exact::elliptic::{ComplementarySeries, Decay};
-use crate::number::{DoubleDouble, Gather, Real, Rounding, gather_fields, splat};
+use crate::number::{DoubleDouble, Gather, Lane, Real, Rounding, gather_fields, splat};
 
 /// How Jacobi's argument runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -135,7 +135,7 @@ pub(crate) struct Exponentials {
 
 impl Exponentials {
     pub(crate) fn at_flip(nome: f64) -> Self {
-        let root = nome.sqrt();
+        let root = Lane::sqrt(nome);
         Self {
             falling: 1.0,
             rising: root,
