@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Refusal, Subject, finite};
 use crate::number::functions::atan2;
-use crate::number::{Analytic, Field, Lane, Ring};
+use crate::number::{Analytic, Field, Ring, Rounding};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 /// How far an attitude's length may be from 1: what a million products of unit quaternions drift by, and far
@@ -151,7 +151,7 @@ pub fn checked(attitude: UnitQuaternion<f64>) -> Result<UnitQuaternion<f64>, Err
 
 /// A quaternion of length 1 to a few roundings brought to length 1 as near as its components can be.
 #[inline(always)]
-pub(crate) fn unit<T: Lane>(q: Quaternion<T>) -> Quaternion<T> {
+pub(crate) fn unit<T: Rounding>(q: Quaternion<T>) -> Quaternion<T> {
     let (w, x, y, z) = (q.coords.w, q.coords.x, q.coords.y, q.coords.z);
     // Sorted into pairs so that the sum stays short; the excess itself has all the digits it needs.
     let excess = ((w * w - 0.5) + x * x) + ((y * y - 0.5) + z * z);

@@ -5,8 +5,7 @@ pub mod named;
 use crate::attitude;
 use crate::error::{Error, Refusal, Subject, finite_vector, representable};
 use crate::inertia::{Inertia, length, omega_world, product};
-use crate::number::power_of_two::{exponent, times_power_of_two};
-use crate::number::{Analytic, Field};
+use crate::number::{Analytic, Field, exponent, times_power_of_two};
 use nalgebra::{Matrix3, Quaternion, SVector, UnitQuaternion, Vector3};
 
 /// A rigid body turning about its centre of mass, or a top about a fixed point: the constant inertia tensor
@@ -233,8 +232,19 @@ pub(crate) fn along<T: Field, const N: usize>(
 }
 
 impl<T: Analytic> State<T> {
-    /// The state, if all its numbers are finite.
-    pub(crate) fn checked(self) -> Result<Self, Error> {
+    /// The state, if all its numbers are finite: for a step of one's own.
+    ///
+    /// ```
+    /// use nalgebra::{Quaternion, Vector3};
+    /// use tumbling::{State, Subject};
+    /// let momentum = Vector3::new(1.0, 1e300 * 1e300, 0.0);
+    /// let error = State { attitude: Quaternion::identity(), momentum }.checked().unwrap_err();
+    /// assert_eq!(error.subject(), Subject::MotionAfterStep);
+    /// ```
+    ///
+    /// # Errors
+    /// A number that is not finite.
+    pub fn checked(self) -> Result<Self, Error> {
         // Two loops of known length: a chain of iterators costs as much as a short step.
         let sum = |sum: f64, x: &T| sum + x.size();
         let size = self.attitude.coords.as_slice().iter().fold(0.0, sum);

@@ -73,13 +73,6 @@ impl Error {
         self.refusal.subject()
     }
 
-    /// For what builds on the library: a result that came out as `value`, since its true value is beyond
-    /// `f64`.
-    #[must_use]
-    pub fn unrepresentable(what: &'static str, value: f64) -> Self {
-        Refusal::OutOfRange { what: Subject::Other(what), value }.into()
-    }
-
     /// As the error of part `index` (from 0) of a whole.
     pub(crate) fn of_part(self, index: usize) -> Self {
         Refusal::Part { index, source: Box::new(self) }.into()

@@ -48,7 +48,7 @@ use crate::body::Body;
 use crate::dynamics::invariants::{Kind, classify};
 use crate::error::{Error, Refusal, Subject, finite, finite_vector, representable};
 use crate::inertia::{Axis, Frame, PrincipalMoments};
-use crate::number::power_of_two::times_power_of_two;
+use crate::number::times_power_of_two;
 use elementary::{Precession, Turn, scaled};
 use elliptic_motion::EllipticMotion;
 use flips::Clock;

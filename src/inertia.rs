@@ -16,9 +16,7 @@ pub(crate) use principal::moments_of;
 pub use principal::{Axis, PrincipalAxes};
 
 use crate::error::{Error, Refusal, Subject, finite_vector, representable};
-use crate::number::Ring;
-use crate::number::double_double::{DoubleDouble, difference_of_products};
-use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
+use crate::number::{DoubleDouble, Ring, difference_of_products, exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 /// The tensor turned by the rotation matrix `rotation`: `R I R^T`.

@@ -6,17 +6,22 @@
 //! branches on a size or takes a root is written for `f64` alone, elsewhere, or over [`Lane`], several `f64`
 //! at once.
 
-pub(crate) mod double_double;
-pub(crate) mod extended;
+mod double_double;
+mod extended;
 pub(crate) mod functions;
 mod lane;
-pub(crate) mod power_of_two;
+mod power_of_two;
 pub(crate) mod quadrature;
 pub(crate) mod real;
+pub(crate) mod rounding;
 
+pub(crate) use double_double::{DoubleDouble, difference_of_products, exact_products, exact_sum};
+pub(crate) use extended::Extended;
 pub(crate) use lane::{Gather, INTEGERS, gather_fields, splat};
 pub use lane::{Lane, Series};
+pub(crate) use power_of_two::{exponent, times_power_of_two, ulp};
 pub(crate) use real::Real;
+pub(crate) use rounding::Rounding;
 
 use core::any::Any;
 use core::ops::Neg;

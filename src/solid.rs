@@ -30,8 +30,7 @@ pub use round::{Ball, Capsule, Cone, Cylinder};
 pub use thin::{ThinDisk, ThinPlate, ThinRod};
 
 use crate::error::{Error, Refusal, Subject, not_negative, positive};
-use crate::number::extended::Extended;
-use crate::number::{Field, Ring};
+use crate::number::{Extended, Field, Ring};
 use core::f64::consts::PI;
 use nalgebra::{Matrix3, Vector3};
 use num_traits::Zero as _;
@@ -84,6 +83,26 @@ fn even<S: Shape<N>, const N: usize>(
     MassMoments { mass, centre, inertia }.checked()
 }
 
+/// A shape of sizes that are all finite and above zero, and how it is made from them.
+macro_rules! shape {
+    ($(#[$about:meta])* $Name:ident $(#[$of:meta])* new($($size:ident: $what:ident),*)) => {
+        $(#[$about])*
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        pub struct $Name {
+            sizes: [f64; [$(stringify!($size)),*].len()],
+        }
+
+        impl $Name {
+            $(#[$of])*
+            pub fn new($($size: f64),*) -> Result<Self, Error> {
+                $(positive(Subject::$what, $size)?;)*
+                Ok(Self { sizes: [$($size),*] })
+            }
+        }
+    };
+}
+use shape;
+
 /// Makes a shape a solid: by how much of it there is, from its sizes, and by its centre if that is not the
 /// origin.
 macro_rules! solid {
@@ -109,12 +128,6 @@ use solid;
 
 fn four_thirds_pi() -> Extended {
     Extended::from(4.0) * Extended::from(PI) / Extended::from(3.0)
-}
-
-/// Sizes that are finite and above zero.
-fn positive_sizes<const N: usize>(named: [(Subject, f64); N]) -> Result<[f64; N], Error> {
-    named.iter().try_for_each(|&(what, size)| positive(what, size).map(drop))?;
-    Ok(named.map(|(_, size)| size))
 }
 
 /// That these can be the radii of a hole and of the whole.

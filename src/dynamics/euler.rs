@@ -1,8 +1,7 @@
 //! Euler's equations: how spin and momentum change in body axes.
 //!
 //! Written component by component, as they are printed, and without a division, for any number type. All
-//! vectors here are in the body frame. Source: [Eul65](crate::references); the momentum form is
-//! [Arn66](crate::references)'s.
+//! vectors here are in the body frame. Source: [Eul65](crate::references).
 
 use crate::number::{Field, Ring};
 use nalgebra::{Matrix3, Vector3};
@@ -42,24 +41,6 @@ pub fn angular_acceleration<T: Field>(
     torque: &Vector3<T>,
 ) -> Vector3<T> {
     (coupling(moments, omega) + torque).component_div(moments)
-}
-
-/// The rate of body-frame momentum, N m: `L' = L x (J L) + torque`, with `J` the inverse tensor in
-/// whatever body axes. No division, so a polynomial in everything it is given.
-///
-/// ```
-/// use nalgebra::{Matrix3, Vector3};
-/// let inverse = Matrix3::from_diagonal(&Vector3::new(3, 2, 1));
-/// let rate = tumbling::dynamics::euler::momentum_rate(&inverse, &Vector3::new(0, 1, 1), &Vector3::zeros());
-/// assert_eq!(rate, Vector3::new(-1, 0, 0));
-/// ```
-#[must_use]
-pub fn momentum_rate<T: Ring>(
-    inverse: &Matrix3<T>,
-    momentum: &Vector3<T>,
-    torque: &Vector3<T>,
-) -> Vector3<T> {
-    momentum.cross(&(inverse * momentum)) + torque
 }
 
 /// Euler's equations with the spin as the unknown, in whatever body axes: `I w' = (I w) x w + torque`, N m.

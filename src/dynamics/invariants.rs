@@ -5,8 +5,7 @@
 //! subtracting squares. Sizes go by powers of two, so that a push of 5e-324 counts as any other.
 
 use crate::inertia::PrincipalMoments;
-use crate::number::Real;
-use crate::number::double_double::{DoubleDouble, exact_products, exact_sum};
+use crate::number::{DoubleDouble, Real, exact_products, exact_sum};
 use nalgebra::Vector3;
 
 /// What kind of free motion this is, decided without rounding.

@@ -18,22 +18,14 @@ macro_rules! subjects {
         #[non_exhaustive]
         pub enum Subject {
             $(#[doc = concat!("\"", $words, "\"")] $name,)*
-            /// What a program that builds on the library named, by
-            /// [`Error::unrepresentable`](crate::Error::unrepresentable).
-            Other(&'static str),
         }
 
         impl Subject {
             /// The words of the error's sentence: "the mass", "the edge along x".
             #[must_use]
             pub fn words(self) -> &'static str {
-                // First what holds words of its own: of the rest the compiler then makes a table.
-                if let Self::Other(words) = self {
-                    return words;
-                }
                 match self {
                     $(Self::$name => $words,)*
-                    Self::Other(words) => words,
                 }
             }
         }

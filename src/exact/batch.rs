@@ -8,13 +8,14 @@ use super::elliptic_motion::{
 };
 use super::{FreeMotion, Instant, Motion};
 use crate::error::{Error, Subject, finite};
-use crate::number::Lane;
+use crate::number::Rounding;
 use alloc::vec::Vec;
 use core::marker::PhantomData;
 use group::Group;
 use nalgebra::Vector3;
 
-/// Many bodies in free motion, answered together: as many at once as the number type has [lanes](Lane).
+/// Many bodies in free motion, answered together: as many at once as the number type has
+/// [lanes](crate::number::Lane).
 ///
 /// Every answer is to the bit that of [`FreeMotion::at`], whatever the other bodies and their order: bodies
 /// are sorted by their kind of motion, the same functions run on several numbers at once, and the last lanes
@@ -86,7 +87,7 @@ impl Answer for Vector3<f64> {
     }
 }
 
-impl<T: Lane, A: Answer> Batch<T, A> {
+impl<T: Rounding, A: Answer> Batch<T, A> {
     /// Prepares these motions; the index of a body is its place among them.
     #[must_use]
     pub fn new(motions: &[FreeMotion]) -> Self {

@@ -14,9 +14,8 @@
 //! n)/2`, with `n` the momentum's share along the circled axis, have their zeros where `n` is -1 and 1. The
 //! length is found by making the quaternion one of length 1; nothing has to be integrated, no angle unwound.
 
-use crate::number::double_double::DoubleDouble;
 use crate::number::functions::powi;
-use crate::number::{Gather, Lane, Real, Series, gather_fields, splat};
+use crate::number::{DoubleDouble, Gather, Real, Rounding, Series, gather_fields, splat};
 use core::array::from_fn;
 
 /// `a + b j`, not of length 1.
@@ -29,16 +28,16 @@ pub(crate) struct Pair<T = f64> {
 gather_fields!(Pair { a, b });
 
 #[inline(always)]
-pub(crate) fn times<T: Lane>(x: [T; 2], y: [T; 2]) -> [T; 2] {
+pub(crate) fn times<T: Rounding>(x: [T; 2], y: [T; 2]) -> [T; 2] {
     [x[0] * y[0] - x[1] * y[1], x[0] * y[1] + x[1] * y[0]]
 }
 
 #[inline(always)]
-pub(crate) fn conjugate<T: Lane>(x: [T; 2]) -> [T; 2] {
+pub(crate) fn conjugate<T: Rounding>(x: [T; 2]) -> [T; 2] {
     [x[0], -x[1]]
 }
 
-impl<T: Lane> Pair<T> {
+impl<T: Rounding> Pair<T> {
     #[inline(always)]
     pub(crate) fn length(&self) -> T {
         (self.a[0] * self.a[0] + self.a[1] * self.a[1] + self.b[0] * self.b[0] + self.b[1] * self.b[1]).sqrt()
@@ -214,7 +213,7 @@ impl<T: Real> DirectPair<T> {
     }
 }
 
-impl<T: Lane> DirectPair<T> {
+impl<T: Rounding> DirectPair<T> {
     /// From sine and cosine of `z`.
     #[inline(always)]
     pub(crate) fn raw(&self, sin: T, cos: T) -> Pair<T> {
@@ -347,7 +346,7 @@ impl<T: Real> ComplementaryPair<T> {
     }
 }
 
-impl<T: Lane> ComplementaryPair<T> {
+impl<T: Rounding> ComplementaryPair<T> {
     /// From `e = exp(-|x|)`, `p exp(|x|)`, the sign of `x`, and that of `b` after an odd number of half
     /// turns.
     #[inline(always)]
@@ -360,7 +359,7 @@ impl<T: Lane> ComplementaryPair<T> {
 
 /// Cosine and sine of the common phase.
 #[inline(always)]
-pub(crate) fn phase_factor<T: Lane>(turns: DoubleDouble<T>) -> [T; 2] {
+pub(crate) fn phase_factor<T: Rounding>(turns: DoubleDouble<T>) -> [T; 2] {
     let (sin, cos) = crate::exact::elliptic::sin_cos_of_turns(turns);
     [cos, sin]
 }

@@ -1,18 +1,18 @@
-//! What an instant of a free motion takes, by [lanes](Lane): one body is the lane of one. And the motions
-//! that sines and cosines describe: a steady spin, and that of a body with two equal moments.
+//! What an instant of a free motion takes, by [lanes](crate::number::Lane): one body is the lane of one. And
+//! the motions that sines and cosines describe: a steady spin, and that of a body with two equal moments.
 
 use crate::attitude::{product, unit};
 use crate::exact::elliptic::sin_cos_of_turns;
-use crate::number::double_double::DoubleDouble;
 use crate::number::functions::hypot;
-use crate::number::power_of_two::{exponent, times_power_of_two};
-use crate::number::{Gather, INTEGERS, Lane, gather_fields, splat};
+use crate::number::{
+    DoubleDouble, Gather, INTEGERS, Rounding, exponent, gather_fields, splat, times_power_of_two,
+};
 use core::f64::consts::PI;
 use nalgebra::{Quaternion, Vector3};
 
 /// The constants of one kind of motion, those of the spin. What the attitude needs beyond them is kept apart,
 /// since spins are also requested alone.
-pub(super) trait Kernel<T: Lane> {
+pub(super) trait Kernel<T: Rounding> {
     /// The further constants of the attitude.
     type Attitude;
     /// What spin and attitude at one instant have in common.
@@ -38,7 +38,7 @@ pub(super) struct Axes<T = f64> {
 
 gather_fields!(Axes { places, sense });
 
-impl<T: Lane> Axes<T> {
+impl<T: Rounding> Axes<T> {
     pub(super) fn new(axes: [usize; 3]) -> Self {
         let cyclic = (axes[0] + 1) % 3 == axes[1];
         let places = axes.map(|axis| splat([0.0, 1.0, 2.0][axis % 3]));
@@ -98,7 +98,7 @@ impl Turn {
     }
 }
 
-impl<T: Lane> Turn<T> {
+impl<T: Rounding> Turn<T> {
     /// The turn since the start.
     #[inline(always)]
     pub(crate) fn at(&self, time: T) -> Quaternion<T> {
@@ -109,7 +109,7 @@ impl<T: Lane> Turn<T> {
 }
 
 /// A spin that does not change.
-impl<T: Lane> Kernel<T> for Vector3<T> {
+impl<T: Rounding> Kernel<T> for Vector3<T> {
     type Attitude = Turn<T>;
     type Phase = ();
 
@@ -139,7 +139,7 @@ pub(crate) struct TopSpin<T = f64> {
 
 gather_fields!(TopSpin { axes, omega, nutation });
 
-impl<T: Lane> Kernel<T> for TopSpin<T> {
+impl<T: Rounding> Kernel<T> for TopSpin<T> {
     /// The turn about the momentum.
     type Attitude = Turn<T>;
     /// The time: spin and attitude turn by different angles.

@@ -17,8 +17,7 @@ pub use complementary::{ComplementarySeries, Parts};
 pub(crate) use complete::{quarter_period, quarter_period_from_root};
 pub use direct::DirectSeries;
 
-use crate::number::double_double::DoubleDouble;
-use crate::number::{Lane, splat};
+use crate::number::{DoubleDouble, Rounding, splat};
 
 /// Below this ratio of the quarter periods `K'/K` the complementary nome is the smaller, and its series
 /// converges faster.
@@ -30,7 +29,7 @@ pub(crate) const NOME_RATIO: f64 = 0.775;
 /// Quarter turns are taken off first, exactly, so that a phase of 1e9 turns costs what a small one does, and
 /// what is left keeps all its digits.
 #[inline(always)]
-pub(crate) fn sin_cos_of_turns<T: Lane>(turns: DoubleDouble<T>) -> (T, T) {
+pub(crate) fn sin_cos_of_turns<T: Rounding>(turns: DoubleDouble<T>) -> (T, T) {
     let (_, quarters, left) = turns.times_exact(splat(4.0)).whole_and_rest();
     let (sin, cos) = left.hi().sin_cos_of_quarter();
     quarters.after_quarters(sin, cos)

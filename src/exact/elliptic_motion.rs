@@ -14,9 +14,8 @@ use super::Regime;
 use super::elementary::Kernel;
 use super::flips::Clock;
 use crate::inertia::Axis;
-use crate::number::double_double::DoubleDouble;
 use crate::number::functions::atan2;
-use crate::number::{Real, splat};
+use crate::number::{DoubleDouble, Real, splat};
 use core::f64::consts::PI;
 use nalgebra::{Quaternion, Vector3};
 

@@ -1,8 +1,7 @@
 //! When a free body flips: every instant, in order, without a list.
 
 use crate::error::{Error, Refusal, Subject};
-use crate::number::double_double::DoubleDouble;
-use crate::number::power_of_two::times_power_of_two;
+use crate::number::{DoubleDouble, times_power_of_two};
 use core::iter::FusedIterator;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;

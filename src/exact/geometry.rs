@@ -10,10 +10,8 @@ use crate::dynamics::invariants::{Asymmetric, Kind, classify};
 use crate::dynamics::observe::energy;
 use crate::error::{Error, Refusal, Subject, finite_vector, representable};
 use crate::inertia::{Axis, Inertia, PrincipalMoments, unit};
-use crate::number::double_double::DoubleDouble;
 use crate::number::functions::{atan2, hypot};
-use crate::number::power_of_two::times_power_of_two;
-use crate::number::{Real, splat};
+use crate::number::{DoubleDouble, Real, splat, times_power_of_two};
 use core::f64::consts::PI;
 use nalgebra::Vector3;
 

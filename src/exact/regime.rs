@@ -15,6 +15,8 @@ use crate::inertia::Axis;
 /// assert!(matches!(regime([2.0, 1.0, 1.0])?, Regime::Separatrix { .. }));
 /// assert!(matches!(regime([1.9, 1.0, 1.0])?, Regime::Elliptic { about: Axis::Largest, .. }));
 /// assert!(matches!(regime([2.1, 1.0, 1.0])?, Regime::Elliptic { about: Axis::Smallest, .. }));
+/// // Off the separatrix by less than `f64` holds.
+/// assert!(matches!(regime([1e-150, 1e200, 0.0])?, Regime::Elliptic { complement: 0.0, .. }));
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,7 +47,8 @@ pub enum Regime {
         about: Axis,
         /// The modulus `k` of Jacobi's functions: 0 for an infinitesimal libration.
         modulus: f64,
-        /// The complement `k' = sqrt(1 - k²)`, with all its digits: 0 would be the separatrix.
+        /// The complement `k' = sqrt(1 - k²)`, with all its digits; 0 where it is below the least number that
+        /// `f64` holds, though the motion itself still flips in its own time.
         complement: f64,
         /// How fast Jacobi's argument runs, 1/s: a flip comes each time it has moved by `2 K`. Where `k'` is
         /// at most 0.1, a push off the middle axis grows as `cosh(rate t)` at first, by the factor `1/k'` up

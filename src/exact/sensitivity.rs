@@ -20,9 +20,7 @@ use super::elementary::scaled;
 use super::elliptic_motion::EllipticMotion;
 use super::{FreeMotion, Motion};
 use crate::error::{Error, Subject, finite, representable};
-use crate::number::Lane;
-use crate::number::double_double::DoubleDouble;
-use crate::number::power_of_two::{exponent, times_power_of_two};
+use crate::number::{DoubleDouble, Lane, exponent, times_power_of_two};
 use nalgebra::{Matrix3, Matrix6, SMatrix, UnitQuaternion, Vector3};
 use series::{Request, span};
 

@@ -18,15 +18,14 @@ use crate::attitude::{checked, product};
 use crate::body::Body;
 use crate::error::{Error, Refusal, Subject, finite, finite_vector, not_negative, representable};
 use crate::inertia::{Frame, PrincipalMoments};
-use crate::number::double_double::DoubleDouble;
 use crate::number::functions::{atan2, hypot};
-use crate::number::power_of_two::{exponent, times_power_of_two};
+use crate::number::{DoubleDouble, exponent, times_power_of_two};
 use integrals::{Integrals, Start};
 use mounted::Mounted;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
-use nutation::{Form, Nutation};
+use nutation::Nutation;
 
 /// The motion of one top from one start, prepared for any instant.
 ///
@@ -314,7 +313,8 @@ impl LagrangeTop {
         let fastest = match &self.law {
             TopMotion::Steady(_) => 0.0,
             TopMotion::Nutation(nutation) if nutation.is_finite() => {
-                times_power_of_two(4.0 * nutation.greatest_spin(), self.exponent)
+                let greatest = hypot(nutation.carriers[2].greatest, nutation.rate);
+                times_power_of_two(4.0 * greatest, self.exponent)
             }
             TopMotion::Nutation(_) => f64::INFINITY,
         };
@@ -357,16 +357,6 @@ impl Constants {
             lean: if steady { [here; 2] } else { [angle(1), angle(0)] },
             regime: TopRegime::new(integrals, steady, polar_spin),
         }
-    }
-}
-
-impl Nutation {
-    fn greatest_spin(&self) -> f64 {
-        let factor = match &self.form {
-            Form::Direct { factors, .. } => factors[2].carrier.greatest,
-            Form::Complementary { factors, .. } => factors[2].carrier.greatest,
-        };
-        hypot(factor, self.rate)
     }
 }
 

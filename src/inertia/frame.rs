@@ -1,7 +1,7 @@
 //! Where a body's principal axes lie in its own.
 
 use crate::attitude::{conjugate, product, rotate_inverse, rotation_matrix, unit};
-use crate::number::{Gather, Lane, Ring};
+use crate::number::{Gather, Ring, Rounding};
 use alloc::vec::Vec;
 use nalgebra::{Matrix3, Quaternion, Scalar, UnitQuaternion, Vector3};
 
@@ -86,7 +86,7 @@ impl Frame {
     }
 }
 
-impl<T: Lane> Frame<T> {
+impl<T: Rounding> Frame<T> {
     /// Those of the bodies in the lanes, none of which has principal axes of its own.
     pub(crate) fn of_lanes<'a>(frames: impl Iterator<Item = &'a Frame>) -> Self {
         let turns: Vec<_> = frames.filter_map(|frame| frame.to_principal).collect();

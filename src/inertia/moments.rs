@@ -3,7 +3,7 @@
 use super::possible::{DIAGONAL_ROUNDING_ULPS, nearest_possible, physically_possible};
 use super::{Axis, Inertia};
 use crate::error::{Error, Subject, positive};
-use crate::number::power_of_two::ulp;
+use crate::number::ulp;
 use core::fmt;
 use core::ops::Index;
 use nalgebra::Vector3;

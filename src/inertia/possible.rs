@@ -2,7 +2,7 @@
 
 use super::{Inertia, PrincipalAxes, ascending, in_range, is_diagonal, moments_of, symmetrized, turned};
 use crate::error::{Error, ErrorKind, Refusal, Subject, finite, not_negative, positive, representable};
-use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
+use crate::number::{exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, Vector3};
 
 /// The number of units in the last place of the largest moment that count as rounding: twice what was
@@ -45,10 +45,9 @@ impl Inertia {
         for (row, column) in [(0, 1), (0, 2), (1, 2)] {
             let (value, mirrored) = (tensor[(row, column)], tensor[(column, row)]);
             let difference = (value - mirrored).abs();
-            if difference > tolerance {
-                let printed = difference <= PRINTED * tensor.amax();
-                return Err(Refusal::Asymmetric { row, column, value, mirrored, tolerance, printed }.into());
-            }
+            let printed = difference <= PRINTED * tensor.amax();
+            Refusal::Asymmetric { row, column, value, mirrored, tolerance, printed }
+                .when(difference > tolerance)?;
         }
         let tensor = symmetrized(tensor);
         // Moments that were given are as exact as they stand; those of a turned tensor carry the rounding of
@@ -129,13 +128,8 @@ impl Inertia {
 pub(super) fn physically_possible(moments: &Vector3<f64>, tolerance: f64) -> Result<(), Error> {
     not_below_zero(Subject::SmallestMoment, moments[0], moments[2], tolerance)?;
     let excess = (moments[2] - moments[1]) - moments[0];
-    if excess > tolerance {
-        let printed = excess <= PRINTED * moments[2];
-        return Err(
-            Refusal::TriangleInequality { moments: (*moments).into(), excess, tolerance, printed }.into()
-        );
-    }
-    Ok(())
+    let (moments, printed) = ((*moments).into(), excess <= PRINTED * moments[2]);
+    Refusal::TriangleInequality { moments, excess, tolerance, printed }.when(excess > tolerance)
 }
 
 fn not_below_zero(what: Subject, value: f64, largest: f64, tolerance: f64) -> Result<(), Error> {

@@ -3,7 +3,7 @@
 use super::{Inertia, PrincipalMoments, ascending, is_diagonal};
 use crate::error::Error;
 use crate::number::functions::hypot;
-use crate::number::power_of_two::{exponent, times_power_of_two, ulp};
+use crate::number::{exponent, times_power_of_two, ulp};
 use core::fmt;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 #[cfg(not(feature = "std"))]
@@ -26,11 +26,7 @@ impl Axis {
 
     /// Its place among the sorted moments: 0, 1 or 2.
     pub(crate) const fn index(self) -> usize {
-        match self {
-            Self::Smallest => 0,
-            Self::Middle => 1,
-            Self::Largest => 2,
-        }
+        self as usize
     }
 }
 

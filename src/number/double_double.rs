@@ -4,7 +4,7 @@
 //! and momentum near a principal axis, the inverse of a needle's tensor, the phase after a billion flips.
 //! The error-free sum and product are Knuth's and Dekker's, see [Dek71](crate::references).
 
-use crate::number::{Gather, Lane, Real, gather_fields, splat};
+use crate::number::{Gather, Real, Rounding, gather_fields, splat};
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// The unevaluated sum `hi + lo`, with `|lo|` at most half a unit in the last place of `hi`.
@@ -51,7 +51,7 @@ impl<T: Real> DoubleDouble<T> {
     }
 }
 
-impl<T: Lane> DoubleDouble<T> {
+impl<T: Rounding> DoubleDouble<T> {
     /// The sum of a number and of one that is at most half a unit in its last place.
     pub(crate) fn new(hi: T, lo: T) -> Self {
         Self { hi, lo }
@@ -155,10 +155,10 @@ impl<T: Lane> DoubleDouble<T> {
     }
 }
 
-/// 2^49: twice a number below it is one for [`Lane::nearest`].
+/// 2^49: twice a number below it is one for [`Rounding::nearest`].
 const LARGE: f64 = 562_949_953_421_312.0;
 
-impl<T: Lane> From<T> for DoubleDouble<T> {
+impl<T: Rounding> From<T> for DoubleDouble<T> {
     fn from(hi: T) -> Self {
         Self { hi, lo: T::zero() }
     }
@@ -166,12 +166,12 @@ impl<T: Lane> From<T> for DoubleDouble<T> {
 
 /// `a + b` without error, where `|a| >= |b|` or `a` is zero.
 #[inline(always)]
-fn quick_two_sum<T: Lane>(a: T, b: T) -> DoubleDouble<T> {
+fn quick_two_sum<T: Rounding>(a: T, b: T) -> DoubleDouble<T> {
     let [hi, lo] = a.quick_sum_in_two(b);
     DoubleDouble { hi, lo }
 }
 
-impl<T: Lane> Add for DoubleDouble<T> {
+impl<T: Rounding> Add for DoubleDouble<T> {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
@@ -182,21 +182,21 @@ impl<T: Lane> Add for DoubleDouble<T> {
     }
 }
 
-impl<T: Lane> Neg for DoubleDouble<T> {
+impl<T: Rounding> Neg for DoubleDouble<T> {
     type Output = Self;
     fn neg(self) -> Self {
         Self { hi: -self.hi, lo: -self.lo }
     }
 }
 
-impl<T: Lane> Sub for DoubleDouble<T> {
+impl<T: Rounding> Sub for DoubleDouble<T> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         self + -other
     }
 }
 
-impl<T: Lane> Mul for DoubleDouble<T> {
+impl<T: Rounding> Mul for DoubleDouble<T> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
@@ -206,7 +206,7 @@ impl<T: Lane> Mul for DoubleDouble<T> {
     }
 }
 
-impl<T: Lane> Mul<T> for DoubleDouble<T> {
+impl<T: Rounding> Mul<T> for DoubleDouble<T> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: T) -> Self {

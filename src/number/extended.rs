@@ -5,7 +5,7 @@
 //! fit an `f64`. While it does, every operation rounds exactly as `f64` does.
 
 use crate::error::{Error, Refusal, Subject, representable};
-use crate::number::power_of_two::{exponent, times_power_of_two};
+use crate::number::{exponent, times_power_of_two};
 use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 use num_traits::{One, Zero};
 

@@ -1,7 +1,6 @@
 //! Several numbers worked on at once, and numbers known between bounds.
 
-use super::Field;
-use core::f64::consts::FRAC_PI_2;
+use super::{Field, Rounding};
 use core::fmt::Debug;
 use core::ops::{Add, Mul, Sub};
 use nalgebra::{Quaternion, SVector};
@@ -28,7 +27,8 @@ impl Series for f64 {}
 /// Several `f64` that go through the same arithmetic at once, each for itself: a processor's vector register.
 /// `f64` is the case of one lane.
 ///
-/// The closed form of [free motion](crate::exact) is written over this trait. Every operation rounds as that
+/// The closed form of [free motion](crate::exact) is written over this trait and
+/// [`Rounding`](crate::laws::Rounding), which a lane takes over as it is. Every operation rounds as that
 /// of `f64` does, so a lane's answer is to the bit what the same `f64` would have got alone, whatever stands
 /// in the other lanes. A type that keeps its promises keeps that one too:
 ///
@@ -37,10 +37,6 @@ impl Series for f64 {}
 /// - `zero` and `one` have it in every lane.
 ///
 /// The functions for an index of a lane are called with those below [`WIDTH`](Self::WIDTH) only.
-///
-/// The methods with a body are where `f64` rounds, or stops a series. An enclosure of a real number replaces
-/// them: with no lanes but itself, it answers `lt` and `sign` for a number in its middle, and either answer
-/// is then right for all that lie in it.
 ///
 /// ```
 /// use tumbling::number::Lane;
@@ -88,102 +84,9 @@ pub trait Lane:
     /// The nearest integer, the even one of two equally near.
     fn round_ties_even(self) -> Self;
 
-    /// [`round_ties_even`](Self::round_ties_even) of a number below 2^51; zero may have either sign.
-    #[inline(always)]
-    fn nearest(self) -> Self {
-        (self + INTEGERS) - INTEGERS
-    }
-
-    /// This nearest integer, and what is left, which is exact.
-    #[inline(always)]
-    fn whole_and_left(self) -> [Self; 2] {
-        let whole = self.nearest();
-        [whole, self - whole]
-    }
-
-    /// `self - other` where the two agree to four units in the last place: without error.
-    #[inline(always)]
-    fn less_near(self, other: Self) -> Self {
-        self - other
-    }
-
     /// `self * other - product` rounded once, where `product` is `self * other` rounded: what that rounding
     /// left off.
     fn two_product_error(self, other: Self, product: Self) -> Self;
-
-    /// `self + other` in two parts, the second what rounding left off the first: without error.
-    #[inline(always)]
-    fn sum_in_two(self, other: Self) -> [Self; 2] {
-        let high = self + other;
-        let part = high - self;
-        [high, (self - (high - part)) + (other - part)]
-    }
-
-    /// [`sum_in_two`](Self::sum_in_two) where `self` is not the smaller of the two, or is zero.
-    #[inline(always)]
-    fn quick_sum_in_two(self, other: Self) -> [Self; 2] {
-        let high = self + other;
-        [high, other - (high - self)]
-    }
-
-    /// `self * other` in two parts: without error (but for underflow).
-    #[inline(always)]
-    fn product_in_two(self, other: Self) -> [Self; 2] {
-        let high = self * other;
-        [high, self.two_product_error(other, high)]
-    }
-
-    /// A number in two parts as the nearest single one and the rest.
-    #[inline(always)]
-    fn in_one(high: Self, low: Self) -> [Self; 2] {
-        [high, low]
-    }
-
-    /// The number that a quotient or a root is improved from.
-    #[inline(always)]
-    fn near(self) -> Self {
-        self
-    }
-
-    /// Whether it is neither infinite nor NaN.
-    #[inline(always)]
-    fn finite(self) -> Self::Mask {
-        self.abs().lt(splat(f64::INFINITY))
-    }
-
-    /// A number that only rounding can bring below zero.
-    #[inline(always)]
-    fn not_below_zero(self) -> Self {
-        let zero = splat::<Self>(0.0);
-        Self::select(zero.lt(self), self, zero)
-    }
-
-    /// Sine and cosine of this part of a quarter turn, a half at most (or a hair more).
-    #[inline(always)]
-    fn sin_cos_of_quarter(self) -> (Self, Self) {
-        // Half the circle's constant is larger by less than that.
-        crate::number::functions::sin_cos_near_zero((self * FRAC_PI_2).up_to(|| self * 6.13e-17))
-    }
-
-    /// Sine and cosine of an angle of this whole number of quarter turns and a rest, from those of the rest.
-    #[inline(always)]
-    fn after_quarters(self, sin: Self, cos: Self) -> (Self, Self) {
-        // The last bits of a number that large count the quarters: odd ones exchange the two, and each has
-        // its half of the circle below zero.
-        let turned = |k: usize, more: u64, this: &Self, other: &Self| {
-            let quarters = (self.lane(k) + INTEGERS).to_bits();
-            let (this, other) = (this.lane(k).to_bits(), other.lane(k).to_bits());
-            let exchanged = this ^ (this ^ other) & (quarters & 1).wrapping_neg();
-            f64::from_bits(exchanged ^ (quarters + more) >> 1 << 63)
-        };
-        (Self::from_lanes(|k| turned(k, 0, &sin, &cos)), Self::from_lanes(|k| turned(k, 1, &cos, &sin)))
-    }
-
-    /// `exp(-x)` and `exp(-x) - 1` of `x = self + rest >= 0`.
-    #[inline(always)]
-    fn decay(self, rest: Self) -> [Self; 2] {
-        crate::number::functions::decay(self, rest)
-    }
 }
 
 /// Three times 2^51: the last place of what it is added to counts integers.
@@ -194,6 +97,8 @@ pub(crate) const INTEGERS: f64 = 6_755_399_441_055_744.0;
 pub(crate) fn splat<T: Lane>(x: f64) -> T {
     T::from_lanes(|_| x)
 }
+
+impl Rounding for f64 {}
 
 impl Lane for f64 {
     type Mask = bool;
@@ -315,7 +220,7 @@ impl<T: Lane> Gather for Quaternion<T> {
 /// Gathers a structure that is generic over its lanes, field by field.
 macro_rules! gather_fields {
     ($Name:ident { $($field:ident),* }) => {
-        impl<T: Lane> Gather for $Name<T> {
+        impl<T: $crate::number::Lane> Gather for $Name<T> {
             type One = $Name<f64>;
             fn gather<S>(from: &[S], of: impl Fn(&S) -> &Self::One) -> Self {
                 Self { $($field: Gather::gather(from, |s| &of(s).$field)),* }

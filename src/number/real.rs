@@ -1,13 +1,13 @@
 //! Real numbers: the roots, exponentials and angles from which a motion is prepared.
 
 use super::power_of_two;
-use super::{Lane, functions};
+use super::{Rounding, functions};
 use core::f64::consts::PI;
 
 /// A number from which a motion in closed form can be prepared: an `f64`, or an enclosure of a real number.
 ///
 /// `==`, `<` and the like hold of an enclosure where they hold of all numbers in it.
-pub trait Real: Lane<Mask = bool> + PartialOrd {
+pub trait Real: Rounding<Mask = bool> + PartialOrd {
     /// The circle's constant in two parts, to 107 bits.
     fn pi_in_two() -> [Self; 2];
 
@@ -16,9 +16,6 @@ pub trait Real: Lane<Mask = bool> + PartialOrd {
 
     /// The power of two at or below its size; 0 for zero.
     fn exponent(self) -> i32;
-
-    /// The exponential of a number that is not positive.
-    fn exp(self) -> Self;
 
     /// The exponential of a number that is not positive, and that less 1.
     fn exp_and_exp_m1(self) -> (Self, Self);
@@ -59,9 +56,6 @@ impl Real for f64 {
     }
     fn exponent(self) -> i32 {
         power_of_two::exponent(self)
-    }
-    fn exp(self) -> Self {
-        functions::exp(self)
     }
     fn exp_and_exp_m1(self) -> (Self, Self) {
         functions::exp_and_exp_m1(self)

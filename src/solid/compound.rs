@@ -3,7 +3,7 @@
 use super::properties::combined_about_heaviest;
 use super::{MassMoments, MassProperties};
 use crate::error::{Error, Refusal, Subject, finite_vector, positive};
-use crate::number::extended::Extended;
+use crate::number::Extended;
 use alloc::vec::Vec;
 use nalgebra::{Matrix3, Vector3};
 
@@ -90,10 +90,8 @@ impl MassProperties {
             let (mass, centre) = (Extended::from(*mass), position.map(Extended::from));
             parts.push(MassMoments { mass, centre, inertia: Matrix3::zeros() });
         }
-        if !points.iter().any(|p| p.1 != points[0].1) {
-            let count = points.len().min(1);
-            return Err(Refusal::TooFew { what: Subject::DistinctPoints, count, needed: 2 }.into());
-        }
+        let (count, distinct) = (points.len().min(1), points.iter().any(|p| p.1 != points[0].1));
+        Refusal::TooFew { what: Subject::DistinctPoints, count, needed: 2 }.when(!distinct)?;
         combined_about_heaviest(&parts, points.iter().map(|p| p.0), Subject::Points)?.checked()
     }
 }

@@ -2,31 +2,25 @@
 
 use super::*;
 
-/// A box with edges `a` along x, `b` along y and `c` along z, centred at the origin.
-///
-/// ```
-/// use nalgebra::Vector3;
-/// use tumbling::solid::{Cuboid, Solid};
-/// let brick = Cuboid::new(2.0, 1.0, 3.0)?;
-/// assert_eq!(brick.measure()?, 6.0);
-/// let moments = brick.with_density(2.0)?.inertia().matrix().diagonal();
-/// assert_eq!(moments, Vector3::new(10.0, 13.0, 5.0));
-/// # Ok::<(), tumbling::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Cuboid {
-    sizes: [f64; 3],
-}
+shape! {
+    /// A box with edges `a` along x, `b` along y and `c` along z, centred at the origin.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tumbling::solid::{Cuboid, Solid};
+    /// let brick = Cuboid::new(2.0, 1.0, 3.0)?;
+    /// assert_eq!(brick.measure()?, 6.0);
+    /// let moments = brick.with_density(2.0)?.inertia().matrix().diagonal();
+    /// assert_eq!(moments, Vector3::new(10.0, 13.0, 5.0));
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    Cuboid
 
-impl Cuboid {
     /// From the three edges, m.
     ///
     /// # Errors
     /// An edge that is not finite and positive.
-    pub fn new(a: f64, b: f64, c: f64) -> Result<Self, Error> {
-        let sizes = positive_sizes([(Subject::EdgeX, a), (Subject::EdgeY, b), (Subject::EdgeZ, c)])?;
-        Ok(Self { sizes })
-    }
+    new(a: EdgeX, b: EdgeY, c: EdgeZ)
 }
 
 impl Shape<3> for Cuboid {
@@ -46,30 +40,24 @@ impl Shape<3> for Cuboid {
 
 solid!(Cuboid, Volume, |[a, b, c]| a * b * c);
 
-/// A full ellipsoid with semi-axes `a` along x, `b` along y and `c` along z, centred at the origin.
-///
-/// ```
-/// use nalgebra::Vector3;
-/// use tumbling::solid::{Ellipsoid, Solid};
-/// let egg = Ellipsoid::new(2.0, 1.0, 3.0)?;
-/// assert_eq!(egg.measure()?, 8.0 * std::f64::consts::PI);
-/// assert_eq!(egg.with_mass(5.0)?.inertia().matrix().diagonal(), Vector3::new(10.0, 13.0, 5.0));
-/// # Ok::<(), tumbling::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Ellipsoid {
-    sizes: [f64; 3],
-}
+shape! {
+    /// A full ellipsoid with semi-axes `a` along x, `b` along y and `c` along z, centred at the origin.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tumbling::solid::{Ellipsoid, Solid};
+    /// let egg = Ellipsoid::new(2.0, 1.0, 3.0)?;
+    /// assert_eq!(egg.measure()?, 8.0 * std::f64::consts::PI);
+    /// assert_eq!(egg.with_mass(5.0)?.inertia().matrix().diagonal(), Vector3::new(10.0, 13.0, 5.0));
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    Ellipsoid
 
-impl Ellipsoid {
     /// From the three semi-axes, m.
     ///
     /// # Errors
     /// A semi-axis that is not finite and positive.
-    pub fn new(a: f64, b: f64, c: f64) -> Result<Self, Error> {
-        let named = [(Subject::SemiAxisX, a), (Subject::SemiAxisY, b), (Subject::SemiAxisZ, c)];
-        Ok(Self { sizes: positive_sizes(named)? })
-    }
+    new(a: SemiAxisX, b: SemiAxisY, c: SemiAxisZ)
 }
 
 impl Shape<3> for Ellipsoid {

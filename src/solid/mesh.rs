@@ -7,49 +7,16 @@
 use super::{MassMoments, MassProperties, Solid, shells};
 use crate::error::{Error, Refusal, Subject, finite_vector, positive};
 use crate::inertia::{moments_of, point_mass};
-use crate::number::extended::Extended;
-use crate::number::power_of_two::ulp;
-use crate::number::{Field, Ring};
+use crate::number::{Extended, Field, Ring, ulp};
 use alloc::vec::Vec;
 use nalgebra::{Matrix3, Vector3};
 use num_traits::Zero;
 
-/// Integer multiples of integrals over a solid, about a reference point `p`.
-struct MeshSums<T: Ring> {
-    /// Six times the volume.
-    six_volumes: T,
-    /// 24 times the integral of `x - p`.
-    first: Vector3<T>,
-    /// 120 times the integral of `(x - p)(x - p)^T`.
-    second: Matrix3<T>,
-}
-
-/// The sums over the tetrahedra between each triangle and `reference`, without a division.
+/// Volume, centre and inertia about the centre, for density 1, of the solid that the triangles bound: by
+/// tetrahedra between each of them and `reference`, whose choice changes nothing in exact numbers.
 ///
 /// A tetrahedron from the origin to `a`, `b`, `c` has `6 V = a . (b x c)`; its first moments are
 /// `V/4 s` and its second `V/20 (a a^T + b b^T + c c^T + s s^T)`, with `s = a + b + c`.
-fn mesh_sums<'a, T: Ring>(
-    triangles: impl IntoIterator<Item = [&'a Vector3<T>; 3]>,
-    reference: &Vector3<T>,
-) -> MeshSums<T> {
-    let mut sums = MeshSums { six_volumes: T::zero(), first: Vector3::zeros(), second: Matrix3::zeros() };
-    for triangle in triangles {
-        let six_volumes = spanned(triangle, reference, |v| triple(v[0], v[1], v[2]));
-        let [a, b, c] = triangle.map(|vertex| vertex - reference);
-        let s = &a + &b + &c;
-        let mut second: Matrix3<T> = Matrix3::zeros();
-        for v in [&a, &b, &c, &s] {
-            second += v * v.transpose();
-        }
-        sums.first += s * six_volumes.clone();
-        sums.second += second * six_volumes.clone();
-        sums.six_volumes += six_volumes;
-    }
-    sums
-}
-
-/// Volume, centre and inertia about the centre, for density 1, of the solid that the triangles bound: by
-/// tetrahedra between each of them and `reference`, whose choice changes nothing in exact numbers.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -65,11 +32,24 @@ pub fn mesh_moments<'a, T: Field>(
     triangles: impl IntoIterator<Item = [&'a Vector3<T>; 3]>,
     reference: &Vector3<T>,
 ) -> MassMoments<T> {
-    let sums = mesh_sums(triangles, reference);
+    // Six volumes, 24 first moments and 120 second ones, about the reference: no division in the loop.
+    let (mut six_volumes, mut first, mut second) = (T::zero(), Vector3::zeros(), Matrix3::zeros());
+    for triangle in triangles {
+        let own = spanned(triangle, reference, |v| triple(v[0], v[1], v[2]));
+        let [a, b, c] = triangle.map(|vertex| vertex - reference);
+        let s = &a + &b + &c;
+        let mut squares: Matrix3<T> = Matrix3::zeros();
+        for v in [&a, &b, &c, &s] {
+            squares += v * v.transpose();
+        }
+        first += s * own.clone();
+        second += squares * own.clone();
+        six_volumes += own;
+    }
     let n = T::integer;
-    let mass = sums.six_volumes.clone() / n(6);
-    let middle = sums.first.map(|x| x / (n(4) * sums.six_volumes.clone()));
-    let spread = sums.second.map(|x| x / n(120)) - &middle * middle.transpose() * mass.clone();
+    let mass = six_volumes.clone() / n(6);
+    let middle = first.map(|x| x / (n(4) * six_volumes.clone()));
+    let spread = second.map(|x| x / n(120)) - &middle * middle.transpose() * mass.clone();
     // Sums of two, not the trace less one: a needle's smallest moment keeps its digits.
     let s = |i: usize, j: usize| spread[(i % 3, j % 3)].clone();
     let inertia = Matrix3::from_fn(|i, j| if i == j { s(i + 1, i + 1) + s(i + 2, i + 2) } else { -s(i, j) });

@@ -2,8 +2,7 @@
 
 use crate::error::{Error, Refusal, Subject, finite_vector, positive, representable};
 use crate::inertia::{Inertia, point_mass, turned};
-use crate::number::extended::Extended;
-use crate::number::{Field, Ring};
+use crate::number::{Extended, Field, Ring};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 /// Mass, centre and inertia tensor about the centre, over any number type: what the generic laws take and

@@ -163,30 +163,25 @@ impl Shape<3> for Cylinder {
 
 solid!(Cylinder, Volume, |[i, o, h]| Extended::from(PI) * ((o - i) * (o + i) * h));
 
-/// A full cone: its base in the plane z = 0 around the origin, its tip at `z = height`. Its centre of mass
-/// is a quarter of the way up.
-///
-/// ```
-/// use nalgebra::Vector3;
-/// use tumbling::solid::{Cone, Solid};
-/// let cone = Cone::new(1.0, 4.0)?.with_mass(80.0)?;
-/// assert_eq!(cone.centre(), Vector3::new(0.0, 0.0, 1.0));
-/// assert_eq!(cone.inertia().matrix().diagonal(), Vector3::new(60.0, 60.0, 24.0));
-/// # Ok::<(), tumbling::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Cone {
-    sizes: [f64; 2],
-}
+shape! {
+    /// A full cone: its base in the plane z = 0 around the origin, its tip at `z = height`. Its centre of
+    /// mass is a quarter of the way up.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tumbling::solid::{Cone, Solid};
+    /// let cone = Cone::new(1.0, 4.0)?.with_mass(80.0)?;
+    /// assert_eq!(cone.centre(), Vector3::new(0.0, 0.0, 1.0));
+    /// assert_eq!(cone.inertia().matrix().diagonal(), Vector3::new(60.0, 60.0, 24.0));
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    Cone
 
-impl Cone {
     /// From the radius of its base and its height, m.
     ///
     /// # Errors
     /// A size that is not finite and positive.
-    pub fn new(radius: f64, height: f64) -> Result<Self, Error> {
-        Ok(Self { sizes: positive_sizes([(Subject::Radius, radius), (Subject::Height, height)])? })
-    }
+    new(radius: Radius, height: Height)
 }
 
 impl Shape<2> for Cone {

@@ -8,7 +8,7 @@
 
 use super::mesh::triple;
 use crate::error::{Error, Refusal};
-use crate::number::extended::Extended;
+use crate::number::Extended;
 use crate::number::functions::atan2;
 use alloc::collections::BTreeMap;
 use alloc::vec::Vec;

@@ -2,29 +2,24 @@
 
 use super::*;
 
-/// An ideal thin disk in the xy plane, centred at the origin.
-///
-/// ```
-/// use nalgebra::Vector3;
-/// use tumbling::solid::{Solid, ThinDisk};
-/// let disk = ThinDisk::new(2.0)?;
-/// assert_eq!(disk.measure()?, 4.0 * std::f64::consts::PI);
-/// assert_eq!(disk.with_mass(3.0)?.inertia().matrix().diagonal(), Vector3::new(3.0, 3.0, 6.0));
-/// # Ok::<(), tumbling::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ThinDisk {
-    sizes: [f64; 1],
-}
+shape! {
+    /// An ideal thin disk in the xy plane, centred at the origin.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tumbling::solid::{Solid, ThinDisk};
+    /// let disk = ThinDisk::new(2.0)?;
+    /// assert_eq!(disk.measure()?, 4.0 * std::f64::consts::PI);
+    /// assert_eq!(disk.with_mass(3.0)?.inertia().matrix().diagonal(), Vector3::new(3.0, 3.0, 6.0));
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ThinDisk
 
-impl ThinDisk {
     /// From its radius, m.
     ///
     /// # Errors
     /// A radius that is not finite and positive.
-    pub fn new(radius: f64) -> Result<Self, Error> {
-        Ok(Self { sizes: positive_sizes([(Subject::Radius, radius)])? })
-    }
+    new(radius: Radius)
 }
 
 impl Shape<1> for ThinDisk {
@@ -45,30 +40,25 @@ impl Shape<1> for ThinDisk {
 // The area, m², so that its density is in kg/m².
 solid!(ThinDisk, Area, |[radius]| Extended::from(PI) * square(&radius));
 
-/// An ideal thin plate in the xy plane, `a` along x and `b` along y, centred at the origin.
-///
-/// ```
-/// use nalgebra::Vector3;
-/// use tumbling::solid::{Solid, ThinPlate};
-/// let plate = ThinPlate::new(2.0, 3.0)?;
-/// assert_eq!(plate.measure()?, 6.0);
-/// let two_per_square_metre = plate.with_density(2.0)?;
-/// assert_eq!(two_per_square_metre.inertia().matrix().diagonal(), Vector3::new(9.0, 4.0, 13.0));
-/// # Ok::<(), tumbling::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ThinPlate {
-    sizes: [f64; 2],
-}
+shape! {
+    /// An ideal thin plate in the xy plane, `a` along x and `b` along y, centred at the origin.
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tumbling::solid::{Solid, ThinPlate};
+    /// let plate = ThinPlate::new(2.0, 3.0)?;
+    /// assert_eq!(plate.measure()?, 6.0);
+    /// let two_per_square_metre = plate.with_density(2.0)?;
+    /// assert_eq!(two_per_square_metre.inertia().matrix().diagonal(), Vector3::new(9.0, 4.0, 13.0));
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ThinPlate
 
-impl ThinPlate {
     /// From its edges along x and y, m.
     ///
     /// # Errors
     /// An edge that is not finite and positive.
-    pub fn new(a: f64, b: f64) -> Result<Self, Error> {
-        Ok(Self { sizes: positive_sizes([(Subject::EdgeX, a), (Subject::EdgeY, b)])? })
-    }
+    new(a: EdgeX, b: EdgeY)
 }
 
 impl Shape<2> for ThinPlate {
@@ -91,30 +81,25 @@ impl Shape<2> for ThinPlate {
 // The area, m², so that its density is in kg/m².
 solid!(ThinPlate, Area, |[a, b]| a * b);
 
-/// An ideal thin rod along z, centred at the origin. Its moment about its own axis is zero, so that alone it
-/// has no [inverse](crate::Inertia::inverse); it may be part of a [`Compound`](super::Compound).
-///
-/// ```
-/// use nalgebra::Vector3;
-/// use tumbling::solid::{Solid, ThinRod};
-/// let rod = ThinRod::new(3.0)?.with_mass(4.0)?;
-/// assert_eq!(rod.inertia().matrix().diagonal(), Vector3::new(3.0, 3.0, 0.0));
-/// assert!(rod.inertia().inverse().is_err());
-/// # Ok::<(), tumbling::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ThinRod {
-    sizes: [f64; 1],
-}
+shape! {
+    /// An ideal thin rod along z, centred at the origin. Its moment about its own axis is zero, so that alone
+    /// it has no [inverse](crate::Inertia::inverse); it may be part of a [`Compound`](super::Compound).
+    ///
+    /// ```
+    /// use nalgebra::Vector3;
+    /// use tumbling::solid::{Solid, ThinRod};
+    /// let rod = ThinRod::new(3.0)?.with_mass(4.0)?;
+    /// assert_eq!(rod.inertia().matrix().diagonal(), Vector3::new(3.0, 3.0, 0.0));
+    /// assert!(rod.inertia().inverse().is_err());
+    /// # Ok::<(), tumbling::Error>(())
+    /// ```
+    ThinRod
 
-impl ThinRod {
     /// From its length, m.
     ///
     /// # Errors
     /// A length that is not finite and positive.
-    pub fn new(length: f64) -> Result<Self, Error> {
-        Ok(Self { sizes: positive_sizes([(Subject::Length, length)])? })
-    }
+    new(length: Length)
 }
 
 impl Shape<1> for ThinRod {

@@ -13,8 +13,7 @@ mod taylor;
 
 use crate::body::State;
 use crate::error::{Error, Refusal, Subject, positive};
-use crate::number::Analytic;
-use crate::number::power_of_two::{exponent, times_power_of_two};
+use crate::number::{Analytic, exponent, times_power_of_two};
 use crate::step::system::System;
 use crate::step::torque::before_or_at;
 use alloc::boxed::Box;

@@ -16,9 +16,10 @@ impl Stepper<f64> {
     /// convention of [`FreeMotion::state_transition`](crate::exact::FreeMotion::state_transition). The
     /// matrix of several steps is the product, the last on the left.
     ///
-    /// It costs some six to twelve times the step: its own steps keep the error of each column below the
-    /// tolerance, relative to the column's size. Unlike `step`, it does not solve for damping far faster than
-    /// the motion: its own steps are then a few decay times long, however many that takes.
+    /// It costs several times the step: six columns are summed with the motion, and its own steps keep the
+    /// error of each below the tolerance, relative to the column's size. Unlike `step`, it does not solve for
+    /// damping far faster than the motion: its own steps are then a few decay times long, however many that
+    /// takes.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3, Vector6};

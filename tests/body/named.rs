@@ -2,8 +2,7 @@
 
 use nalgebra::Vector3;
 use tumbling::Axis;
-use tumbling::body::named::{self, NamedBody};
-use tumbling::solid::{Cuboid, Shape};
+use tumbling::body::named::NamedBody;
 
 #[test]
 fn every_named_body_flips_about_x_and_lies_along_z() {
@@ -118,31 +117,6 @@ fn the_hammer_is_its_head_and_its_handle() {
         (tensor - nalgebra::Matrix3::from_diagonal(&expected)).amax() < 1e-13 * about_x,
         "{tensor} {expected}"
     );
-}
-
-#[test]
-fn the_parts_of_a_body_weigh_what_it_weighs_and_their_middles_share_its_centre() {
-    for body in NamedBody::ALL {
-        let (whole, mut parts) = (body.properties().unwrap(), Vec::new());
-        body.each_part(&mut |part| parts.push(part));
-        let mass: f64 = parts.iter().map(|part| part.mass).sum();
-        assert!((mass / whole.mass() - 1.0).abs() < 1e-13, "{}: {mass} {}", body, whole.mass());
-        let moment: Vector3<f64> = parts.iter().map(|part| part.middle * part.mass).sum();
-        assert!((moment / mass - whole.centre()).amax() < 1e-14, "{}", body);
-    }
-}
-
-#[test]
-fn an_even_box_has_the_moments_of_the_body_that_is_made_of_it() {
-    for (even, body) in [
-        (named::THE_BOX, NamedBody::TheBox.properties()),
-        (named::BOOK, NamedBody::Book.properties()),
-        (named::PHONE, NamedBody::Phone.properties()),
-    ] {
-        let expected = body.unwrap().inertia().matrix().diagonal();
-        let moments = Cuboid::moments(&even.mass, even.sizes.each_ref());
-        assert!((moments - expected).amax() <= 2e-16 * expected.amax(), "{even:?}");
-    }
 }
 
 // The parts by integrals: an elliptic hoop and strings as sums over many points, not the library's bars.

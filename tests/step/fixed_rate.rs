@@ -1,12 +1,13 @@
 //! The step at a fixed rate: flips counted, stable spins kept, long steps taken in parts.
 
 use super::{changes, free, free_motion, start};
-use nalgebra::{Quaternion, Vector3, Vector4};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3, Vector4};
 use proptest::prelude::*;
 use tumbling::body::named::NamedBody;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{State, System, fixed_rate};
-use tumbling::{Axis, PrincipalMoments};
+use tumbling::solid::{Cylinder, Solid};
+use tumbling::step::{Method, State, System, fixed_rate};
+use tumbling::{Axis, Error, PrincipalMoments, Subject};
 
 /// Moments of the named bodies, the box first among them: smallest, middle, largest.
 fn named() -> impl Iterator<Item = (NamedBody, Vector3<f64>)> {
@@ -143,6 +144,31 @@ fn left_by_rounding(moments: &Vector3<f64>, omega: &Vector3<f64>, time: f64, rou
             ]
         })
         .sum()
+}
+
+/// A solid rod's moments are as 1/8 to `x²/12 + 1/16`, with `x` its length in diameters: 1000 roundings at
+/// 112.17.
+#[test]
+fn a_rod_longer_than_112_diameters_is_stepped_in_double_precision() {
+    let off = |length: f64, method: Option<Method>| {
+        let moments = Cylinder::new(0.5, length)?.with_mass(1.0)?.inertia().matrix().diagonal();
+        let omega = Vector3::new(0.3, 1.0, 10.0);
+        let system = System::of_numbers(moments.cast::<f32>(), Vec::new());
+        let momentum = system.momentum(&omega.cast::<f32>());
+        let mut motion = State { attitude: Quaternion::identity(), momentum };
+        for _ in 0..600 {
+            let next = method.map(|method| method.step(&system, &motion, 1.0 / 60.0));
+            motion = next.unwrap_or_else(|| fixed_rate(&system, &motion, 1.0 / 60.0))?;
+        }
+        let end = UnitQuaternion::from_quaternion(Quaternion::from(motion.attitude.coords.cast::<f64>()));
+        Ok::<_, Error>(end.angle_to(&free_motion(moments, &omega).attitude(10.0)?))
+    };
+    assert!(off(112.1, None).unwrap() < 3e-3);
+    assert_eq!(off(112.2, None).unwrap_err().subject(), Subject::MomentRatio);
+    // Others refuse none: a splitting turns it further and further off, Gauss's collocation does not.
+    let split = [112.2, 1e3, 1e4].map(|length| off(length, Some(Method::RotationSplitting4)).unwrap());
+    assert!(split[0] < 3e-3 && split[1] > 0.1 && split[2] > 0.5, "{split:?}");
+    assert!(off(1e4, Some(Method::Gauss6)).unwrap() < 0.01);
 }
 
 proptest! {

@@ -6,7 +6,7 @@ use num_traits::Zero;
 use tumbling::laws::Rate;
 use tumbling::number::Field;
 use tumbling::step::{State, rk4};
-use tumbling::{attitude, dynamics::euler, dynamics::observe, dynamics::stability, inertia};
+use tumbling::{attitude, dynamics::euler, dynamics::observe, dynamics::stability, inertia, laws};
 use tumbling_proofs::{Fraction, Rational, Series};
 
 /// A slow book of moments 2, 3, 4 at a given spin, one step of free motion from a tilted attitude, and what
@@ -25,7 +25,7 @@ fn laws<T: Field>(spin: Vector3<T>, h: T) -> Vec<T> {
     let start = State { attitude: tilted.clone(), momentum: momentum.clone() };
     let law = |m: &State<T>| Rate {
         attitude: attitude::rate(&m.attitude, &(&inverse * &m.momentum)),
-        momentum: euler::momentum_rate(&inverse, &m.momentum, &torque),
+        momentum: laws::momentum_rate(&inverse, &m.momentum, &torque),
     };
     let end = rk4(&start, h, law, State::plus);
     let mut all = Vec::new();

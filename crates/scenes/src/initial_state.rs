@@ -2,10 +2,8 @@
 
 use crate::error::{Error, Field, finite};
 use nalgebra::{UnitQuaternion, Vector3};
-use tumbling::attitude;
-use tumbling::dynamics::observe;
 use tumbling::exact::FreeMotion;
-use tumbling::{Body, Inertia, PrincipalMoments};
+use tumbling::{Body, Inertia, PrincipalMoments, attitude, dynamics::observe};
 
 /// How a body moves at the start.
 #[derive(Debug, Clone, Copy, PartialEq)]

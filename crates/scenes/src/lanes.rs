@@ -75,6 +75,7 @@ impl<const N: usize, const FUSED: bool> One for Lanes<N, FUSED> {
 }
 
 impl<const N: usize, const FUSED: bool> Series for Lanes<N, FUSED> {}
+impl<const N: usize, const FUSED: bool> tumbling::laws::Rounding for Lanes<N, FUSED> {}
 
 impl<const N: usize, const FUSED: bool> Lane for Lanes<N, FUSED> {
     /// All bits of a lane or none, which is what a vector's comparison gives.

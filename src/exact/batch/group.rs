@@ -5,7 +5,7 @@ use crate::attitude::product;
 use crate::exact::elementary::Kernel;
 use crate::exact::{FreeMotion, Instant};
 use crate::inertia::Frame;
-use crate::number::{Gather, Lane, splat};
+use crate::number::{Gather, Rounding, splat};
 use alloc::vec::Vec;
 use nalgebra::{Quaternion, UnitQuaternion};
 
@@ -29,7 +29,7 @@ pub(super) struct Group<T, K, A> {
     frames: Vec<Frame<T>>,
 }
 
-impl<T: Lane, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
+impl<T: Rounding, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
     /// Of the bodies for which `of` has constants.
     pub(super) fn new<'a, K1: 'a, A1: 'a>(
         motions: &'a [FreeMotion],

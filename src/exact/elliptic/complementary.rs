@@ -2,7 +2,7 @@
 //! imaginary transformation.
 
 use crate::number::functions::powi;
-use crate::number::{Gather, Lane, Series, gather_fields};
+use crate::number::{Gather, Rounding, Series, gather_fields};
 
 /// A decaying exponential of the argument: `E = exp(-2x)` with `1 - E` and the square root of `E`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,7 +17,7 @@ pub(crate) struct Decay<T = f64> {
     pub(crate) rising: T,
 }
 
-impl<T: Lane> Decay<T> {
+impl<T: Rounding> Decay<T> {
     /// Of `x = main + rest >= 0`, with the root of the complementary nome.
     #[inline(always)]
     pub(crate) fn new(main: T, rest: T, nome_root: T) -> Self {
@@ -161,7 +161,7 @@ impl<T: Series> Parts<T> {
     }
 }
 
-impl<T: Lane> ComplementarySeries<T> {
+impl<T: Rounding> ComplementarySeries<T> {
     /// The four sums at this argument.
     #[inline(always)]
     pub(super) fn sums_of(&self, x: &Decay<T>) -> [T; 4] {

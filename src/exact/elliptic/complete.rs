@@ -1,7 +1,6 @@
 //! The complete integral by the arithmetic-geometric mean [Gau99](crate::references).
 
-use crate::number::double_double::DoubleDouble;
-use crate::number::{Real, splat};
+use crate::number::{DoubleDouble, Real, splat};
 
 /// How near two numbers are, relative to their size, that (C45) takes to the end: what that leaves out is of
 /// the fourth order.

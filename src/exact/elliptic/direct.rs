@@ -1,7 +1,7 @@
 //! Jacobi's functions away from the separatrix: theta sums in sines and cosines.
 
 use crate::number::functions::powi;
-use crate::number::{Gather, Lane, Series, gather_fields};
+use crate::number::{Gather, Rounding, Series, gather_fields};
 
 /// Jacobi's four theta functions as sums in the nome: for one of at most 0.09 four terms each reach rounding.
 /// Written as polynomials in `cos 2z`, their even and odd halves apart, since each pair of sums shares them.
@@ -75,7 +75,7 @@ impl<T: Series> DirectSeries<T> {
     }
 }
 
-impl<T: Lane> DirectSeries<T> {
+impl<T: Rounding> DirectSeries<T> {
     /// `sn`, `cn`, `dn` from sine and cosine of `z`.
     #[inline(always)]
     pub(crate) fn values(&self, sin: T, cos: T) -> [T; 3] {

@@ -1,7 +1,7 @@
 //! The sums of elliptic functions and Carlson's integral against tables of many digits.
 
 use super::*;
-use crate::number::power_of_two::{exponent, times_power_of_two};
+use crate::number::{exponent, times_power_of_two};
 use core::f64::consts::TAU;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;

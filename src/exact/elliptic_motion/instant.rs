@@ -6,8 +6,7 @@ use crate::attitude::unit;
 use crate::exact::cayley_klein::{ComplementaryPair, DirectPair, Pair, phase_factor};
 use crate::exact::elementary::{Axes, Kernel};
 use crate::exact::elliptic::{ComplementarySeries, DirectSeries, sin_cos_of_turns};
-use crate::number::double_double::DoubleDouble;
-use crate::number::{Gather, Lane, gather_fields};
+use crate::number::{DoubleDouble, Gather, Rounding, gather_fields};
 use nalgebra::{Quaternion, Vector3};
 
 /// The constants of the spin by the series of the nome, in sines and cosines.
@@ -33,7 +32,7 @@ pub(crate) struct DirectAttitude<T = f64> {
 gather_fields!(DirectSpin { series, start, turns, amplitudes, axes });
 gather_fields!(DirectAttitude { pair, start, drift });
 
-impl<T: Lane> Kernel<T> for DirectSpin<T> {
+impl<T: Rounding> Kernel<T> for DirectSpin<T> {
     type Attitude = DirectAttitude<T>;
     /// Sine and cosine.
     type Phase = [T; 2];
@@ -80,7 +79,7 @@ pub(crate) struct ComplementaryAttitude<T = f64> {
 gather_fields!(ComplementarySpin { series, reduction, amplitudes, axes });
 gather_fields!(ComplementaryAttitude { pair, start, drift, step });
 
-impl<T: Lane> Kernel<T> for ComplementarySpin<T> {
+impl<T: Rounding> Kernel<T> for ComplementarySpin<T> {
     type Attitude = ComplementaryAttitude<T>;
     type Phase = ReducedArgument<T>;
 
@@ -107,7 +106,7 @@ impl<T: Lane> Kernel<T> for ComplementarySpin<T> {
     }
 }
 
-impl<T: Lane> Axes<T> {
+impl<T: Rounding> Axes<T> {
     /// The spin from its amplitudes (across, middle, circled) and Jacobi's functions.
     #[inline(always)]
     pub(super) fn spin(&self, amplitudes: &[T; 3], [sn, cn, dn]: [T; 3]) -> Vector3<T> {

@@ -10,8 +10,7 @@ use crate::exact::elementary::Axes;
 use crate::exact::elliptic::{self, ComplementarySeries, DirectSeries, NOME_RATIO};
 use crate::exact::geometry::quarter_period;
 use crate::inertia::Axis;
-use crate::number::double_double::DoubleDouble;
-use crate::number::{Real, splat};
+use crate::number::{DoubleDouble, Real, splat};
 
 /// Up to this power of two the spin's components come out in one product with their amplitudes, with all
 /// digits: the rest of the exponent's range is room for what is small relative to the largest.
@@ -105,10 +104,8 @@ impl<'a, T: Real> Preparation<'a, T> {
         let shift = if direct || motion.small > -200 { 0 } else { (-motion.small).min(1000) };
         let lift = if direct && motion.off_axis < -200 { -motion.off_axis } else { 0 };
         let scaled_complement = if shift == 0 { complement } else { motion.complement(shift).hi() };
-        if !motion.separatrix && !direct && !scaled_complement.has_all_digits() {
-            let what = Subject::ComplementaryModulus;
-            return Err(Refusal::OutOfRange { what, value: complement.lane(0) }.into());
-        }
+        Refusal::OutOfRange { what: Subject::ComplementaryModulus, value: complement.lane(0) }
+            .when(!motion.separatrix && !direct && !scaled_complement.has_all_digits())?;
         let at_start = |axis: usize, up: i32| omega[axis].times_power_of_two(up - motion.clock);
         let (x, m, c) = (motion.across, motion.middle, motion.around);
         let spin = [at_start(x, shift + lift), at_start(m, lift), at_start(c, shift)];
@@ -236,7 +233,7 @@ impl<'a, T: Real> Preparation<'a, T> {
     fn direct(&self, shares: [T; 3]) -> Prepared<T> {
         let quarter = self.quarter.hi();
         // (C9)
-        let nome = (-pi::<T>() * (self.other / quarter)).exp();
+        let nome = (-pi::<T>() * (self.other / quarter)).exp_and_exp_m1().0;
         let series = DirectSeries::new(nome);
         let pair = DirectPair::of_shape(nome, &self.shape(shares, quarter));
         // (C13)

@@ -6,8 +6,7 @@
 
 use crate::exact::cayley_klein::{ComplementaryPair, Pair};
 use crate::exact::elliptic::{ComplementarySeries, Decay};
-use crate::number::double_double::DoubleDouble;
-use crate::number::{Gather, Lane, Real, gather_fields, splat};
+use crate::number::{DoubleDouble, Gather, Lane, Real, Rounding, gather_fields, splat};
 
 /// How Jacobi's argument runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,7 +29,7 @@ pub(crate) struct Reduction<T = f64> {
 gather_fields!(Reduction { start, rate, quarter, half, stretch, nome_root, turn });
 
 /// The argument at one instant: `exp(-x)` of its distance from the nearest flip or saddle.
-pub(crate) struct ReducedArgument<T: Lane = f64> {
+pub(crate) struct ReducedArgument<T: Rounding = f64> {
     decay: Decay<T>,
     near_saddle: T::Mask,
     /// Its sign, from the nearest flip.
@@ -58,7 +57,7 @@ impl<T: Real> Reduction<T> {
         }
         let half = quarter.times_exact(splat(2.0));
         // (C9)
-        let nome_root = (-(pi * 0.5) / (other / quarter.hi())).exp();
+        let nome_root = (-(pi * 0.5) / (other / quarter.hi())).exp_and_exp_m1().0;
         Self { start: start / half, rate: rate / half, quarter, half, stretch, nome_root, turn }
     }
 
@@ -89,7 +88,7 @@ impl<T: Real> Reduction<T> {
     }
 }
 
-impl<T: Lane> Reduction<T> {
+impl<T: Rounding> Reduction<T> {
     /// At a time, where the motion returns.
     #[inline(always)]
     pub(crate) fn at(&self, time: T) -> ReducedArgument<T> {
@@ -136,7 +135,7 @@ pub(crate) struct Exponentials {
 
 impl Exponentials {
     pub(crate) fn at_flip(nome: f64) -> Self {
-        let root = nome.sqrt();
+        let root = Lane::sqrt(nome);
         Self {
             falling: 1.0,
             rising: root,
@@ -168,7 +167,7 @@ impl ReducedArgument {
     }
 }
 
-impl<T: Lane> ReducedArgument<T> {
+impl<T: Rounding> ReducedArgument<T> {
     /// The attitude's two numbers here.
     #[inline(always)]
     pub(super) fn pair(&self, pair: &ComplementaryPair<T>) -> Pair<T> {

@@ -13,10 +13,8 @@ use crate::error::{Error, Refusal, Subject};
 use crate::exact::elementary::Kernel;
 use crate::exact::elliptic::rd;
 use crate::exact::sensitivity::{ByTensor, SpinDerivatives};
-use crate::number::Lane;
-use crate::number::double_double::DoubleDouble;
 use crate::number::functions::atan2;
-use crate::number::power_of_two::times_power_of_two;
+use crate::number::{DoubleDouble, Lane, times_power_of_two};
 use core::f64::consts::TAU;
 use nalgebra::Matrix3;
 
@@ -137,10 +135,8 @@ impl EllipticMotion {
         tensor: bool,
     ) -> Result<SpinDerivatives, Error> {
         let run = self.constants.rate * time;
-        if !self.returns() && (self.constants.argument + run).hi().abs() > REST {
-            let (what, value) = (Subject::Derivative, f64::INFINITY);
-            return Err(Refusal::OutOfRange { what, value }.into());
-        }
+        let back = !self.returns() && (self.constants.argument + run).hi().abs() > REST;
+        Refusal::OutOfRange { what: Subject::Derivative, value: f64::INFINITY }.when(back)?;
         let run = run.hi();
         let (start, end) = (self.end(0.0), self.end(time));
         let inputs = self.inputs(moments, &start);

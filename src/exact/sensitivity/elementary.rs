@@ -5,7 +5,7 @@ use super::series::{Forcing, factors};
 use super::{ByTensor, SpinDerivatives};
 use crate::exact::cayley_klein::times;
 use crate::exact::elliptic::sin_cos_of_turns;
-use crate::number::double_double::DoubleDouble;
+use crate::number::DoubleDouble;
 use crate::number::functions::{cosh, sinh};
 use core::f64::consts::TAU;
 use nalgebra::{Matrix3, Vector3};

@@ -11,7 +11,7 @@
 
 use crate::exact::cayley_klein::{conjugate, phase_factor, times};
 use crate::exact::elliptic_motion::Exponentials;
-use crate::number::double_double::DoubleDouble;
+use crate::number::DoubleDouble;
 use crate::number::functions::{exp, exp_and_exp_m1, hypot, powi, sin_cos};
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -39,18 +39,21 @@ impl Shape {
         hypot(self.start[0], self.start[1]) / self.size
     }
 
-    /// What turns `found`, the function at the start, to the direction of the start.
-    fn aligned(&self, found: [f64; 2]) -> [f64; 2] {
+    /// What turns `found`, the function at the start, to the direction of the start, and makes `largest`,
+    /// the function where it is largest, as large as it is.
+    fn fitting(&self, found: [f64; 2], largest: [f64; 2], denominator: f64) -> [f64; 2] {
+        let amplitude = self.size * denominator / hypot(largest[0], largest[1]);
         let unit = |x: [f64; 2]| {
             let length = hypot(x[0], x[1]);
             (length > 0.0).then(|| x.map(|x| x / length))
         };
         // The function grows through its zero, or falls.
         let growing = [if self.first { 1.0 } else { -1.0 }, 0.0];
-        match (unit(self.start), unit(found)) {
+        let direction = match (unit(self.start), unit(found)) {
             (Some(start), Some(found)) => times(start, conjugate(found)),
             _ => unit(self.start_rate).map_or([1.0, 0.0], |rate| times(rate, growing)),
-        }
+        };
+        direction.map(|x| amplitude * x)
     }
 }
 
@@ -69,20 +72,17 @@ pub(super) struct Carrier {
 
 impl Carrier {
     #[inline(always)]
-    fn at(&self, time: f64, halves: DoubleDouble) -> [f64; 2] {
+    pub(super) fn at(&self, time: f64, halves: DoubleDouble) -> [f64; 2] {
         times(self.start, phase_factor(self.drift * time + halves * self.step))
     }
 }
 
-/// The carriers of `alpha`, `beta` and the spin across the axis.
-pub(super) type Carriers<'a> = [&'a mut Carrier; 3];
-
-/// Makes the three turn together. Where the axis is lowest, the spin across it is parallel to the vertical's
-/// part across it: `i conj(alpha) beta` times a real number. So over each half period the spin turns by as
-/// much as `conj(alpha) beta`, but for the signs of the theta functions, half a turn (T18); else the momentum
-/// about the vertical would drift. That one is corrected most whose drift is the most uncertain and which
-/// counts the least, relative to `sizes`.
-pub(super) fn turn_together(carriers: Carriers<'_>, sizes: [f64; 3], half_periods: DoubleDouble) {
+/// Makes the three, of `alpha`, `beta` and the spin across the axis, turn together. Where the axis is lowest,
+/// the spin across it is parallel to the vertical's part across it: `i conj(alpha) beta` times a real number.
+/// So over each half period the spin turns by as much as `conj(alpha) beta`, but for the signs of the theta
+/// functions, half a turn (T18); else the momentum about the vertical would drift. That one is corrected most
+/// whose drift is the most uncertain and which counts the least, relative to `sizes`.
+pub(super) fn turn_together(carriers: &mut [Carrier; 3], sizes: [f64; 3], half_periods: DoubleDouble) {
     let in_half_period = |k: usize| carriers[k].drift / half_periods + DoubleDouble::from(carriers[k].step);
     let [alpha, beta, across] = [0, 1, 2].map(in_half_period);
     let (_, off) = (beta - alpha - across - DoubleDouble::from(0.5)).split();
@@ -93,7 +93,7 @@ pub(super) fn turn_together(carriers: Carriers<'_>, sizes: [f64; 3], half_period
     if !(total > 0.0 && total.is_finite()) || off.abs() > 1e-9 {
         return;
     }
-    for ((carrier, share), sign) in carriers.into_iter().zip(shares).zip([1.0, -1.0, 1.0]) {
+    for ((carrier, share), sign) in carriers.iter_mut().zip(shares).zip([1.0, -1.0, 1.0]) {
         carrier.drift = carrier.drift + half_periods * (sign * off * (share / total));
     }
 }
@@ -103,16 +103,16 @@ pub(super) fn turn_together(carriers: Carriers<'_>, sizes: [f64; 3], half_period
 /// the theta function is. At the time `lowest`, where the axis is lowest, the theta functions of the three
 /// are `-i sense`, 1 and 1 times positive numbers; `sign` is that of the real number of
 /// [`turn_together`] times `-sense`.
-pub(super) fn align_weakest([alpha, beta, across]: Carriers<'_>, weakest: usize, sign: f64, lowest: f64) {
-    let unit = |carrier: &Carrier| {
-        let [re, im] = carrier.start;
-        times([re, im].map(|x| x / hypot(re, im)), phase_factor(carrier.drift * lowest))
+pub(super) fn align_weakest(carriers: &mut [Carrier; 3], weakest: usize, sign: f64, lowest: f64) {
+    let [alpha, beta, across] = carriers.map(|Carrier { start: [re, im], drift, .. }| {
+        times([re, im].map(|x| x / hypot(re, im)), phase_factor(drift * lowest))
+    });
+    let there = match weakest {
+        0 => times(beta, conjugate(across)),
+        1 => times(alpha, across),
+        _ => times(conjugate(alpha), beta),
     };
-    let (carrier, there) = match weakest {
-        0 => (alpha, times(unit(beta), conjugate(unit(across)))),
-        1 => (beta, times(unit(alpha), unit(across))),
-        _ => (across, times(conjugate(unit(alpha)), unit(beta))),
-    };
+    let carrier = &mut carriers[weakest % 3];
     let length = sign * hypot(carrier.start[0], carrier.start[1]);
     carrier.start = times(there, phase_factor(-(carrier.drift * lowest))).map(|x| x * length);
 }
@@ -124,7 +124,6 @@ pub(super) struct Direct {
     /// Polynomials in `cos 2z`.
     along_cos: [f64; 4],
     along_sin: [f64; 4],
-    pub(super) carrier: Carrier,
 }
 
 /// `theta_4` in `cos 2z`.
@@ -139,22 +138,30 @@ pub(super) fn cubic(p: &[f64; 4], x: f64) -> f64 {
     (p[0] + p[1] * x) + (x * x) * (p[2] + p[3] * x)
 }
 
+/// `exp(-2B)`, that less 1, `q exp(2B)`, and what the square of this is short of 1: one from the other, so
+/// that the product of the first and the third is `q`.
+fn fall_and_rise(q: f64, [depth, rest]: [f64; 2]) -> [f64; 4] {
+    if depth >= rest || q == 0.0 {
+        let (fall, less) = exp_and_exp_m1(depth);
+        let rise = if q == 0.0 { 0.0 } else { (q / fall).min(1.0) };
+        return [fall, less, rise, 1.0 - rise * rise];
+    }
+    let rise = exp(rest);
+    let fall = q / rise;
+    [fall, fall - 1.0, rise, -exp_and_exp_m1(2.0 * rest).1]
+}
+
 impl Direct {
-    /// `q` is the nome, `quarter` the quarter period; the phase runs by `turns` per unit of time and starts
-    /// at the sine and cosine `start`.
-    pub(super) fn new(q: f64, quarter: f64, turns: DoubleDouble, start: [f64; 2], shape: &Shape) -> Self {
-        // exp(-2B) and q exp(2B), one from the other so that their product is q; and what the square of the
-        // second is short of 1.
-        let [depth, rest] = shape.depths.map(|depth| -PI * (depth / quarter));
-        let (fall, less, rise, left) = if depth >= rest || q == 0.0 {
-            let (fall, less) = exp_and_exp_m1(depth);
-            let rise = if q == 0.0 { 0.0 } else { (q / fall).min(1.0) };
-            (fall, less, rise, 1.0 - rise * rise)
-        } else {
-            let rise = exp(rest);
-            let fall = q / rise;
-            (fall, fall - 1.0, rise, -exp_and_exp_m1(2.0 * rest).1)
-        };
+    /// The function and its carrier. `q` is the nome, `quarter` the quarter period; the phase runs by `turns`
+    /// per unit of time and starts at the sine and cosine `start`.
+    pub(super) fn new(
+        q: f64,
+        quarter: f64,
+        turns: DoubleDouble,
+        start: [f64; 2],
+        shape: &Shape,
+    ) -> (Self, Carrier) {
+        let [fall, less, rise, left] = fall_and_rise(q, shape.depths.map(|depth| -PI * (depth / quarter)));
         let size = [1.0, rise * q, rise * rise * powi(q, 4), powi(rise, 3) * powi(q, 9)];
         let falls = [fall, powi(fall, 3), powi(fall, 5), powi(fall, 7)];
         let c = [0, 1, 2, 3].map(|n| size[n] * (1.0 + falls[n]));
@@ -178,7 +185,7 @@ impl Direct {
         let rate = shape.rate / (DoubleDouble::PI * 2.0);
         let drift = rate - turns * turning * shape.sense;
         let terms = rate.hi().abs() + (turns.hi() * rounded).abs();
-        let mut direct = Self {
+        let direct = Self {
             first: shape.first,
             along_cos: [
                 c[0] - c[1] - c[2] + c[3],
@@ -193,28 +200,19 @@ impl Direct {
                 8.0 * s[3],
             ]
             .map(|x| x * shape.sense),
-            carrier: Carrier { start: [1.0, 0.0], drift, step: 0.0, terms, greatest: shape.size },
         };
         let largest = if shape.first { [1.0, 0.0] } else { [0.0, 1.0] };
-        let [re, im] = direct.raw(largest);
         let c = if shape.first { -1.0 } else { 1.0 };
-        let amplitude = shape.size * cubic(&denominator(q), c) / hypot(re, im);
-        direct.carrier.start = shape.aligned(direct.raw(start)).map(|x| amplitude * x);
-        direct
+        let start = shape.fitting(direct.at(start), direct.at(largest), cubic(&denominator(q), c));
+        (direct, Carrier { start, drift, step: 0.0, terms, greatest: shape.size })
     }
 
-    /// From sine and cosine of the phase, without its factor.
+    /// Times `theta_4`, without its carrier; from sine and cosine of the phase.
     #[inline(always)]
-    fn raw(&self, [sin, cos]: [f64; 2]) -> [f64; 2] {
+    pub(super) fn at(&self, [sin, cos]: [f64; 2]) -> [f64; 2] {
         let (sin, cos) = if self.first { (-cos, sin) } else { (sin, cos) };
         let c = (cos - sin) * (cos + sin);
         [cos * cubic(&self.along_cos, c), sin * cubic(&self.along_sin, c)]
-    }
-
-    /// Times `theta_4`.
-    #[inline(always)]
-    pub(super) fn at(&self, phase: [f64; 2], time: f64) -> [f64; 2] {
-        times(self.carrier.at(time, DoubleDouble::ZERO), self.raw(phase))
     }
 }
 
@@ -229,7 +227,6 @@ pub(super) struct Complementary {
     off_one: f64,
     /// The complementary nome.
     nome: f64,
-    pub(super) carrier: Carrier,
 }
 
 /// `theta_4` over `exp X`.
@@ -242,14 +239,14 @@ pub(super) fn complementary_denominator(nome: f64, exponentials: &Exponentials) 
 }
 
 impl Complementary {
-    /// `stretched = pi/(2K')`; the argument's own rate is `rate`.
+    /// The function and its carrier. `stretched = pi/(2K')`; the argument's own rate is `rate`.
     pub(super) fn new(
         nome: f64,
         stretched: f64,
         rate: DoubleDouble,
         start: &Exponentials,
         shape: &Shape,
-    ) -> Self {
+    ) -> (Self, Carrier) {
         let [depth, rest] = shape.depths.map(|depth| stretched * depth);
         // The smaller has the smaller error.
         let near_pole = rest < depth;
@@ -263,28 +260,24 @@ impl Complementary {
             (true, (sin, cos)) => (-sin, cos),
         });
         let sin_depth = if near_pole { sin_cos(rest).1 } else { sin_cos(depth).0 };
-        let mut new = Self {
+        let new = Self {
             first: shape.first,
             cos: waves.map(|(_, cos)| cos),
             sin: waves.map(|(sin, _)| -shape.sense * sin),
             off_one: 2.0 * sin_depth * sin_depth,
             nome,
-            carrier: Carrier {
-                start: [1.0, 0.0],
-                drift: DoubleDouble::ZERO,
-                step: shape.sense * if shape.first { -depth } else { rest } / PI,
-                terms: 0.0,
-                greatest: shape.size,
-            },
         };
         let largest = if shape.first { Exponentials::at_saddle(nome) } else { Exponentials::at_flip(nome) };
-        let [re, im] = new.raw(&largest);
+        let denominator = complementary_denominator(nome, &largest);
         let turning = rate * (stretched * new.turning());
-        new.carrier.drift = (shape.rate - turning) / (DoubleDouble::PI * 2.0);
-        new.carrier.terms = shape.rate.hi().abs() + turning.hi().abs();
-        let amplitude = shape.size * complementary_denominator(nome, &largest) / hypot(re, im);
-        new.carrier.start = shape.aligned(new.raw(start)).map(|x| amplitude * x);
-        new
+        let carrier = Carrier {
+            start: shape.fitting(new.at(start), new.at(&largest), denominator),
+            drift: (shape.rate - turning) / (DoubleDouble::PI * 2.0),
+            step: shape.sense * if shape.first { -depth } else { rest } / PI,
+            terms: shape.rate.hi().abs() + turning.hi().abs(),
+            greatest: shape.size,
+        };
+        (new, carrier)
     }
 
     /// How fast the argument turns with `X` where it is largest.
@@ -306,9 +299,9 @@ impl Complementary {
         sum(&|n| even[n] * powers[n] * self.sin[n]) / sum(&|n| twice[n] * powers[n] * self.cos[n])
     }
 
-    /// Over `exp X`, without its factor.
+    /// Times `theta_4`, over `exp X`, without its carrier.
     #[inline(always)]
-    fn raw(&self, exponentials: &Exponentials) -> [f64; 2] {
+    pub(super) fn at(&self, exponentials: &Exponentials) -> [f64; 2] {
         let p = self.nome;
         let (e, r) = (exponentials.falling * exponentials.falling, exponentials.rising * exponentials.rising);
         let [from_flip, from_saddle] = exponentials.short_of_one;
@@ -331,11 +324,5 @@ impl Complementary {
         let re = near + p2 * ((r * r + pe2) * c[2] + p2 * p2 * r * r * r * c[3]);
         let im = (r - pe) * s[1] + p2 * ((r * r - pe2) * s[2] + p2 * p2 * r * r * r * s[3]);
         [exponentials.falling * re, exponentials.sign * exponentials.falling * im]
-    }
-
-    /// Times `theta_4` over `exp X`.
-    #[inline(always)]
-    pub(super) fn at(&self, exponentials: &Exponentials, time: f64) -> [f64; 2] {
-        times(self.carrier.at(time, exponentials.halves), self.raw(exponentials))
     }
 }

@@ -1,6 +1,6 @@
 //! What stays the same in a top's motion, and how high and low its axis goes: (T1) to (T7) of the book.
 
-use crate::number::double_double::DoubleDouble;
+use crate::number::DoubleDouble;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 

@@ -1,14 +1,15 @@
 //! A motion in which the axis of a top rises and sinks, or precesses evenly, and its constants in theta
 //! functions.
 
-use super::factor::{Carriers, Complementary, Direct, Shape, align_weakest, turn_together};
+use super::factor::{Carrier, Complementary, Direct, Shape, align_weakest, turn_together};
 use super::factor::{complementary_denominator, cubic, denominator};
 use super::integrals::{Integrals, Start};
+use crate::exact::cayley_klein::times;
 use crate::exact::elliptic::{
     NOME_RATIO, quarter_period, quarter_period_from_root, rf_of_roots, sin_cos_of_turns,
 };
 use crate::exact::elliptic_motion::{Reduction, argument_at_start, phase_at_start};
-use crate::number::double_double::DoubleDouble;
+use crate::number::DoubleDouble;
 use crate::number::functions::{atan2, exp, hypot};
 use core::f64::consts::{PI, TAU};
 #[cfg(not(feature = "std"))]
@@ -17,7 +18,9 @@ use num_traits::Float as _;
 /// All that an instant needs, in units of one rate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Nutation {
-    pub(super) form: Form,
+    form: Form,
+    /// Of `alpha`, `beta` and the spin across the axis.
+    pub(super) carriers: [Carrier; 3],
     /// The time from the lowest place to the highest and back (T10); infinite on the separatrix.
     pub(super) half_period: DoubleDouble,
     /// How fast Jacobi's argument runs.
@@ -28,7 +31,7 @@ pub(super) struct Nutation {
 
 /// The series by which it is summed.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Form {
+enum Form {
     /// In the nome.
     Direct {
         /// Turns of the phase per unit of time, and its sine and cosine at the start.
@@ -45,21 +48,22 @@ impl Nutation {
     /// `alpha` and `beta`, of one common length, and the spin across the axis.
     #[inline(always)]
     pub(super) fn at(&self, time: f64) -> ([[f64; 2]; 2], [f64; 2]) {
-        match &self.form {
-            Form::Direct { turns, start: [sin0, cos0], denominator, factors: [alpha, beta, across] } => {
+        let (factors, denominator, halves) = match &self.form {
+            Form::Direct { turns, start: [sin0, cos0], denominator, factors } => {
                 let (sin, cos) = sin_cos_of_turns(*turns * time);
                 let phase @ [sin, cos] = [sin0 * cos + cos0 * sin, cos0 * cos - sin0 * sin];
-                let inverse = 1.0 / cubic(denominator, (cos - sin) * (cos + sin));
-                let spin = across.at(phase, time).map(|x| x * inverse);
-                ([alpha.at(phase, time), beta.at(phase, time)], spin)
+                let denominator = cubic(denominator, (cos - sin) * (cos + sin));
+                (factors.each_ref().map(|factor| factor.at(phase)), denominator, DoubleDouble::ZERO)
             }
-            Form::Complementary { reduction, nome, factors: [alpha, beta, across] } => {
+            Form::Complementary { reduction, nome, factors } => {
                 let exponentials = reduction.argument(time).exponentials();
-                let inverse = 1.0 / complementary_denominator(*nome, &exponentials);
-                let spin = across.at(&exponentials, time).map(|x| x * inverse);
-                ([alpha.at(&exponentials, time), beta.at(&exponentials, time)], spin)
+                let denominator = complementary_denominator(*nome, &exponentials);
+                (factors.each_ref().map(|factor| factor.at(&exponentials)), denominator, exponentials.halves)
             }
-        }
+        };
+        let inverse = 1.0 / denominator;
+        let [alpha, beta, across] = [0, 1, 2].map(|k| times(self.carriers[k].at(time, halves), factors[k]));
+        ([alpha, beta], across.map(|x| x * inverse))
     }
 
     /// That all constants are numbers.
@@ -184,30 +188,33 @@ impl Integrals {
         let dn = part(self.third + self.pull * self.from_top, long);
         let sn = if self.rising.hi() == 0.0 { sn.abs() } else { sn };
         let turn = ahead / (DoubleDouble::PI * 2.0);
-        let form = if !separatrix && other / quarter.hi() >= NOME_RATIO {
+        let (form, mut carriers, lowest, half_periods) = if !separatrix && other / quarter.hi() >= NOME_RATIO
+        {
             let quarter_hi = quarter.hi();
             let nome = exp(-PI * (other / quarter_hi));
             let turns = rate / (quarter * 4.0);
             let start = phase_at_start([sn, cn, dn], complement.hi(), quarter_hi);
-            let mut factors = shapes.map(|shape| Direct::new(nome, quarter_hi, turns, start, &shape));
+            let all = shapes.map(|shape| Direct::new(nome, quarter_hi, turns, start, &shape));
             let lowest = -atan2(start[0], start[1]) / (TAU * turns.hi());
-            self.join(&shapes, factors.each_mut().map(|f| &mut f.carrier), lowest, Some(turns * 2.0), turn);
-            Form::Direct { turns, start, denominator: denominator(nome), factors }
+            let factors = all.map(|one| one.0);
+            let form = Form::Direct { turns, start, denominator: denominator(nome), factors };
+            (form, all.map(|one| one.1), lowest, Some(turns * 2.0))
         } else {
             let start = argument_at_start([sn, cn, dn], complement.hi(), quarter, 0);
             let reduction = Reduction::new(start, rate, quarter, other, 1.0);
             let exponentials = reduction.argument(0.0).exponentials();
             let nome = reduction.nome_root * reduction.nome_root;
-            let mut factors =
+            let all =
                 shapes.map(|shape| Complementary::new(nome, reduction.stretch, rate, &exponentials, &shape));
             let lowest = -start.hi() / rate.hi();
-            let half_periods = (!separatrix).then_some(reduction.rate);
-            self.join(&shapes, factors.each_mut().map(|f| &mut f.carrier), lowest, half_periods, turn);
-            Form::Complementary { reduction, nome, factors }
+            let form = Form::Complementary { reduction, nome, factors: all.map(|one| one.0) };
+            (form, all.map(|one| one.1), lowest, (!separatrix).then_some(reduction.rate))
         };
+        self.join(&shapes, &mut carriers, lowest, half_periods, turn);
         let half_period = if separatrix { quarter } else { quarter * 2.0 / rate };
         Nutation {
             form,
+            carriers,
             half_period,
             rate: rate.hi(),
             precession: self.precession(long, complement.hi(), quarter.hi()),
@@ -219,14 +226,14 @@ impl Integrals {
     fn join(
         &self,
         shapes: &[Shape; 3],
-        mut carriers: Carriers<'_>,
+        carriers: &mut [Carrier; 3],
         lowest: f64,
         half_periods: Option<DoubleDouble>,
         ahead: DoubleDouble,
     ) {
         if let Some(half_periods) = half_periods {
             let spin = hypot(shapes[2].size, self.along.hi());
-            turn_together(carriers.each_mut().map(|c| &mut **c), [1.0, 1.0, spin], half_periods);
+            turn_together(carriers, [1.0, 1.0, spin], half_periods);
         }
         let shares = shapes.map(|shape| shape.share());
         let share = |k: usize| shares[k];
@@ -234,10 +241,10 @@ impl Integrals {
             if share(weakest) > 0.0 && share(weakest) < 0.1 * share(a).min(share(b)) {
                 let about_lowest = self.at_bottom - self.along * self.bottoms[0];
                 let sign = -shapes[0].sense * sense(about_lowest);
-                align_weakest(carriers.each_mut().map(|c| &mut **c), weakest, sign, lowest);
+                align_weakest(carriers, weakest, sign, lowest);
             }
         }
-        for (carrier, times) in carriers.into_iter().zip([0.5, -0.5, -1.0]) {
+        for (carrier, times) in carriers.iter_mut().zip([0.5, -0.5, -1.0]) {
             carrier.drift = carrier.drift + ahead * times;
         }
     }

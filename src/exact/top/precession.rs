@@ -1,7 +1,7 @@
 //! How fast a top's axis goes round the vertical in the mean over a period of its lean.
 
 use super::integrals::Integrals;
-use crate::number::double_double::DoubleDouble;
+use crate::number::DoubleDouble;
 use core::f64::consts::FRAC_PI_2;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;

@@ -1,9 +1,7 @@
 //! The angle of a point in the plane.
 
 use super::polynomial;
-use crate::number::Lane;
-use crate::number::double_double::DoubleDouble;
-use crate::number::power_of_two::{exponent, times_power_of_two};
+use crate::number::{DoubleDouble, Lane, exponent, times_power_of_two};
 use core::f64::consts::FRAC_PI_4;
 
 /// The arctangents of 0, 1/8, ... 1, each with what its rounding lost.

@@ -1,9 +1,7 @@
 //! The exponential and its hyperbolic functions.
 
 use super::{inverse_factorials, polynomial};
-use crate::number::Lane;
-use crate::number::double_double::DoubleDouble;
-use crate::number::power_of_two::times_power_of_two;
+use crate::number::{DoubleDouble, Lane, times_power_of_two};
 use core::f64::consts::LOG2_E;
 
 /// The logarithm of 2 in two parts; the first has 42 bits, so that an exponent times it is exact.
@@ -35,14 +33,18 @@ fn scaled(x: f64, exponent: i32) -> f64 {
     times_power_of_two(times_power_of_two(x, exponent / 2), exponent - exponent / 2)
 }
 
-/// The exponential, and the exponential less 1, of a number that is not positive.
+/// The exponential, and the exponential less 1.
 pub(crate) fn exp_and_exp_m1(x: f64) -> (f64, f64) {
-    if !(-45.0..-1e-17).contains(&x) {
-        return (exp(x), exp_m1(x));
+    if x.is_nan() {
+        return (x, x);
     }
-    let (k, part) = halvings(x);
+    if x < -45.0 {
+        return (exp(x), -1.0);
+    }
+    let (k, part) = halvings(x.min(FAR));
     let whole = DoubleDouble::sum(1.0, -times_power_of_two(1.0, -k));
-    (scaled((part + DoubleDouble::ONE).hi(), k), scaled((part + whole).hi(), k))
+    let less_1 = if x.abs() < 1e-17 { x } else { scaled((part + whole).hi(), k) };
+    (scaled((part + DoubleDouble::ONE).hi(), k), less_1)
 }
 
 /// The exponential.
@@ -52,19 +54,6 @@ pub(crate) fn exp(x: f64) -> f64 {
     }
     let (k, part) = halvings(x.clamp(-FAR, FAR));
     scaled((part + DoubleDouble::ONE).hi(), k)
-}
-
-/// The exponential less 1.
-pub(crate) fn exp_m1(x: f64) -> f64 {
-    if x.is_nan() || x.abs() < 1e-17 {
-        return x;
-    }
-    if x < -45.0 {
-        return -1.0;
-    }
-    let (k, part) = halvings(x.min(FAR));
-    let whole = DoubleDouble::sum(1.0, -times_power_of_two(1.0, -k));
-    scaled((part + whole).hi(), k)
 }
 
 /// `(e^x ± e^-x) / 2` for `x` not below 0.

@@ -3,12 +3,12 @@
 
 use super::inverse_factorials;
 use crate::number::lane::power_of_two;
-use crate::number::{Lane, splat};
+use crate::number::{Rounding, splat};
 
 /// Both by their own series, for angles up to an eighth of a turn. The first term left out is below 2e-19 of
 /// the sum; the rest is what its largest coefficient lacks, rounded to 2^-56, and the smaller ones.
 #[inline(always)]
-pub(crate) fn sin_cos_near_zero<T: Lane>(x: T) -> (T, T) {
+pub(crate) fn sin_cos_near_zero<T: Rounding>(x: T) -> (T, T) {
     const S: [f64; 8] = inverse_factorials(3, 2, -1.0);
     const C: [f64; 8] = inverse_factorials(4, 2, -1.0);
     let y = x * x;
@@ -29,7 +29,7 @@ pub(crate) fn sin_cos_near_zero<T: Lane>(x: T) -> (T, T) {
 
 /// `exp(-x)` and `exp(-x) - 1` of `x = main + rest >= 0`.
 #[inline(always)]
-pub(crate) fn decay<T: Lane>(main: T, rest: T) -> [T; 2] {
+pub(crate) fn decay<T: Rounding>(main: T, rest: T) -> [T; 2] {
     // Farther out the rest can be large and has no effect.
     let (zero, farthest) = (splat::<T>(0.0), splat::<T>(FARTHEST));
     let within = main.lt(farthest);
@@ -48,7 +48,7 @@ const FARTHEST: f64 = 700.0;
 
 /// `exp(x + rest) = power (1 + change)` with a power of two and `|change| <= 0.42`, for `|x| <= 700`.
 #[inline(always)]
-fn exp_parts<T: Lane>(x: T, rest: T) -> (T, T) {
+fn exp_parts<T: Rounding>(x: T, rest: T) -> (T, T) {
     let twos = (x * core::f64::consts::LOG2_E).nearest();
     // The two parts of the logarithm lack less than that.
     let r = (x - twos * LN_2_HIGH) + (rest - twos * LN_2_LOW).up_to(|| twos * 2e-26);

@@ -1,8 +1,6 @@
 //! Roots and powers.
 
-use crate::number::Field;
-use crate::number::double_double::DoubleDouble;
-use crate::number::power_of_two::{exponent, times_power_of_two};
+use crate::number::{DoubleDouble, Field, exponent, times_power_of_two};
 
 /// The length of the vector `(a, b)`.
 pub(crate) fn hypot(a: f64, b: f64) -> f64 {

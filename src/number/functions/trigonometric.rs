@@ -2,8 +2,7 @@
 //! Hanek's reduction.
 
 use super::{inverse_factorials, polynomial};
-use crate::number::double_double::DoubleDouble;
-use crate::number::power_of_two::{exponent, times_power_of_two};
+use crate::number::{DoubleDouble, exponent, times_power_of_two};
 use core::f64::consts::FRAC_PI_4;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;

@@ -13,8 +13,6 @@ use crate::step::methods::implicit::eliminate;
 use alloc::vec;
 use alloc::vec::Vec;
 use nalgebra::{Quaternion, Vector3, Vector4};
-#[cfg(not(feature = "std"))]
-use num_traits::Float as _;
 use num_traits::FromPrimitive;
 
 /// How often the states at the nodes are made better before a shorter step is tried.

@@ -5,12 +5,9 @@ use super::dop853_coefficients::{FIFTH, STAGES, STEP, THIRD, Weights};
 use super::{Run, largest, ratio};
 use crate::body::{Rate, State};
 use crate::error::{Error, Subject, representable};
-use crate::number::Analytic;
-use crate::number::power_of_two::{exponent, times_power_of_two};
+use crate::number::{Analytic, exponent, times_power_of_two};
 use alloc::sync::Arc;
 use nalgebra::{Quaternion, Vector3};
-#[cfg(not(feature = "std"))]
-use num_traits::Float as _;
 use num_traits::FromPrimitive;
 
 /// The rates at the stages of a step, and where the last one began.
@@ -109,9 +106,7 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
         let rates = apart(&end_rate.momentum, &self.rates[11].momentum);
         h.abs() * ratio(rates, apart(&end.momentum, &near.momentum))
     }
-}
 
-impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
     /// One step tried, and taken if its error is below the tolerance.
     pub(super) fn advance(&mut self, run: &mut Run<T>) -> Result<(), Error> {
         let (h, last) = run.fitted(self.h)?;
@@ -145,9 +140,7 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
         }
         Ok(())
     }
-}
 
-impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
     /// The state `duration` seconds after the start of the last step, where the body was in the state `start`
     /// at the time `began`: by a shorter step from there, or several if its error is not below the tolerance.
     pub(super) fn within(

@@ -5,9 +5,8 @@ use super::series::{LENGTH, MOST, Series, Variation, in_units};
 use super::{Run, TRIES, largest, logarithm, ratio, smallest};
 use crate::body::State;
 use crate::error::Error;
-use crate::number::Analytic;
 use crate::number::functions::exp;
-use crate::number::power_of_two::{exponent, times_power_of_two};
+use crate::number::{Analytic, exponent, times_power_of_two};
 use alloc::boxed::Box;
 use nalgebra::{Quaternion, Vector3};
 use num_traits::FromPrimitive;
@@ -131,9 +130,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
             momentum: Vector3::from_fn(|i, _| start.momentum[i] + run.system.moments()[i] * w[i] * per),
         }
     }
-}
 
-impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     /// The state `time` seconds after the start of the last step, where the body was in the state `start`.
     pub(super) fn within(&self, run: &Run<T>, start: &State<T>, time: f64) -> State<T> {
         let [q, w] = self.series.value(Run::number(time / self.unit));
@@ -141,15 +138,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
         run.project(&mut there);
         there
     }
-}
 
-/// The order that takes the fewest operations for a tolerance of a step.
-fn order(tolerance: f64) -> usize {
-    let digits = -logarithm(tolerance) / core::f64::consts::LN_10;
-    ((5.0 + 1.3 * digits) as usize).clamp(6, MOST)
-}
-
-impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     /// Whether the momentum has digits, and what it is measured by. A body at rest has none, so that which a
     /// torque gives it counts; one that drag brought to rest has no digits below the least. Where torques
     /// cancel, as in a body that hangs at rest, what is left of them is their rounding.
@@ -219,4 +208,10 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
         }
         Err(run.no_step(x * unit))
     }
+}
+
+/// The order that takes the fewest operations for a tolerance of a step.
+fn order(tolerance: f64) -> usize {
+    let digits = -logarithm(tolerance) / core::f64::consts::LN_10;
+    ((5.0 + 1.3 * digits) as usize).clamp(6, MOST)
 }

@@ -21,13 +21,17 @@ fn unit<T: Analytic>(q: &Quaternion<T>) -> Quaternion<T> {
 }
 
 /// `start` turned by the constant spin `omega` (body axes) for the time `h`: the exponential map.
-fn turned<T: Analytic>(start: &Quaternion<T>, omega: &Vector3<T>, h: &T) -> Quaternion<T> {
+pub(crate) fn turned<T: Analytic>(start: &Quaternion<T>, omega: &Vector3<T>, h: &T) -> Quaternion<T> {
     unit(&attitude::product(start, &attitude::turn(&omega.map(|x| x * h.clone()))))
 }
 
 /// `start` moved straight along its rate for the time `h` and brought back to length 1. It turns about the
 /// right axis, by `2 atan(|w| h / 2)` instead of `|w| h`.
-fn turned_straight<T: Analytic>(start: &Quaternion<T>, omega: &Vector3<T>, h: &T) -> Quaternion<T> {
+pub(crate) fn turned_straight<T: Analytic>(
+    start: &Quaternion<T>,
+    omega: &Vector3<T>,
+    h: &T,
+) -> Quaternion<T> {
     let half = h.clone() / T::integer(2);
     let [x, y, z] = [0, 1, 2].map(|i| omega[i].clone() * half.clone());
     unit(&attitude::product(start, &Quaternion::new(T::one(), x, y, z)))
@@ -50,27 +54,25 @@ pub(crate) fn semi_implicit<T: Analytic>(system: &System<T>, start: &State<T>, h
     State { attitude: turned(&start.attitude, &system.omega(&momentum), h), momentum }
 }
 
-/// The torques, then the gyroscopic term, then the length as it was between the two.
-fn rescaled_momentum<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Vector3<T> {
+/// The torques, then the gyroscopic term, then the length as it was between the two; `turned` turns the
+/// attitude by the new spin.
+pub(crate) fn rescaled<T: Analytic>(
+    system: &System<T>,
+    start: &State<T>,
+    h: &T,
+    turned: impl Fn(&Quaternion<T>, &Vector3<T>, &T) -> Quaternion<T>,
+) -> State<T> {
     let before = pushed(system, start, h);
     let gyroscopic = before.cross(&system.omega(&before));
     let after = &before + gyroscopic.map(|x| x * h.clone());
     let square = after.dot(&after);
-    if square.size() == 0.0 {
-        return before;
-    }
-    let factor = (before.dot(&before) / square).sqrt();
-    after.map(|x| x * factor.clone())
-}
-
-pub(crate) fn rescaled<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
-    let momentum = rescaled_momentum(system, start, h);
+    let momentum = if square.size() == 0.0 {
+        before
+    } else {
+        let factor = (before.dot(&before) / square).sqrt();
+        after.map(|x| x * factor.clone())
+    };
     State { attitude: turned(&start.attitude, &system.omega(&momentum), h), momentum }
-}
-
-pub(crate) fn rescaled_straight<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
-    let momentum = rescaled_momentum(system, start, h);
-    State { attitude: turned_straight(&start.attitude, &system.omega(&momentum), h), momentum }
 }
 
 /// The change of spin that solves `(I + h D + h C) dw = impulse`, with `D = [w]x I - [I w]x` the derivative
@@ -111,17 +113,9 @@ pub(crate) fn linearised<T: Analytic>(system: &System<T>, start: &State<T>, h: &
     ended(system, start, h, &change)
 }
 
-pub(crate) fn mean_spin<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
-    stepped(system, start, h, |_, omega| omega.clone())
-}
-
-pub(crate) fn corrected<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
-    stepped(system, start, h, turn_rate)
-}
-
 /// Runge-Kutta 4 for the momentum in body axes and for the turn since the start, whose rate is
 /// `turn_rate(turn, spin)`.
-fn stepped<T: Analytic>(
+pub(crate) fn runge_kutta_4<T: Analytic>(
     system: &System<T>,
     start: &State<T>,
     h: &T,
@@ -146,7 +140,7 @@ fn stepped<T: Analytic>(
 
 /// The rate of the rotation vector `v`, for the spin `w` in the axes that it turns: `w + v x w / 2 + c v x
 /// (v x w)`, with `c = (1 - (|v|/2) cot(|v|/2)) / |v|^2`. It is infinite at whole turns.
-fn turn_rate<T: Analytic>(turn: &Vector3<T>, omega: &Vector3<T>) -> Vector3<T> {
+pub(crate) fn turn_rate<T: Analytic>(turn: &Vector3<T>, omega: &Vector3<T>) -> Vector3<T> {
     let once = turn.cross(omega);
     let half = turn.map(|x| x / T::integer(2));
     let square = half.dot(&half);

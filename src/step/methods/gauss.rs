@@ -62,14 +62,9 @@ fn undone<T: Analytic>(
 ) -> Result<State<T>, Error> {
     let (again, _) = back(&end)?;
     let apart = apart(&again, start, NEAR * (size(&start.momentum) + size(&end.momentum)));
-    if apart.0 < NEAR && apart.1 <= 1.0 {
-        return Ok(end);
-    }
-    Err(Refusal::Undefined {
-        what: Subject::StepEnd,
-        why: "the equations of the method have several solutions: the step back finds another start",
-    }
-    .into())
+    let why = "the equations of the method have several solutions: the step back finds another start";
+    let returned = apart.0 < NEAR && apart.1 <= 1.0;
+    Refusal::Undefined { what: Subject::StepEnd, why }.when(!returned).map(|()| end)
 }
 
 /// How far two attitudes are apart, and two momenta in this unit.

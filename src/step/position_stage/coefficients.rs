@@ -49,13 +49,10 @@ impl<T: Field + Float + From<f32>> Coefficients<T> {
     /// A zero moment: nothing resists a spin about that axis, and nothing drives it if the others are equal.
     fn of_rod(moments: [T; 3]) -> Result<Self, Error> {
         let [i, j, k] = order_of(&moments);
-        if moments[j] != moments[k] {
-            let moments = [i, j, k].map(|n| value(moments[n]));
-            let excess = moments[2] - moments[1];
-            return Err(
-                Refusal::TriangleInequality { moments, excess, tolerance: 0.0, printed: false }.into()
-            );
-        }
+        let sorted = [i, j, k].map(|n| value(moments[n]));
+        let excess = sorted[2] - sorted[1];
+        Refusal::TriangleInequality { moments: sorted, excess, tolerance: 0.0, printed: false }
+            .when(moments[j] != moments[k])?;
         if moments[k] == T::zero() {
             return Ok(Self::constant_spin());
         }

@@ -94,9 +94,7 @@ impl Limits {
             turned_beyond(&start.attitude, &omega, part, most)
         };
         let momentum = if cut { system.momentum(&omega) } else { end.momentum };
-        let beyond = attitude.coords.iter().chain(&momentum).find(|x| !x.is_finite());
-        let wrong = |x: &f64| Err(Error::unrepresentable("the motion after a step", *x));
-        beyond.map_or(Ok(State { attitude, momentum }), wrong)
+        State { attitude, momentum }.checked()
     }
 }
 

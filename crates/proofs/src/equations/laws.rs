@@ -153,7 +153,7 @@ laws! {
     MOMENTUM_OF_A_PIECE = law(r"\mathbf{L}_{\text{piece}}", &[bodies::moving_piece], "inertia::point_mass times the spin", );
     FIRST_OF_A_PIECE = law("L_x", &[bodies::moving_piece], "the first row of inertia::point_mass times the spin", );
     PRODUCT_WITHOUT_MINUS = bare(r"\sum mxy", &[bodies::product_without_minus], "the product in inertia::point_mass of any points, without the minus", );
-    RATE_SEEN_FROM_THE_BODY = law(r"\dot{\mathbf{v}}", &[motion::seen_from_the_body], "the rate by euler::momentum_rate of an arrow that nothing turns in the room", );
+    RATE_SEEN_FROM_THE_BODY = law(r"\dot{\mathbf{v}}", &[motion::seen_from_the_body], "the rate by laws::momentum_rate of an arrow that nothing turns in the room", );
     FROM_REST = law(r"\dot{\boldsymbol{\omega}}", &[rates::at_rest], "euler::tensor_times_acceleration without spin");
     LINEARISED_A = law(r"I_a\dot{\omega}_a", &[motion::linearised], "euler::angular_acceleration across a spin");
     LINEARISED_B = law(r"I_b\dot{\omega}_b", &[motion::linearised], "euler::angular_acceleration across a spin");
@@ -340,8 +340,8 @@ laws! {
     WORLD_TENSOR = law(r"I_{\text{world}}", world_tensor::CASES, "inertia::turned, and inertia::point_mass of turned points", );
     WORLD_INVERSE = law(r"I_{\text{world}}^{-1}", &[world_inverse], "the inverse of inertia::turned");
     WORLD_SPIN = law(r"\boldsymbol{\omega}", &[world_inverse], "inertia::omega_world");
-    MOMENTUM_RATE = law(r"\dot{\mathbf{L}}", rates::ALL, "euler::momentum_rate");
-    MOMENTUM_RATE_BY_ACCELERATION = law(r"\dot{\mathbf{L}}", rates::ALL, "euler::momentum_rate and euler::tensor_times_acceleration", );
+    MOMENTUM_RATE = law(r"\dot{\mathbf{L}}", rates::ALL, "laws::momentum_rate");
+    MOMENTUM_RATE_BY_ACCELERATION = law(r"\dot{\mathbf{L}}", rates::ALL, "laws::momentum_rate and euler::tensor_times_acceleration", );
     ACCELERATION = law(r"I\dot{\boldsymbol{\omega}}", rates::ALL, "euler::angular_acceleration, and euler::tensor_times_acceleration", );
     EULER_1 = law(r"I_1\dot{\omega}_1", &[rates::free], "euler::angular_acceleration, first");
     EULER_2 = law(r"I_2\dot{\omega}_2", &[rates::free], "euler::angular_acceleration, second");
@@ -351,13 +351,13 @@ laws! {
     SWING = Law { attained: &[equal_moments], ..law(r"\lambda^2", swings::BOTH, "stability::rate_squared, about the largest and the smallest", ) };
     FROZEN_TENSOR = law(r"I_{\text{body}}\dot{\boldsymbol{\omega}}", &[frozen], "Engine::Frozen's rate, wrong as it is", );
     MOMENTUM_FOR_SPIN = law(r"\boldsymbol{\omega}", &[momentum_for_spin], "Engine::MomentumForSpin's omega_world, wrong as it is", );
-    EXPLICIT_STEP = law(r"\mathbf{L}'", explicit::CASES, "euler::momentum_rate held for the step, and the steps of Method::ExplicitEuler and SemiImplicitEuler", );
+    EXPLICIT_STEP = law(r"\mathbf{L}'", explicit::CASES, "laws::momentum_rate held for the step, and the steps of Method::ExplicitEuler and SemiImplicitEuler", );
     EXPLICIT_GAIN = law(r"\mathbf{L}'\cdot\mathbf{L}'", explicit::CASES, "the squared length after that step", );
     TURN_J = law("L'_j", turn::ALL, "the momentum in the axes of a body turned by attitude::rotation_matrix, next axis");
     TURN_K = law("L'_k", turn::ALL, "the same, the axis after that");
     TURN_ANGLE = bare("hL_i/I_i", &[steps::angle], "the step times the spin by inertia::omega_world");
     MEAN_MOMENTUM = again(r"\mathbf{M}", &[steps::midpoint], "the mean of both ends of a midpoint step");
-    MIDPOINT_STEP = again(r"\mathbf{L}'", &[steps::midpoint], "euler::momentum_rate at the mean, held for the step");
+    MIDPOINT_STEP = again(r"\mathbf{L}'", &[steps::midpoint], "laws::momentum_rate at the mean, held for the step");
     MIDPOINT_WORK = again("E'-E", &[steps::midpoint], "the change of observe::energy in that step, for a torque that is constant in it", );
     DISCRETE_START = again(r"(1+\mathbf{c}\cdot\mathbf{c})\tfrac{h}{2}\mathbf{L}", &[steps::discrete], "the equation of Moser and Veselov's step");
     DISCRETE_END = again(r"(1+\mathbf{c}\cdot\mathbf{c})\tfrac{h}{2}\mathbf{L}'", &[steps::discrete], "the same momentum after the turn, by attitude::rotation_matrix", );

@@ -9,9 +9,10 @@ use crate::symbols::{
 use crate::tex::{Scope, Value};
 use num_traits::{One, Zero};
 use tumbling::attitude::{product, rate, rotation_matrix};
-use tumbling::dynamics::euler::{angular_acceleration, coupling, momentum_rate, tensor_times_acceleration};
+use tumbling::dynamics::euler::{angular_acceleration, coupling, tensor_times_acceleration};
 use tumbling::dynamics::stability::rate_squared;
 use tumbling::inertia::{omega_world, point_mass, turned};
+use tumbling::laws::momentum_rate;
 use tumbling::step::Engine;
 
 /// The world's tensor.
@@ -316,7 +317,7 @@ pub(crate) fn in_order() -> Scope {
 /// An arrow fixed in the room, seen from a frame that spins anyhow.
 pub(super) fn seen_from_the_body() -> Scope {
     let (inverse, arrow) = (crate::symbols::symmetric("J"), vector("L"));
-    let rate = tumbling::dynamics::euler::momentum_rate(&inverse, &arrow, &Vector::zeros());
+    let rate = tumbling::laws::momentum_rate(&inverse, &arrow, &Vector::zeros());
     let omega = inverse * &arrow;
     Scope::default()
         .with(r"\mathbf{v}", arrow)

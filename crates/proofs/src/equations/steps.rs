@@ -7,8 +7,8 @@ use crate::tex::Scope;
 use nalgebra::{Quaternion, Vector3};
 use num_traits::Zero;
 use tumbling::attitude::rotation_matrix;
-use tumbling::dynamics::{euler, observe};
 use tumbling::step::Method;
+use tumbling::{dynamics::euler, dynamics::observe, laws::momentum_rate};
 
 fn times(v: &Vector, factor: &Fraction) -> Vector {
     v.map(|x| x * factor)
@@ -23,7 +23,7 @@ pub(super) mod explicit {
 
     fn of_any_body() -> Scope {
         let (inverse, momentum, h) = (symmetric("J"), vector("L"), Fraction::variable("h"));
-        let rate = euler::momentum_rate(&inverse, &momentum, &Vector::zeros());
+        let rate = momentum_rate(&inverse, &momentum, &Vector::zeros());
         named(&inverse * &momentum, &momentum + times(&rate, &h), momentum, h)
     }
 
@@ -89,7 +89,7 @@ pub(super) fn angle() -> Scope {
 pub(super) fn midpoint() -> Scope {
     let (moments, mean, torque) = (vector("I"), vector("M"), vector("tau"));
     let (inverse, h) = (inverse_diagonal(&moments), Fraction::variable("h"));
-    let half = times(&euler::momentum_rate(&inverse, &mean, &torque), &(&h / &Fraction::from(2)));
+    let half = times(&momentum_rate(&inverse, &mean, &torque), &(&h / &Fraction::from(2)));
     let (start, end) = (&mean - &half, &mean + &half);
     let energy = |momentum: &Vector| observe::energy(&(&inverse * momentum), momentum);
     Scope::default()

@@ -7,7 +7,7 @@
 use super::Interval;
 use super::arithmetic::{product, safe};
 use num_traits::Zero;
-use tumbling::laws::Real;
+use tumbling::laws::{Real, Rounding};
 use tumbling::number::{Lane, Series};
 
 /// A real number in an interval.
@@ -94,13 +94,6 @@ impl Enclosed {
         let middle = if half.is_infinite() { 0.5 * low + 0.5 * self.0.high } else { low + half };
         if middle.is_infinite() { 0.0 } else { middle }
     }
-
-    /// What remains of the sum of two numbers beyond a float near it.
-    fn sum_beyond(self, other: Self, near: f64) -> Self {
-        let [larger, smaller] =
-            if self.middle().abs() < other.middle().abs() { [other, self] } else { [self, other] };
-        (larger - near) + smaller
-    }
 }
 
 /// What is the same in all lanes of one number that lies between bounds.
@@ -117,6 +110,8 @@ macro_rules! one_lane {
         fn select(mask: bool, yes: Self, no: Self) -> Self {
             if mask { yes } else { no }
         }
+    };
+    () => {
         fn nearest(self) -> Self {
             self.round_ties_even()
         }
@@ -157,9 +152,14 @@ impl Lane for Enclosed {
     fn two_product_error(self, other: Self, product: Self) -> Self {
         self * other - product
     }
+}
+
+impl Rounding for Enclosed {
+    one_lane!();
     fn sum_in_two(self, other: Self) -> [Self; 2] {
-        let near = self.middle() + other.middle();
-        [exact(near), self.sum_beyond(other, near)]
+        let [a, b] = [self.middle(), other.middle()];
+        let [larger, smaller] = if a.abs() < b.abs() { [other, self] } else { [self, other] };
+        [exact(a + b), (larger - (a + b)) + smaller]
     }
     fn quick_sum_in_two(self, other: Self) -> [Self; 2] {
         self.sum_in_two(other)
@@ -208,9 +208,6 @@ impl Real for Enclosed {
     fn exponent(self) -> i32 {
         let middle = self.middle().abs();
         if middle == 0.0 { 0 } else { middle.log2().floor() as i32 }
-    }
-    fn exp(self) -> Self {
-        self.exp_and_exp_m1().0
     }
     fn exp_and_exp_m1(self) -> (Self, Self) {
         let (power, less) = self.0.exp_and_exp_m1();

@@ -6,8 +6,8 @@ use crate::proof::{Residue, breaks, same};
 use crate::symbols::{Matrix, Vector, changing, diagonal, symmetric, vector};
 use crate::tex::Scope;
 use num_traits::Zero;
-use tumbling::dynamics::euler::{angular_acceleration, momentum_rate};
 use tumbling::dynamics::observe::energy;
+use tumbling::{dynamics::euler::angular_acceleration, laws::momentum_rate};
 
 proofs! {
     "euler" {

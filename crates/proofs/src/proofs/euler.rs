@@ -6,7 +6,8 @@ use crate::symbols::{Matrix, Vector, attitude, changing, diagonal, symmetric, tu
 use crate::tex::Scope;
 use nalgebra::{Quaternion, Vector3};
 use tumbling::attitude::{rate, rotation_matrix};
-use tumbling::dynamics::euler::{angular_acceleration, coupling, momentum_rate, tensor_times_acceleration};
+use tumbling::dynamics::euler::{angular_acceleration, coupling, tensor_times_acceleration};
+use tumbling::laws::momentum_rate;
 
 proofs! {
     "euler" {

@@ -6,7 +6,7 @@ use num_rational::BigRational as Exact;
 use num_traits::{Signed, ToPrimitive, Zero};
 use std::cell::Cell;
 use std::f64::consts::{FRAC_PI_2, PI};
-use tumbling::laws::{ComplementaryPair, ComplementarySeries, DirectPair, DirectSeries};
+use tumbling::laws::{ComplementaryPair, ComplementarySeries, DirectPair, DirectSeries, Rounding};
 use tumbling::number::{Lane, Series};
 
 /// An exact number, and how much the rests can change it. Both are never freed, since a lane must be `Copy`.
@@ -100,14 +100,17 @@ impl Lane for Bounded {
     fn round_ties_even(self) -> Self {
         exact(self.lane(0).round_ties_even())
     }
-    fn nearest(self) -> Self {
-        self.round_ties_even()
-    }
     fn sqrt(self) -> Self {
         unreachable!("no series takes a root")
     }
     fn two_product_error(self, _: Self, _: Self) -> Self {
         unreachable!("no series needs what rounding left")
+    }
+}
+
+impl Rounding for Bounded {
+    fn nearest(self) -> Self {
+        self.round_ties_even()
     }
 }
 
