@@ -204,10 +204,10 @@ fn settled(subject: &Subject, all: &[Pair], ranked: &mut Ranked, whole: &Whole, 
     // What such a rule does to energy and momentum is below the rounding of few digits: others do less.
     let base = best.base.spin().or(best.method()).filter(|_| !best.base.is_still());
     let first = base.is_some_and(|base| base.0.info().order == 1);
-    // Rules of first order differ by what they do to these alone.
+    // Some rules of first order differ by what they do to these alone.
     let unseen = || {
-        let each = BIASED[2] * floor.size * all.len() as f64;
-        first && best.alteration.is_none() && changes(subject, all, &best)[0].amax() <= each
+        let random = BIASED[3] * floor.size * (all.len() as f64).sqrt();
+        first && best.alteration.is_none() && changes(subject, all, &best)[0].amax() <= random
     };
     // A rule that keeps a law does not make every step of a record that breaks it.
     let kept = |law: &LawName| best == Rule::EXACT || best.keeps(*law);
@@ -215,7 +215,7 @@ fn settled(subject: &Subject, all: &[Pair], ranked: &mut Ranked, whole: &Whole, 
     match whole.broken.iter().any(kept) {
         true if few => Confidence::FewDigits,
         true => Confidence::MostSteps,
-        false if few && !sought && unseen() => Confidence::FewDigits,
+        false if few && !sought && unseen() => Confidence::SmallErrors,
         false if few && first && !whole.fails && (sought || kept_all) => Confidence::SmallErrors,
         false => Confidence::ToRounding,
     }
