@@ -5,7 +5,7 @@ use super::{INTEGERS, Lane, splat};
 use core::f64::consts::FRAC_PI_2;
 
 /// The operations of the closed form that are where `f64` rounds, or stops a series; a lane takes them as
-/// they are (`impl Rounding for FourLanes {}`).
+/// they are (`impl Rounding for Lanes {}`).
 ///
 /// An enclosure of a real number replaces them: with no lanes but itself, it answers [`lt`](Lane::lt) and
 /// [`sign`](Lane::sign) for a number in its middle, and either answer is then right for all that lie in it.

@@ -45,8 +45,7 @@ impl Motion {
         let mut rows = Rows::open(source)?;
         rows.columns.take_positions();
         let (kind, positions) = (rows.columns.kind, rows.columns.position.is_some());
-        let given =
-            options.inertia.map_or_else(|| rows.header.moments(&mut Vec::new()), |given| Ok(Some(given)))?;
+        let given = options.inertia.map_or_else(|| rows.header.moments(&mut Vec::new()), |x| Ok(Some(x)))?;
         let moments =
             given.or((!kind.is_momentum()).then(|| Vector3::repeat(1.0))).ok_or(Error::NoMoments)?;
         Self::of(&mut rows, kind, &moments, positions)
@@ -252,8 +251,7 @@ pub fn compare(records: &[(String, Motion)], threshold: Option<f64>) -> Result<C
         }
     }
     let (reference, all) = best.ok_or_else(|| wrong("there is no record".into()))?;
-    let (alike, others): (Vec<_>, Vec<_>) =
-        all.into_iter().enumerate().partition(|(_, apart)| apart.is_alike());
+    let (alike, others): (Vec<_>, Vec<_>) = all.into_iter().enumerate().partition(|x| x.1.is_alike());
     let inertia =
         if others.is_empty() { Vec::new() } else { records.iter().map(|(_, one)| one.inertia()).collect() };
     let names = records.iter().map(|(name, _)| name.clone()).collect();

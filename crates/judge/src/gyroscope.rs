@@ -65,16 +65,16 @@ pub fn fit_inertia(rows: &[(f64, Vector3<f64>)], guess: Option<&Inertia>) -> Res
         Some(m) => {
             Some([m[(0, 0)], m[(1, 1)], m[(1, 2)], m[(0, 2)], m[(0, 1)]].map(|x| x / m.trace()).into())
         }
-        // Euler's equations alone, summed over turns of about a radian.
         None => {
-            least([1.0 / 3.0, 1.0 / 3.0, 0.0, 0.0, 0.0].into(), |numbers| Some(summed(rows, numbers)), inside)
+            let third = 1.0 / 3.0;
+            least([third, third, 0.0, 0.0, 0.0].into(), &|numbers| Some(summed(rows, numbers)), &inside)
         }
     };
     let mut at = with_spin(&start.ok_or_else(|| steady(0.0))?, &(rows[0].1 / speed));
     for part in FIT_PARTS {
         let some = &rows[..(rows.len() / part).max(FIT_PART_ROWS).min(rows.len())];
         let inside = |at: SVector<f64, 8>| with_spin(&inside(body(&at)), &at.fixed_rows::<3>(5).into());
-        at = least(at, |at| misses(some, speed, at), inside).unwrap_or(at);
+        at = least(at, &|at| misses(some, speed, at), &inside).unwrap_or(at);
     }
     // In the principal axes the moments are the numbers themselves, and so are their errors.
     let principal = Inertia::try_from(tensor(&inside(body(&at))))?.principal();
@@ -90,7 +90,7 @@ pub fn fit_inertia(rows: &[(f64, Vector3<f64>)], guess: Option<&Inertia>) -> Res
     if swing <= (STEADY * left).max(FIT_FLOOR) {
         return Err(steady(left));
     }
-    let along = slopes(&at, &here, |at| misses(&turned, speed, at)).ok_or_else(|| steady(left))?;
+    let along = slopes(&at, &here, &|at| misses(&turned, speed, at)).ok_or_else(|| steady(left))?;
     let c = normal::<8>(&along).cholesky().ok_or_else(|| steady(left))?.inverse();
     let unit = Vector3::new(c[(0, 0)], c[(1, 1)], c[(0, 0)] + c[(1, 1)] + 2.0 * c[(0, 1)]).map(f64::sqrt);
     let known = unit * left.max(FIT_FLOOR);

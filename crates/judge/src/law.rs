@@ -24,15 +24,10 @@ pub enum LawName {
 
 impl LawName {
     /// All of them.
-    pub const ALL: [Self; 7] = [
-        Self::Energy,
-        Self::Momentum,
-        Self::Direction,
-        Self::Unit,
-        Self::Separatrix,
-        Self::Phase,
-        Self::Consistency,
-    ];
+    pub const ALL: [Self; 7] = {
+        use LawName::{Consistency, Direction, Energy, Momentum, Phase, Separatrix, Unit};
+        [Energy, Momentum, Direction, Unit, Separatrix, Phase, Consistency]
+    };
 
     /// A name for programs, a name in words, and that with its unit where the words leave it open.
     const fn names(self) -> [&'static str; 3] {

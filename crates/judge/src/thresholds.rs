@@ -214,6 +214,8 @@ pub(crate) const LAW_ROUNDINGS: [f64; 2] = [32.0, 4.0];
 pub(crate) const LAW_DIGITS: f64 = 2.0;
 /// How many times these for laws that are a product of two such numbers, or an angle between two vectors.
 pub(crate) const LAW_OF_TWO: f64 = 2.0;
+/// Error, as a share or in rad, beyond which a law is not said to be kept, however few the digits.
+pub(crate) const KEPT: f64 = 1e-3;
 
 // How an error grows.
 
@@ -360,7 +362,7 @@ pub(crate) const FIT_LEFT: f64 = 0.1;
 
 // Rounds of iterations: each is more than a right record takes, and none goes on without gain.
 
-/// Of Gauss and Newton's way in a fit.
+/// Of Gauss and Newton's way in a fit, and of Newton's to the spin of a turn.
 pub(crate) const FIT_ROUNDS: usize = 20;
 /// Parts of a gyroscope's record that a body is fitted to, one after the other, and the rows that each has at
 /// least: over the whole a first guess may be periods off.
@@ -377,7 +379,5 @@ pub(crate) const UNDETERMINED: f64 = 0.05;
 pub(crate) const MOMENTS_APART: f64 = 3.0;
 /// Spin's deviation from its mean, in what is left of it, up to which it is as good as steady.
 pub(crate) const STEADY: f64 = 2.0;
-/// Of Newton's way to the spin of a turn.
-pub(crate) const SPIN_ROUNDS: usize = 20;
 /// Of a rule's way to the spin of a turn, of first order.
 pub(crate) const RULE_ROUNDS: usize = 60;

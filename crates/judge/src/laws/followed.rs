@@ -52,6 +52,8 @@ pub(crate) struct Seen {
     pub sign_changes: u64,
     /// The greatest speed, rad/s.
     speed: f64,
+    /// The most that the digits of a spin count in its momentum, relative to both.
+    counts: f64,
     /// How much the last step changed the spin, relative to the spin.
     change: f64,
     /// Steps since the first row; rows where a step has no one length.
@@ -176,6 +178,9 @@ impl Laws {
             exact_range: [wanted; 2],
         });
         self.seen.speed = self.seen.speed.max(state.omega.norm());
+        // A spin that is off along the axis of the largest moment counts most.
+        let counts = self.moments.max() * state.omega.norm() / momentum;
+        self.seen.counts = self.seen.counts.max(counts);
         self.seen.constant &= (state.omega - self.start.row.omega).amax()
             <= CONSTANT * self.floor.size * self.start.row.omega.amax();
         self.flip(t, state);
@@ -293,14 +298,12 @@ impl Laws {
 
     /// By how much the digits of two rows alone may put a law off.
     fn explained(&self, name: LawName) -> f64 {
-        // A spin that is off along the axis of the largest moment counts most.
-        let most = self.moments.max() * self.seen.speed / self.start.momentum;
         LAW_DIGITS
             * match name {
-                LawName::Energy => 2.0 * most * self.floor.size,
-                LawName::Momentum => most * self.floor.size,
-                LawName::Direction => most * self.floor.size + 2.0 * self.floor.attitude,
-                LawName::Separatrix => 4.0 * most * self.floor.size,
+                LawName::Energy => 2.0 * self.seen.counts * self.floor.size,
+                LawName::Momentum => self.seen.counts * self.floor.size,
+                LawName::Direction => self.seen.counts * self.floor.size + 2.0 * self.floor.attitude,
+                LawName::Separatrix => 4.0 * self.seen.counts * self.floor.size,
                 LawName::Unit => self.floor.attitude,
                 LawName::Phase | LawName::Consistency => 0.0,
             }

@@ -4,6 +4,7 @@ use crate::laws::Trial;
 use crate::read::{Pair, Row, angle_between};
 use crate::thresholds::*;
 use nalgebra::Vector3;
+use tumbling::attitude::rotation_matrix;
 use tumbling::dynamics::euler;
 
 /// A row at which the motion starts anew.
@@ -81,9 +82,7 @@ impl Trial {
     /// The torque in body axes, for a mean over the step.
     fn torque(&self, pair: &Pair) -> Vector3<f64> {
         match (self.known.said.torque, pair.from.attitude) {
-            (Some(torque), Some(q)) => {
-                tumbling::attitude::rotation_matrix(&q).tr_mul(&torque) / q.norm_squared()
-            }
+            (Some(torque), Some(q)) => rotation_matrix(&q).tr_mul(&torque) / q.norm_squared(),
             _ => Vector3::zeros(),
         }
     }
@@ -102,9 +101,8 @@ impl Trial {
             let rate = euler::angular_acceleration(&self.known.moments, &mean, &Vector3::zeros());
             let off = (state.omega - last.omega - rate * h).norm() / before.max(now);
             let change = (state.omega - last.omega).norm() / before.max(now);
-            let is_far =
-                off.min(change) > roundings * self.known.floor.size && off > errors * self.errors.off;
-            return back && (change > jump || is_far && self.errors.steps >= STEPS_BEFORE_A_JUMP);
+            let far = off.min(change) > roundings * self.known.floor.size && off > errors * self.errors.off;
+            return back && (change > jump || far && self.errors.steps >= STEPS_BEFORE_A_JUMP);
         };
         let turned = angle_between(&was, &q);
         back && angle_between(&first, &q) < BACK

@@ -1,6 +1,7 @@
 //! How a record keeps a law: by how much it is off, how that grows, and the flips counted.
 
 use crate::law::LawName;
+use crate::thresholds::KEPT;
 use serde::Serialize;
 
 /// How an error grows in the time of a record, best first.
@@ -78,6 +79,14 @@ pub struct Law {
     pub most: f64,
     /// The last error, with its sign.
     pub last: f64,
+}
+
+impl Law {
+    /// How its error grew, in a word or three; what only few digits excuse is not said to be kept.
+    pub(crate) fn how(&self) -> &'static str {
+        let is_open = self.growth == Growth::Rounding && self.most > KEPT;
+        if is_open { "within what its digits leave open" } else { self.growth.name() }
+    }
 }
 
 /// Flips counted, in the record and in the exact motion.

@@ -40,9 +40,9 @@ pub(crate) struct Trial {
     runs: Stretches<[(Pair, bool); TRIED_RUN]>,
     run: Vec<(Pair, bool)>,
     pub steps: u64,
-    /// Whether the last row repeats the row before it, how often such rows come to an end, how many they are,
-    /// and the line of the first.
-    is_equal: bool,
+    /// The last rows, if they repeat the row before: how many, the line of the first, and the time of the row
+    /// before it. How often such rows come to an end, how many they are, and the line of the first.
+    tail: Option<(u64, usize, f64)>,
     ends: u64,
     equal: Option<(u64, usize)>,
     pub(super) errors: Errors,
@@ -66,7 +66,7 @@ impl Trial {
             runs: Stretches::new(TRIED_STEPS / TRIED_RUN),
             run: Vec::new(),
             steps: 0,
-            is_equal: false,
+            tail: None,
             ends: 0,
             equal: None,
             errors: Errors::default(),
@@ -97,6 +97,12 @@ impl Trial {
             if self.resets.len() < RESETS {
                 self.resets.extend(reset);
             }
+            let rest = self.resets.first().filter(|reset| reset.to_rest && !self.known.has_spin());
+            if let Some(Reset { line, .. }) = rest.filter(|_| state.omega != Vector3::zeros()) {
+                let problem = "the attitude is that of the row before it, and the body goes on later: a spin is made from turns \
+                     from row to row, so write each instant once, with its own attitude";
+                return Err(Error::Line { line: *line, problem: problem.into() });
+            }
             self.pairs += u64::from(self.resets.is_empty());
             if self.resets.is_empty() && times == 1.0 {
                 if self.known.has_spin() {
@@ -116,11 +122,12 @@ impl Trial {
     fn step(&mut self, pair: Pair) {
         self.steps += 1;
         let is_equal = self.is_equal(&pair);
-        self.ends += u64::from(self.is_equal && !is_equal);
-        self.run.push((pair, is_equal || self.is_equal));
-        self.is_equal = is_equal;
+        self.ends += u64::from(self.tail.is_some() && !is_equal);
+        self.run.push((pair, is_equal || self.tail.is_some()));
+        self.tail = self.tail.filter(|_| is_equal);
         if is_equal {
             self.equal.get_or_insert((0, pair.to.line)).0 += 1;
+            self.tail.get_or_insert((0, pair.to.line, pair.from.t)).0 += 1;
         }
         if let Ok(run) = self.run[..].try_into() {
             self.runs.push(run);
@@ -130,7 +137,7 @@ impl Trial {
 
     /// The steps that rules are tried on: none to or from a few rows that are written again.
     pub(crate) fn sample(&self) -> Vec<Pair> {
-        let all = self.written_again().is_none() || self.repeats();
+        let all = self.written_again().is_none() && self.tail().is_none() || self.repeats();
         self.sampled().filter(|step| all || !step.1).map(|step| step.0).collect()
     }
 
@@ -153,8 +160,14 @@ impl Trial {
     /// the law.
     pub(crate) fn written_again(&self) -> Option<(u64, usize)> {
         let moving = self.sampled().map(|step| step.0).filter(|pair| pair.from.omega != pair.to.omega);
-        let goes_on = || law(moving, &self.known.moments).0 > LAW_AGREES;
+        let goes_on = || law(&moving.collect::<Vec<_>>(), &self.known.moments).0 > LAW_AGREES;
         self.equal.filter(|_| self.ends > 0 && (self.first.attitude.is_some() || goes_on()))
+    }
+
+    /// The last rows, if they repeat the row before them and the body moved before: a recorder may have
+    /// outlived its engine.
+    pub(crate) fn tail(&self) -> Option<(u64, usize, f64)> {
+        self.tail.filter(|tail| self.first.attitude.is_some() && tail.0 < self.steps)
     }
 
     /// Whether too many rows are written again, in more than one place, for a rule to be named.

@@ -18,7 +18,7 @@ impl Clock {
         let steps = probe.windows(2).map(|rows| rows[1].t - rows[0].t);
         let least = steps.clone().fold(f64::INFINITY, f64::min);
         // A spacing that most rows have is the step, however small another one may be.
-        let usual = median(steps.clone());
+        let usual = median(&mut steps.clone());
         let near = steps.clone().filter(|step| (step / usual - 1.0).abs() < STEP_APART);
         let (near, sum) = near.fold((0, 0.0), |(count, sum), step| (count + 1, sum + step));
         if least < usual * (1.0 - STEP_APART) && 2 * near > probe.len() - 1 {
@@ -47,12 +47,12 @@ impl Clock {
         let count = (row / named).round();
         let whole = (row / named - count).abs();
         if !(2.0..=STEPS_PER_ROW_MOST).contains(&count) || whole > STEPS_PER_ROW_APART[1] {
-            return (Self { step, per_row: None }, Some(Note::OtherStep { named, row }));
+            return (Self { step, per_row: None }, Some(Note::OtherStep(named, row)));
         }
         // The times of rows of few digits are off by more than the header's step.
         let row = if whole < STEPS_PER_ROW_APART[0] { count * named } else { row };
         let per_row = count as u32;
-        (Self { step: Some(row), per_row: Some(per_row) }, Some(Note::StepsPerRow { named, steps: per_row }))
+        (Self { step: Some(row), per_row: Some(per_row) }, Some(Note::StepsPerRow(named, per_row)))
     }
 
     /// The step between two times, and how many steps long it is.

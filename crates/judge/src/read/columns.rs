@@ -226,10 +226,9 @@ impl Names {
     fn attitude(&self) -> Result<Option<[usize; 4]>, Error> {
         let mut sets = Vec::new();
         for prefix in ATTITUDE.into_iter().chain(ATTITUDE_WHOLE) {
-            let replaced =
-                prefix == "q" && self.at("qx")?.is_none() && self.all(&ATTITUDE_NAMES[1])?.is_some();
+            let other = prefix == "q" && self.at("qx")?.is_none() && self.all(&ATTITUDE_NAMES[1])?.is_some();
             let is_none = ATTITUDE_WHOLE.contains(&prefix) && self.at(&format!("{prefix}w"))?.is_none();
-            if !replaced && !is_none {
+            if !other && !is_none {
                 sets.extend(self.whole(prefix, &["w", "x", "y", "z"], "")?);
             }
         }
@@ -301,9 +300,8 @@ impl Columns {
             Some((kind, places)) => (kind, Some(places)),
             None if attitude.is_some() => (Kind::Attitude, None),
             None => {
-                let problem =
-                    format!("neither spin nor momentum nor attitude is there to be judged; {KNOWN}");
-                return Err(names.wrong(problem));
+                let why = format!("neither spin nor momentum nor attitude is there to be judged; {KNOWN}");
+                return Err(names.wrong(why));
             }
         };
         if kind.in_world() && attitude.is_none() {

@@ -151,11 +151,19 @@ fn tensor(text: &str, named: bool, known: bool) -> Result<Option<Parts>, String>
     Ok(Some([moments, products].map(|part| part.into_iter().map(|x| x.1).collect())))
 }
 
-/// Three numbers, constant in the world, behind a remark in brackets if there is one. Behind a colon numbers
-/// that are not three are a mistake, and before one they may be prose.
+/// Words before the numbers of a torque that is one in the world.
+const OF_TORQUE: &str = "on the body in world axes frame constant external applied N m Nm";
+
+/// Three numbers, constant in the world, behind a remark in brackets, or words that say as much, if there are
+/// any. Behind a colon numbers that are not three are a mistake, and before one they may be prose.
 fn torque(before: &str, text: &str) -> Result<Option<Vector3<f64>>, String> {
+    let text = text.trim_start_matches([',', ' ']);
     let is_digit = |c: char| c.is_ascii_digit();
-    let is_remark = |words: &str| words.starts_with(['(', '[']) && words.ends_with([')', ']']);
+    let is_usual = |word: &str| word.is_empty() || OF_TORQUE.split(' ').any(|usual| usual == word);
+    let is_remark = |words: &str| {
+        words.starts_with(['(', '[']) && words.ends_with([')', ']'])
+            || words.split(|c: char| !c.is_alphanumeric()).all(is_usual)
+    };
     let is_other = |words: &str| [",", ";", "free", "inertia", "moments"].iter().any(|x| words.contains(x));
     let behind = text.split_once(':').filter(|(words, _)| is_remark(words) || !is_other(words));
     let numbers_in = behind.filter(|x| is_remark(x.0) && x.1.contains(is_digit)).map_or(text, |x| x.1);
@@ -186,16 +194,19 @@ fn torque(before: &str, text: &str) -> Result<Option<Vector3<f64>>, String> {
 }
 
 /// Whether what is said of a torque, up to the next field, speaks of the body otherwise than as that which it
-/// acts on.
+/// acts on, or of axes that turn with it.
 fn is_in_body(before: &str, text: &str) -> bool {
     let is_own = |part: &&str| !part.contains([':', '=']);
-    let later = text.split(';').skip(1).take_while(is_own).filter(|part| after(part, "spin").is_none());
-    let own = before.rsplit(';').take(1).chain(text.split(';').take(1));
-    let said = own.chain(later).collect::<Vec<_>>().join(" ").to_ascii_lowercase();
+    let has = |text: &str, word: &str| after(text, word).is_some();
+    let of_torque = |part: &&str| !["spin", "inertia", "moments"].iter().any(|word| has(part, word));
+    let later = text.split(';').skip(1).take_while(is_own);
+    let own = text.split(';').next().unwrap_or_default();
+    let others = before.rsplit(';').take(1).chain(later).filter(of_torque);
+    let said = others.chain([own]).collect::<Vec<_>>().join(" ").to_ascii_lowercase();
     let plain = said.replace("on the body", "").replace("rigid body", "");
     let has_axes = ["axes", "frame", "fixed", "body's"].into_iter().any(|word| said.contains(word));
-    let has = |text: &str, word: &str| after(text, word).is_some();
-    !has(&said, "world") && (has(&plain, "body") || has(&said, "body") && has_axes)
+    let turns = "body local principal own rotating moving".split(' ').any(|word| has(&said, word));
+    !has(&said, "world") && (has(&plain, "body") || has(own, "local") || turns && has_axes)
 }
 
 /// What comes before a semicolon.
@@ -248,7 +259,7 @@ impl Header {
             }
         }
         if let Some(word) = unread {
-            self.notes.push(Note::Unread { line, word });
+            self.notes.push(Note::Unread(line, word));
         }
         Ok(())
     }

@@ -7,11 +7,14 @@ fn dot(a: &[Vector3<f64>], b: &[Vector3<f64>]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a.dot(b)).sum()
 }
 
+/// By how much numbers of order 1 miss a record; none of numbers that cannot be.
+pub(crate) type Misses<'a, const N: usize> = &'a dyn Fn(&SVector<f64, N>) -> Option<Vec<Vector3<f64>>>;
+
 /// How what is missed changes with each number.
 pub(crate) fn slopes<const N: usize>(
     at: &SVector<f64, N>,
     here: &[Vector3<f64>],
-    misses: impl Fn(&SVector<f64, N>) -> Option<Vec<Vector3<f64>>>,
+    misses: Misses<'_, N>,
 ) -> Option<Vec<Vec<Vector3<f64>>>> {
     let along = |i: usize| {
         let jolted = |by: f64| {
@@ -32,17 +35,17 @@ pub(crate) fn normal<const N: usize>(along: &[Vec<Vector3<f64>>]) -> SMatrix<f64
     products + SMatrix::identity() * (FIT_GAIN * products.diagonal().amax())
 }
 
-/// Gauss and Newton's way to the numbers of order 1 that miss a record least; `misses` has none of numbers
-/// that cannot be, and `inside` leads back from there.
+/// Gauss and Newton's way to the numbers that miss a record least; `inside` leads back from those that cannot
+/// be.
 pub(crate) fn least<const N: usize>(
     start: SVector<f64, N>,
-    misses: impl Fn(&SVector<f64, N>) -> Option<Vec<Vector3<f64>>>,
-    inside: impl Fn(SVector<f64, N>) -> SVector<f64, N>,
+    misses: Misses<'_, N>,
+    inside: &dyn Fn(SVector<f64, N>) -> SVector<f64, N>,
 ) -> Option<SVector<f64, N>> {
     let mut at = start;
     let mut here = misses(&at)?;
     for _ in 0..FIT_ROUNDS {
-        let along = slopes(&at, &here, &misses)?;
+        let along = slopes(&at, &here, misses)?;
         let side = SVector::<f64, N>::from_fn(|i, _| dot(&along[i], &here));
         let step = normal::<N>(&along).cholesky()?.solve(&side);
         let before = dot(&here, &here);

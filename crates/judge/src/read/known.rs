@@ -42,7 +42,7 @@ impl Known {
     pub(crate) fn of(probe: &mut [Raw], mut said: Said, moments: Vector3<f64>) -> Self {
         let grid = Grid::of(probe, said.step);
         if let Some(grid) = &grid {
-            said.notes.push(Note::EvenSteps { named: grid.named, step: grid.step });
+            said.notes.push(Note::EvenSteps(grid.named, grid.step));
             probe.iter_mut().for_each(|raw| grid.put(raw));
         }
         let clock = Clock::of(probe);
@@ -93,9 +93,10 @@ impl Known {
             Ok(())
         };
         let stopped = probe.iter().try_for_each(&mut push).err();
-        let turn = median(states.iter().filter_map(|state| {
+        let turn = median(&mut states.iter().filter_map(|state| {
             let (_, ahead) = state.ahead?;
-            Some(angle_between(&state.attitude?, &ahead)).filter(|turn| *turn > 0.0)
+            let moves = state.omega != Vector3::zeros();
+            Some(angle_between(&state.attitude?, &ahead)).filter(|turn| moves && *turn > 0.0)
         }));
         if !self.has_spin() && turn.is_finite() && turn > 0.0 {
             self.floor.size *= SPIN_FROM_TURN / turn.min(1.0);
@@ -108,13 +109,8 @@ impl Known {
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Note {
-    /// A comment seems to name a number, and none is read from it.
-    Unread {
-        /// Its line.
-        line: usize,
-        /// What it speaks of.
-        word: &'static str,
-    },
+    /// A comment seems to name a number, and none is read from it: its line, and what it speaks of.
+    Unread(usize, &'static str),
     /// The record is of this story of the kit.
     Story(String),
     /// The body is at rest before this line: the rows before it are left out.
@@ -130,25 +126,11 @@ pub enum Note {
         /// The moments judged, kg m².
         moments: Vector3<f64>,
     },
-    /// The header names a step of which each row is a whole number.
-    StepsPerRow {
-        /// The step named, s.
-        named: f64,
-        /// The number of such steps from row to row.
-        steps: u32,
-    },
-    /// The header names a step of which the time from row to row is no whole number.
-    OtherStep {
-        /// The step named, s.
-        named: f64,
-        /// The time from row to row, s.
-        row: f64,
-    },
-    /// Times of few digits are taken for multiples of one step.
-    EvenSteps {
-        /// Whether the record names the step.
-        named: bool,
-        /// The step, as the file counts.
-        step: f64,
-    },
+    /// The header names a step of which each row is a whole number: the step, s, and that number.
+    StepsPerRow(f64, u32),
+    /// The header names a step of which the time from row to row is no whole number: both, s.
+    OtherStep(f64, f64),
+    /// Times of few digits are taken for multiples of one step: whether the record names it, and the step as
+    /// the file counts.
+    EvenSteps(bool, f64),
 }

@@ -46,33 +46,36 @@ pub(crate) fn simplest(ratio: f64) -> f64 {
 }
 
 /// How many times as far as the spin says the attitude turns about it, in the middle step.
-pub(crate) fn times_the_turn(pairs: impl Iterator<Item = Pair>) -> f64 {
-    median(pairs.filter_map(|pair| {
+pub(crate) fn times_the_turn(pairs: &[Pair]) -> f64 {
+    median(&mut pairs.iter().filter_map(|pair| {
         let mean = (pair.from.omega + pair.to.omega) / 2.0;
         Some(pair.turn()?.dot(&mean) / (mean.norm_squared() * pair.h)).filter(|x| x.is_finite())
     }))
 }
 
 /// Whether a limit on turns, or a straight step, may be why a fast body turns this many times as far.
-pub(crate) fn is_limited(ratio: f64, pairs: impl Iterator<Item = Pair>) -> bool {
+pub(crate) fn is_limited(ratio: f64, pairs: &[Pair]) -> bool {
     let [share, turn] = TURN_LIMITED;
-    (share..1.0).contains(&ratio) && median(pairs.map(|pair| pair.from.omega.norm() * pair.h)) > turn
+    (share..1.0).contains(&ratio)
+        && median(&mut pairs.iter().map(|pair| pair.from.omega.norm() * pair.h)) > turn
 }
 
 impl Reading {
     /// With times that are right by one factor, if by this factor both the attitude turns and the spin
     /// changes otherwise than they say: of a wrong spin or term one of them would.
     pub(super) fn paced(self, pairs: &[Step], moments: &Vector3<f64>) -> Option<Self> {
-        let ratio = times_the_turn(self.pairs(pairs, moments));
+        let own = self.pairs(pairs, moments);
+        let ratio = times_the_turn(&own);
         let times = simplest(ratio);
-        let limited = is_limited(ratio, self.pairs(pairs, moments));
+        let limited = is_limited(ratio, &own);
         if !(times.is_normal() && times > 0.0) || limited || self.with_units(ratio) != self {
             return None;
         }
         let way = self.with_time(times);
-        let (alike, size) = by_exact_motion(way.pairs(pairs, moments), moments, false);
+        let all = way.pairs(pairs, moments);
+        let (alike, size) = by_exact_motion(&all, moments, false);
         let [apart, otherwise] = [times, 1.0 / times].map(|x| (x - 1.0).abs());
-        let off = way.pairs(pairs, moments).filter_map(|pair| pair.inconsistency()).collect();
+        let off = all.iter().filter_map(Pair::inconsistency).collect();
         let one = middle_and_most(off).is_some_and(|[_, most]| most < PACE_APART);
         let changes = one && alike > LAW_AGREES && (size - 1.0).abs() < PACE_OF_LAW.min(otherwise / 2.0);
         (apart > PACE_APART && changes).then_some(way)
@@ -81,7 +84,7 @@ impl Reading {
     /// Whether the spin goes by its law as it is named, by far more than as another way has it.
     pub(super) fn goes_by_law_unlike(self, other: &Self, pairs: &[Step], moments: &Vector3<f64>) -> bool {
         let law = |way: &Self| {
-            let of = |in_world| by_exact_motion(way.pairs(pairs, moments), moments, in_world).0;
+            let of = |in_world| by_exact_motion(&way.pairs(pairs, moments), moments, in_world).0;
             f64::max(of(false), of(true))
         };
         law(&self) > LAW_AGREES.max(law(other) + SIDES_APART)
@@ -90,11 +93,11 @@ impl Reading {
 
 /// How much the changes of spin are like the exact motion's, and how large in these: as the body sees them,
 /// or as the body before the step sees those in the world.
-fn by_exact_motion(pairs: impl Iterator<Item = Pair>, moments: &Vector3<f64>, in_world: bool) -> (f64, f64) {
+fn by_exact_motion(pairs: &[Pair], moments: &Vector3<f64>, in_world: bool) -> (f64, f64) {
     // Of a spin that blows up the few last steps would be all that counts.
-    let slow = |pair: &Pair| pair.from.omega.norm() * pair.h <= LONG_TURN;
-    alike(pairs.filter(slow).filter_map(|Pair { from, to, h }| {
-        let end = FreeMotion::new((*moments).try_into().ok()?, &from.omega).ok()?.at(h).ok()?;
+    let slow = |pair: &&Pair| pair.from.omega.norm() * pair.h <= LONG_TURN;
+    alike(&mut pairs.iter().filter(slow).filter_map(|Pair { from, to, h }| {
+        let end = FreeMotion::new((*moments).try_into().ok()?, &from.omega).ok()?.at(*h).ok()?;
         let [mut seen, mut own] = [to.omega, end.omega];
         if in_world {
             let turned = product(&from.attitude?.conjugate(), &to.attitude?);

@@ -10,102 +10,80 @@ use nalgebra::{Quaternion, Vector3};
 use std::f64::consts::{PI, TAU};
 use tumbling::{attitude, dynamics::euler};
 
-/// A mistake of a file: what its numbers seem to be, against what its names say.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[non_exhaustive]
-pub enum FileMistake {
-    /// What is named in body axes is in the world's, or the other way round.
-    Frame,
-    /// The attitude is x, y, z, w; of attitudes alone this cannot be distinguished from
-    /// [`ScalarFirst`](Self::ScalarFirst).
-    Order,
-    /// The attitude is w, x, y, z under the names x, y, z, w.
-    ScalarFirst,
-    /// The attitude takes the world to the body.
-    Inverse,
-    /// What is named a spin is the momentum.
-    Momentum,
-    /// Spins are in degrees a second.
-    Degrees,
-    /// Spins are in revolutions a minute.
-    RevolutionsPerMinute,
-    /// Spins are in revolutions a second.
-    Revolutions,
-    /// Time is in milliseconds.
-    Milliseconds,
-    /// Time is in microseconds.
-    Microseconds,
-    /// Time is in nanoseconds.
-    Nanoseconds,
-    /// Time is in minutes.
-    Minutes,
-    /// The times are too short by this factor (below one: too long), or the spins too small by it: from row
-    /// to row, attitude and spin both change this factor times as much as they say.
-    Times(f64),
-    /// The spin turns by the left hand, the attitude (if there is one) by the right.
-    LeftHandedSpin,
-    /// All of it is mirrored along an axis.
-    LeftHanded,
-    /// One component of the spin has the wrong sign: 0, 1 or 2.
-    MirroredComponent(usize),
+/// What is wrong, and what to do, of each mistake without a number.
+macro_rules! mistakes {
+    ($($(#[$meta:meta])* $name:ident: $words:literal;)+) => {
+        /// A mistake of a file: what its numbers seem to be, against what its names say.
+        #[derive(Debug, Clone, Copy, PartialEq)]
+        #[non_exhaustive]
+        pub enum FileMistake {
+            $($(#[$meta])* $name,)+
+            /// The times are too short by this factor (below one: too long), or the spins too small by it:
+            /// from row to row, attitude and spin both change this factor times as much as they say.
+            Times(f64),
+            /// One component of the spin has the wrong sign: 0, 1 or 2.
+            MirroredComponent(usize),
+        }
+
+        impl FileMistake {
+            /// What is wrong, and what to do.
+            #[must_use]
+            pub fn words(self) -> String {
+                match self {
+                    $(Self::$name => $words.into(),)+
+                    Self::Times(times) => wrong_times(times),
+                    Self::MirroredComponent(i) => {
+                        let axis = ["x", "y", "z"][i.min(2)];
+                        format!("the {axis} component of the spin has the wrong sign (left-handed axes?)")
+                    }
+                }
+            }
+        }
+    };
 }
 
-impl FileMistake {
-    /// What is wrong, and what to do.
-    #[must_use]
-    pub fn words(self) -> String {
-        let words = match self {
-            Self::Frame => {
-                "the vector is not in the axes that it is said to be in: a spin in world axes where body axes \
-                 are named, or the other way round. In a file the columns are `wxw,wyw,wzw` for the world, `wx,wy,wz` for \
-                 the body; in a program name the frame"
-            }
-            Self::Order => {
-                "the quaternion is x, y, z, w under the names w, x, y, z: put the names in the order of the numbers"
-            }
-            Self::ScalarFirst => {
-                "the quaternion is w, x, y, z under the names x, y, z, w: put the names in the order of the numbers"
-            }
-            Self::Inverse => {
-                "the attitude is the inverse one, world to body: write its conjugate, (w, -x, -y, -z)"
-            }
-            Self::Momentum => {
-                "what is named a spin is the momentum: in a file its columns are `lx,ly,lz` in body axes, `lxw,lyw,lzw` in the world's"
-            }
-            Self::Degrees => {
-                "the spin is in degrees a second: write radians, or name the unit in a file, as in `wx [deg/s]`"
-            }
-            Self::RevolutionsPerMinute => "the spin is in revolutions a minute: write radians a second",
-            Self::Revolutions => "the spin is in revolutions a second: write radians a second",
-            Self::Milliseconds => "the time is in milliseconds: write seconds",
-            Self::Microseconds => "the time is in microseconds: write seconds",
-            Self::Nanoseconds => "the time is in nanoseconds: write seconds",
-            Self::Minutes => "the time is in minutes: write seconds",
-            Self::Times(times) => {
-                let (size, [way, small]) = by_how_much(times);
-                let times = to_four_places(times);
-                return format!(
-                    "the times are {size} times too {way}: from row to row the attitude turns, and the spin changes, \
-                     {times} times as far as they say. Look for rows left out, a step taken more than once, or another step \
-                     than the one named (spins written {size} times too {small} would look the same)"
-                );
-            }
-            Self::LeftHandedSpin => {
-                "the spin turns by the left hand (left-handed axes): write it with the opposite sign"
-            }
-            Self::LeftHanded => {
-                "the axes are left-handed, one component of attitude and spin mirrored: give that \
-                 component, of both, the opposite sign"
-            }
-            Self::MirroredComponent(i) => {
-                return format!(
-                    "the {} component of the spin has the wrong sign (left-handed axes?)",
-                    ["x", "y", "z"][i.min(2)]
-                );
-            }
-        };
-        words.into()
-    }
+mistakes! {
+    /// What is named in body axes is in the world's, or the other way round.
+    Frame: "the vector is not in the axes that it is said to be in: a spin in world axes where body axes are named, or the other \
+         way round. In a file the columns are `wxw,wyw,wzw` for the world, `wx,wy,wz` for the body; in a program name the frame";
+    /// The attitude is x, y, z, w; of attitudes alone this cannot be distinguished from
+    /// [`ScalarFirst`](Self::ScalarFirst).
+    Order: "the quaternion is x, y, z, w under the names w, x, y, z: put the names in the order of the numbers";
+    /// The attitude is w, x, y, z under the names x, y, z, w.
+    ScalarFirst: "the quaternion is w, x, y, z under the names x, y, z, w: put the names in the order of the numbers";
+    /// The attitude takes the world to the body.
+    Inverse: "the attitude is the inverse one, world to body: write its conjugate, (w, -x, -y, -z)";
+    /// What is named a spin is the momentum.
+    Momentum: "what is named a spin is the momentum: in a file its columns are `lx,ly,lz` in body axes, `lxw,lyw,lzw` in the world's";
+    /// Spins are in degrees a second.
+    Degrees: "the spin is in degrees a second: write radians, or name the unit in a file, as in `wx [deg/s]`";
+    /// Spins are in revolutions a minute.
+    RevolutionsPerMinute: "the spin is in revolutions a minute: write radians a second";
+    /// Spins are in revolutions a second.
+    Revolutions: "the spin is in revolutions a second: write radians a second";
+    /// Time is in milliseconds.
+    Milliseconds: "the time is in milliseconds: write seconds";
+    /// Time is in microseconds.
+    Microseconds: "the time is in microseconds: write seconds";
+    /// Time is in nanoseconds.
+    Nanoseconds: "the time is in nanoseconds: write seconds";
+    /// Time is in minutes.
+    Minutes: "the time is in minutes: write seconds";
+    /// The spin turns by the left hand, the attitude (if there is one) by the right.
+    LeftHandedSpin: "the spin turns by the left hand (left-handed axes): write it with the opposite sign";
+    /// All of it is mirrored along an axis.
+    LeftHanded: "the axes are left-handed, one component of attitude and spin mirrored: give that component, of both, the \
+         opposite sign";
+}
+
+fn wrong_times(times: f64) -> String {
+    let (size, [way, small]) = by_how_much(times);
+    let times = to_four_places(times);
+    format!(
+        "the times are {size} times too {way}: from row to row the attitude turns, and the spin changes, {times} times as far \
+         as they say. Look for rows left out, a step taken more than once, or another step than the one named (spins written \
+         {size} times too {small} would look the same)"
+    )
 }
 
 /// Units of spins, in rad/s, and of time, in s, that are taken for these.
@@ -125,7 +103,7 @@ const TIMES: [(FileMistake, f64); 4] = [
 pub(super) type Step = (Raw, Raw, f64);
 
 /// A way to take the numbers.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Reading {
     kind: Kind,
     order: Order,
@@ -140,15 +118,17 @@ pub(crate) struct Reading {
 }
 
 /// Where the scalar of a quaternion stands.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 enum Order {
+    #[default]
     AsNamed,
     Last,
     First,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 enum Hand {
+    #[default]
     Right,
     Left,
     One(usize),
@@ -156,17 +136,8 @@ enum Hand {
 
 impl Reading {
     /// As the names say.
-    pub(crate) const fn plain(kind: Kind) -> Self {
-        Self {
-            kind,
-            order: Order::AsNamed,
-            inverse: false,
-            frame: false,
-            momentum: false,
-            hand: Hand::Right,
-            spin: 1.0,
-            time: 1.0,
-        }
+    pub(crate) fn plain(kind: Kind) -> Self {
+        Self { kind, spin: 1.0, time: 1.0, ..Self::default() }
     }
 
     pub(super) const fn with_time(self, time: f64) -> Self {
@@ -207,11 +178,9 @@ impl Reading {
             };
             if self.inverse { q.conjugate() } else { q }
         });
-        let mut vector = raw.vector * self.spin;
-        match self.hand {
-            Hand::Right => {}
-            Hand::Left => vector = -vector,
-            Hand::One(i) => vector[i] = -vector[i],
+        let mut vector = raw.vector * if self.hand == Hand::Left { -self.spin } else { self.spin };
+        if let Hand::One(i) = self.hand {
+            vector[i] = -vector[i];
         }
         let momentum = self.kind.is_momentum() || self.momentum;
         let omega =
@@ -238,7 +207,7 @@ impl Reading {
                 let (first, second) = (spin(a, b)?, spin(b, c)?);
                 Some(Pair { from: Row { omega: first, ..a }, to: Row { omega: second, ..b }, h })
             });
-            law(pairs, moments).0
+            law(&pairs.collect::<Vec<_>>(), moments).0
         };
         if alike(&plain) > LAW_AGREES {
             return plain;
@@ -255,17 +224,13 @@ impl Reading {
         best.filter(|way| way.1 > LAW_DECIDES).map_or(plain, |way| way.0)
     }
 
-    pub(super) fn pairs(&self, all: &[Step], moments: &Vector3<f64>) -> impl Iterator<Item = Pair> + Clone {
-        all.iter().map(|(from, to, h)| Pair {
-            from: self.state(from, moments),
-            to: self.state(to, moments),
-            h: h * self.time,
-        })
+    pub(super) fn pairs(&self, all: &[Step], moments: &Vector3<f64>) -> Vec<Pair> {
+        let state = |raw| self.state(raw, moments);
+        all.iter().map(|(from, to, h)| Pair { from: state(from), to: state(to), h: h * self.time }).collect()
     }
 
     fn by_turns(self, free: bool, pairs: &[Step], moments: &Vector3<f64>) -> Self {
-        let off =
-            |reading: &Self| median(reading.pairs(pairs, moments).filter_map(|pair| pair.inconsistency()));
+        let off = |reading: &Self| middle(&reading.pairs(pairs, moments));
         let plain = off(&self);
         if plain < TURNS_AGREE || plain.is_infinite() && self.leads_to_the_ends(pairs, moments) {
             return self;
@@ -302,13 +267,13 @@ impl Reading {
                 _ => 1.0,
             };
             let mistakes: f64 = way.mistakes().into_iter().map(weight).sum();
-            let (alike, _) = law(way.pairs(pairs, moments), moments);
+            let (alike, _) = law(&way.pairs(pairs, moments), moments);
             mistakes - LAW_WEIGHT * alike + TURNS_WEIGHT * (off / least.max(TURNS_EQUAL)).max(1.0).log10()
         };
         let near = ways.iter().filter(|way| way.1 <= TURNS_AGREE && way.1 <= NEARER_READING * plain);
         let best = near.min_by(|a, b| worth(a).total_cmp(&worth(b))).map_or(self, |way| way.0);
-        let asides = self.pairs(pairs, moments).map(|pair| pair.aside(self.kind.in_world()));
-        let off_side = median(asides.filter_map(|pair| pair.inconsistency()));
+        let asides = self.pairs(pairs, moments).into_iter().map(|pair| pair.aside(self.kind.in_world()));
+        let off_side = middle(&asides.collect::<Vec<_>>());
         let on_other_side = off_side < TURNS_AGREE
             && (off_side < NEARER_READING * off(&best) || self.goes_by_law_unlike(&best, pairs, moments));
         if free && on_other_side { self } else { best }
@@ -316,16 +281,17 @@ impl Reading {
 
     /// Whether spins lead to the attitudes, of turns that are too long to be compared with them.
     fn leads_to_the_ends(self, pairs: &[Step], moments: &Vector3<f64>) -> bool {
-        let off = self.pairs(pairs, moments).filter_map(|Pair { from, to, h }| {
+        let all = self.pairs(pairs, moments);
+        let mut off = all.iter().filter_map(|Pair { from, to, h }| {
             let turn = attitude::turn(&((from.omega + to.omega) * (h / 2.0)));
             Some(angle_between(&attitude::product(&from.attitude?, &turn), &to.attitude?))
         });
-        median(off) < TURNS_AGREE
+        median(&mut off) < TURNS_AGREE
     }
 
     /// With the units that make turns and spins alike in size.
     fn scaled(self, pairs: &[Step], moments: &Vector3<f64>) -> Self {
-        let ratio = median(self.pairs(pairs, moments).filter_map(|pair| {
+        let ratio = median(&mut self.pairs(pairs, moments).iter().filter_map(|pair| {
             let speed = pair.from.omega.norm();
             if speed > 0.0 { Some(pair.turn()?.norm() / pair.h / speed) } else { None }
         }));
@@ -351,24 +317,29 @@ impl Reading {
     /// Without an attitude, the law alone decides: a spin of another unit changes too fast or too slow, one
     /// of the other hand backward.
     fn by_law(self, pairs: &[Step], moments: &Vector3<f64>) -> Self {
-        let (alike, size) = law(self.pairs(pairs, moments), moments);
+        let (alike, size) = law(&self.pairs(pairs, moments), moments);
         if alike.abs() < LAW_DECIDES {
             return self;
         }
         let hand = if alike < 0.0 { Hand::Left } else { Hand::Right };
         let way = Self { hand, ..self }.with_units(size.abs());
         // Two units have many products, and a wrong term may be near one: theirs is met to a step's error.
-        let turn = median(way.pairs(pairs, moments).map(|pair| pair.from.omega.norm() * pair.h));
+        let turn = median(&mut way.pairs(pairs, moments).iter().map(|pair| pair.from.omega.norm() * pair.h));
         let off = (size.abs() / (way.spin * way.time) - 1.0).abs();
         let both = way.spin != 1.0 && way.time != 1.0 && off > FRACTION_NEAR + turn * turn;
         if both { Self { hand, ..self } } else { way }
     }
 }
 
+/// How far the middle one of turns is from what the spins say.
+fn middle(pairs: &[Pair]) -> f64 {
+    median(&mut pairs.iter().filter_map(Pair::inconsistency))
+}
+
 /// How much the change of the spin is like the gyroscopic one (the cosine between the two), and how large
 /// beside it.
-pub(crate) fn law(pairs: impl Iterator<Item = Pair>, moments: &Vector3<f64>) -> (f64, f64) {
-    alike(pairs.map(|pair| {
+pub(crate) fn law(pairs: &[Pair], moments: &Vector3<f64>) -> (f64, f64) {
+    alike(&mut pairs.iter().map(|pair| {
         let mean = (pair.from.omega + pair.to.omega) / 2.0;
         let law = euler::angular_acceleration(moments, &mean, &Vector3::zeros());
         ((pair.to.omega - pair.from.omega) / pair.h, law)
@@ -376,7 +347,7 @@ pub(crate) fn law(pairs: impl Iterator<Item = Pair>, moments: &Vector3<f64>) -> 
 }
 
 /// The cosine between vectors that are found and those wanted, all together, and how large they are in these.
-pub(super) fn alike(vectors: impl Iterator<Item = (Vector3<f64>, Vector3<f64>)>) -> (f64, f64) {
+pub(super) fn alike(vectors: &mut dyn Iterator<Item = (Vector3<f64>, Vector3<f64>)>) -> (f64, f64) {
     let (mut found, mut wanted, mut both) = (0.0, 0.0, 0.0);
     for (seen, own) in vectors {
         found += seen.norm_squared();

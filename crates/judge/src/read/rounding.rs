@@ -6,7 +6,7 @@ use crate::thresholds::*;
 /// The rounding of a record's numbers: of attitudes and of vectors each on their own, and the larger of both.
 /// Attitudes that turn vectors (`in_world`) to the body do so by angles, which are off by twice as much.
 pub(crate) fn rounding(probe: &[Raw], in_world: bool) -> f64 {
-    let vector = median(probe.iter().map(|raw| raw.vector.norm()).filter(|size| *size > 0.0));
+    let vector = median(&mut probe.iter().map(|raw| raw.vector.norm()).filter(|size| *size > 0.0));
     let moves = [
         probe.windows(2).any(|two| two[0].attitude != two[1].attitude),
         probe.windows(2).any(|two| two[0].vector != two[1].vector),

@@ -96,8 +96,15 @@ impl<R: BufRead> Rows<R> {
                          column `t`, is missing";
                     return Err(Error::Line { line, problem: problem.into() });
                 }
-                let (last, fields, rows, ended) = (None, Vec::new(), 0, None);
-                return Ok(Self { lines, columns, header, last, fields, rows, ended });
+                return Ok(Self {
+                    lines,
+                    columns,
+                    header,
+                    last: None,
+                    fields: Vec::new(),
+                    rows: 0,
+                    ended: None,
+                });
             }
         }
         Err(Error::Empty)
@@ -235,9 +242,7 @@ fn read(
         TimeColumn::Steps(i) => fields[i] * header.step.unwrap_or(1.0),
         TimeColumn::Rows => rows as f64 * header.step.unwrap_or(1.0),
     };
-    let three = |places: Option<[usize; 3]>| {
-        Vector3::from(places.map_or([0.0; 3], |places| places.map(|i| fields[i])))
-    };
+    let three = |at: Option<[usize; 3]>| Vector3::from(at.map_or([0.0; 3], |at| at.map(|i| fields[i])));
     let (vector, position) = (three(columns.vector) * columns.unit, three(columns.position));
     let attitude = columns.attitude.map(|places| {
         let [w, x, y, z] = places.map(|i| fields[i]);

@@ -84,14 +84,12 @@ impl Pair {
 /// The middle one, and the one that 95 in 100 do not exceed.
 pub(crate) fn middle_and_most(mut values: Vec<f64>) -> Option<[f64; 2]> {
     values.sort_by(f64::total_cmp);
-    let at = |percent: usize| {
-        values.get((values.len() * percent / 100).min(values.len().saturating_sub(1))).copied()
-    };
-    Some([at(50)?, at(95)?])
+    let last = values.len().checked_sub(1)?;
+    Some([50, 95].map(|percent| values[(values.len() * percent / 100).min(last)]))
 }
 
 /// The middle one; infinite if there is none.
-pub(crate) fn median(values: impl Iterator<Item = f64>) -> f64 {
+pub(crate) fn median(values: &mut dyn Iterator<Item = f64>) -> f64 {
     middle_and_most(values.collect()).map_or(f64::INFINITY, |x| x[0])
 }
 
@@ -129,20 +127,14 @@ pub(crate) fn spin(moments: &Vector3<f64>, pair: &Pair) -> Option<Vector3<f64>> 
     if whole.norm() > FARTHEST_TURN {
         return None;
     }
-    let to = pair.to.attitude?;
     let from = pair.from.attitude?;
     let mut omega = whole / pair.h;
     let mut least = f64::INFINITY;
-    for _ in 0..SPIN_ROUNDS {
+    for _ in 0..FIT_ROUNDS {
         let motion = FreeMotion::new((*moments).try_into().ok()?, &omega).ok()?;
         let got = from * motion.at(pair.h).ok()?.attitude.into_inner();
         // What is left of the turn, in body axes.
-        let left = Pair {
-            from: Row { attitude: Some(got), ..pair.to },
-            to: Row { attitude: Some(to), ..pair.to },
-            h: pair.h,
-        };
-        let left = left.turn()?;
+        let left = Pair { from: Row { attitude: Some(got), ..pair.to }, ..*pair }.turn()?;
         let size = left.norm();
         if size >= least {
             break;

@@ -44,7 +44,7 @@ advices! {
     ALL_DIGITS: "Write the engine's own numbers, with all their digits.";
     TAKEN_BACK: "The attitude is off in one step and back in the next: it has fewer digits than are printed, or noise. Write \
          it with all the engine's digits, and judge it again.";
-    FASTER: "Errors so close to rounding fit many rules: record a faster spin, or longer steps, and judge it again.";
+    FASTER: "Errors so close to rounding, or to those of other rules, fit many rules: record a faster spin, or longer steps, and judge it again.";
     MORE_DIGITS: "Write the record with all digits (17 of double precision, 9 of single), and judge it again.";
     JUMPS: "Something acts on the body at the jumps: turn off contacts, pushes and resets, or look at what happens there.";
     OTHERS: "Most steps are this rule's: find what acts in the others, a limit, damping, a contact or a push.";
@@ -114,6 +114,7 @@ impl Advice {
         whole: &Whole,
         [jumps, turns, scatter, again]: [bool; 4],
     ) -> Vec<Self> {
+        let is_accurate = *rule == Rule::EXACT || rule.method().is_some_and(|rule| rule.0.info().order > 3);
         let one = match confidence {
             Confidence::NoneFits | Confidence::SmallErrors if jumps => Self::JUMPS,
             Confidence::NoneFits | Confidence::Altered if whole.on_wrong_side => Self::SIDE,
@@ -125,7 +126,8 @@ impl Advice {
             Confidence::Repeated | Confidence::FewSteps => Self::EACH_STEP,
             Confidence::Scattered => Self::ALL_DIGITS,
             Confidence::SmallErrors => Self::FASTER,
-            Confidence::FewDigits if floor.single => Self::SINGLE,
+            Confidence::FewDigits if floor.single && is_accurate => Self::SINGLE,
+            Confidence::FewDigits if floor.single => Self::FASTER,
             Confidence::FewDigits | Confidence::NoneFits => Self::MORE_DIGITS,
             Confidence::MostSteps if jumps => Self::JUMPS,
             Confidence::MostSteps => Self::OTHERS,
@@ -149,8 +151,7 @@ impl Advice {
         let side = (whole.on_wrong_side && one != Self::SIDE && rule.is_of_spin()).then_some(Self::SIDE);
         let is_sound = confidence.names_a_rule() && !jumps && rule.alteration.is_none() && !rule.is_wrong();
         let other = (whole.fails_otherwise && is_sound && *rule != Rule::EXACT).then_some(Self::NOT_THE_RULE);
-        let again =
-            Some(Self::EACH_STEP).filter(|each| whole.again && confidence.names_a_rule() && one != *each);
+        let again = Some(Self::EACH_STEP).filter(|x| whole.again && confidence.names_a_rule() && one != *x);
         [other, Some(one), again, side, more].into_iter().flatten().collect()
     }
 

@@ -170,6 +170,9 @@ impl Subject {
             Alteration::Damped { factor, when: When::Before, .. } => {
                 base(&Row { omega: from.omega * factor, ..*from }, h)
             }
+            Alteration::Damped { factor, when: When::Beside, .. } => {
+                Some(with(base(from, h)?.1 - from.omega * (1.0 - factor)))
+            }
             Alteration::Damped { factor, when: When::After, .. } => Some(with(base(from, h)?.1 * factor)),
             Alteration::Damped { factor, when: When::Turned | When::Open, .. } => {
                 base(from, h).map(|(q, omega)| (q, omega * factor))
@@ -262,7 +265,7 @@ impl Subject {
             }
             _ => 0.0,
         };
-        let worst = spin.max(turn);
-        if worst.is_nan() { f64::INFINITY } else { worst }
+        // The larger of a number and of none is the number.
+        if spin.is_nan() || turn.is_nan() { f64::INFINITY } else { spin.max(turn) }
     }
 }

@@ -45,9 +45,9 @@ confidences! {
     /// The steps are its own to rounding, and so they are of other rules; over the whole record it does not
     /// drift as the record does, or it is one of several that do.
     FewDigits: "too few digits", "Too few digits to name the rule by its single steps. One that fits is";
-    /// The steps are its own to rounding, and their errors are hardly above rounding: many a rule has as
-    /// small ones.
-    SmallErrors: "errors too small", "The errors of the steps are too near to rounding to name the rule. One that fits is";
+    /// The steps are its own to rounding, and their errors, or what sets it apart from other rules in them,
+    /// are hardly above rounding: many a rule has as small ones.
+    SmallErrors: "errors too small", "The errors of the steps, or what sets rules apart in them, are too near to rounding to name the rule. One that fits is";
     /// Too few of the rows follow one another by one step.
     FewSteps: "too few steps", "Too few rows follow one another by one step to name the rule. One that fits those is";
     /// None of the rules known here, and so near to the exact motion that the error of a step is a small

@@ -127,9 +127,8 @@ impl Diagnosis {
     #[must_use]
     pub fn would_decide(&self) -> Option<&'static str> {
         let named = self.confidence.names_a_rule() || self.confidence == Confidence::FewDigits;
-        let digits =
-            "all digits that the engine has (17 of double precision), a faster spin, or longer steps";
-        let words = if self.single || self.few { digits } else { "a faster spin, or longer steps" };
+        let more = "all digits that the engine has (17 of double precision), a faster spin, or longer steps";
+        let words = if self.single || self.few { more } else { "a faster spin, or longer steps" };
         (named && (self.open || self.is_exact())).then_some(words)
     }
 
@@ -158,8 +157,7 @@ impl Ranked {
         // A rule with limits that the record does not reach is the rule without them.
         let mut seen = vec![best.rule];
         let mut is_new = |rule: &Rule| {
-            let same =
-                |other: &Rule| rule == other || rule.method().is_some_and(|x| other.method() == Some(x));
+            let same = |old: &Rule| rule == old || rule.method().is_some_and(|x| old.method() == Some(x));
             let new = !seen.iter().any(same);
             seen.push(*rule);
             new
@@ -204,15 +202,21 @@ fn settled(subject: &Subject, all: &[Pair], ranked: &mut Ranked, whole: &Whole, 
     }
     let sought = all.iter().any(|pair| pair.to.ahead.is_some());
     // What such a rule does to energy and momentum is below the rounding of few digits: others do less.
-    let first = best.method().is_some_and(|rule| rule.0.info().order == 1);
+    let base = best.base.spin().or(best.method()).filter(|_| !best.base.is_still());
+    let first = base.is_some_and(|base| base.0.info().order == 1);
+    // Some rules of first order differ by what they do to these alone.
+    let unseen = || {
+        let random = BIASED[3] * floor.size * (all.len() as f64).sqrt();
+        first && best.alteration.is_none() && changes(subject, all, &best)[0].amax() <= random
+    };
     // A rule that keeps a law does not make every step of a record that breaks it.
     let kept = |law: &LawName| best == Rule::EXACT || best.keeps(*law);
+    let kept_all = whole.unkept.is_empty();
     match whole.broken.iter().any(kept) {
         true if few => Confidence::FewDigits,
         true => Confidence::MostSteps,
-        false if few && first && !whole.fails && (whole.unkept.is_empty() || sought) => {
-            Confidence::SmallErrors
-        }
+        false if few && !sought && unseen() => Confidence::SmallErrors,
+        false if few && first && !whole.fails && (sought || kept_all) => Confidence::SmallErrors,
         false => Confidence::ToRounding,
     }
 }

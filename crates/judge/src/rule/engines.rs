@@ -162,8 +162,7 @@ pub(crate) fn parted(
 /// `start` times `turn`, at length 1.
 fn turned(start: &Quaternion<f64>, turn: &Quaternion<f64>) -> Quaternion<f64> {
     let q = attitude::product(start, turn);
-    let norm = q.coords.dot(&q.coords).sqrt();
-    Quaternion::from_vector(q.coords.map(|x| x / norm))
+    q / q.coords.dot(&q.coords).sqrt()
 }
 
 /// `start` moved along its rate at the spin `omega` (body axes, rad/s) for `h` seconds, at length 1: a turn

@@ -10,7 +10,7 @@ use tumbling::step::Method;
 
 /// The number that takes the momentum to the turn.
 pub(crate) fn momentum_for_spin(subject: &Subject, pairs: &[Pair]) -> Option<Rule> {
-    let mass = median(pairs.iter().filter_map(|pair| {
+    let mass = median(&mut pairs.iter().filter_map(|pair| {
         let turn = pair.turn()?.norm();
         // A turn of the size of its rounding is none.
         let mass = subject.system.momentum(&pair.from.omega).norm() * pair.h / turn;
@@ -36,13 +36,13 @@ fn misses(subject: &Subject, pairs: &[Pair], rule: &Rule) -> Option<Vec<Vector3<
 }
 
 /// The number of a rule that misses the spins least, without the steps that are far off: pushes.
-fn number(subject: &Subject, pairs: &[Pair], start: f64, rule: impl Fn(f64) -> Rule) -> Option<f64> {
+fn number(subject: &Subject, pairs: &[Pair], start: f64, rule: &dyn Fn(f64) -> Rule) -> Option<f64> {
     let fit = |pairs: &[Pair], start: f64| {
-        least([start].into(), |x| misses(subject, pairs, &rule(x.x)), |x| x).map(|x| x.x)
+        least([start].into(), &|x| misses(subject, pairs, &rule(x.x)), &|x| x).map(|x| x.x)
     };
     let first = fit(pairs, start)?;
     let off: Vec<f64> = misses(subject, pairs, &rule(first))?.iter().map(Vector3::norm).collect();
-    let most = PUSHED * median(off.iter().copied());
+    let most = PUSHED * median(&mut off.iter().copied());
     let own: Vec<Pair> = pairs.iter().zip(&off).filter(|(_, off)| **off <= most).map(|x| *x.0).collect();
     if own.len() == pairs.len() { Some(first) } else { fit(&own, first) }
 }
@@ -53,13 +53,10 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
     let with_attitude = pairs.first().is_some_and(|pair| pair.from.attitude.is_some());
     let of_spin = pairs.iter().all(|pair| pair.to.ahead.is_none());
     let whens = places(with_attitude, of_spin);
-    let (term, turned) = (
-        law(few.iter().copied(), &subject.moments).1,
-        with_attitude.then(|| times_the_turn(few.iter().copied())),
-    );
+    let (term, turned) = (law(few, &subject.moments).1, with_attitude.then(|| times_the_turn(few)));
     let (mut all, cap) = (Vec::new(), capped(pairs, rounding));
-    for base in Base::all().into_iter().chain(frozen(pairs)) {
-        all.extend(whens.iter().flat_map(|whens| damped(subject, few, (base, 1), whens, rounding)));
+    for base in [Base::all(), frozen(pairs)].concat() {
+        all.extend(damped(subject, few, (base, 1), whens, rounding));
         if matches!(base, Base::FrozenTensor(..)) {
             continue;
         }
@@ -76,9 +73,9 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
         // Rows that are left out, with the rest counted as if they were not.
         let rows = (term.min(STEPS_PER_ROW_MOST) - 0.5) as u32..=term.min(STEPS_PER_ROW_MOST) as u32 + 1;
         let times = if with_attitude { Alteration::Times } else { Alteration::TermOrTimes };
-        let left_out =
-            |rows: u32| Base::every().map(move |base| base.in_parts(rows).but(times(f64::from(rows))));
-        all.extend(rows.filter(|rows| *rows > 1).flat_map(left_out));
+        for rows in rows.filter(|rows| *rows > 1) {
+            all.extend(Base::every().map(|base| base.in_parts(rows).but(times(f64::from(rows)))));
+        }
     }
     if with_attitude && of_spin {
         all.extend(of_turns());
@@ -90,9 +87,9 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
 /// side of the row.
 const fn places(with_attitude: bool, of_spin: bool) -> &'static [&'static [When]] {
     match (with_attitude, of_spin) {
-        (true, true) => &[&[When::Before], &[When::After, When::Turned]],
+        (true, true) => &[&[When::Before], &[When::Beside], &[When::After, When::Turned]],
         (true, false) => &[&[When::After, When::Open]],
-        (false, _) => &[&[When::Before], &[When::Open]],
+        (false, _) => &[&[When::Before], &[When::Beside], &[When::Open]],
     }
 }
 
@@ -101,13 +98,15 @@ pub(super) fn in_steps(subject: &Subject, pairs: &[Pair], rounding: f64, per_row
     let few = &*some(pairs, TRIED_IN_PARTS[0]);
     let with_attitude = pairs.first().is_some_and(|pair| pair.from.attitude.is_some());
     let whens = places(with_attitude, pairs.iter().all(|pair| pair.to.ahead.is_none()));
-    let steps = per_row.map_or_else(|| DAMPED_STEPS.to_vec(), |steps| vec![steps]).into_iter();
-    let bases = move |steps: u32| {
-        let of = move |base: Base| (base.in_parts(base.parts().saturating_mul(steps)), steps);
-        Base::all().into_iter().map(of).filter(|(base, _)| base.parts() > 1)
-    };
-    let fitted = |base| whens.iter().flat_map(move |whens| damped(subject, few, base, whens, rounding));
-    steps.filter(|steps| *steps > 1).flat_map(bases).flat_map(fitted).collect()
+    let steps = per_row.map_or_else(|| DAMPED_STEPS.to_vec(), |steps| vec![steps]);
+    let mut all = Vec::new();
+    for steps in steps.into_iter().filter(|steps| *steps > 1) {
+        let bases = Base::all().into_iter().map(|base| base.in_parts(base.parts().saturating_mul(steps)));
+        for base in bases.filter(|base| base.parts() > 1) {
+            all.extend(damped(subject, few, (base, steps), whens, rounding));
+        }
+    }
+    all
 }
 
 /// Another gyroscopic term, or other times, with which a base makes the spins.
@@ -117,7 +116,7 @@ fn of_term(subject: &Subject, few: &[Pair], base: Base, term: f64, turned: Optio
     // The mean spin turns the attitude alone.
     let with_attitude = few.first().is_some_and(|pair| pair.from.attitude.is_some());
     // An attitude that turns about another axis, in short turns, says nothing of the times.
-    let across = median(few.iter().filter_map(Pair::across));
+    let across = median(&mut few.iter().filter_map(Pair::across));
     let about_it = with_attitude && !(NEARER_READING..f64::INFINITY).contains(&across);
     let is_accurate = matches!(base, Base::Method(method, _) if method.info().order > 2
         || !with_attitude && method == Method::MeanSpinRungeKutta4);
@@ -128,7 +127,7 @@ fn of_term(subject: &Subject, few: &[Pair], base: Base, term: f64, turned: Optio
     if keeps && turned.is_none() && base != Base::Exact || !term.is_finite() {
         return Vec::new();
     }
-    let fitted = number(subject, few, term, |times| base.but(Alteration::TermOrTimes(times)));
+    let fitted = number(subject, few, term, &|times| base.but(Alteration::TermOrTimes(times)));
     let Some(times) = fitted.filter(|times| times.abs() > NEAR_A_TERM[1]) else { return Vec::new() };
     let far = (times - 1.0).abs();
     let is_seen = |how: &Alteration| match how {
@@ -142,7 +141,7 @@ fn of_term(subject: &Subject, few: &[Pair], base: Base, term: f64, turned: Optio
 
 /// Other times of a spin that stays, which the turns alone show.
 fn of_still(few: &[Pair], base: Base, turned: Option<f64>) -> Vec<Rule> {
-    let Some(ratio) = turned.filter(|ratio| !is_limited(*ratio, few.iter().copied())) else {
+    let Some(ratio) = turned.filter(|ratio| !is_limited(*ratio, few)) else {
         return Vec::new();
     };
     let times = simplest(ratio);
@@ -156,17 +155,17 @@ fn of_still(few: &[Pair], base: Base, turned: Option<f64>) -> Vec<Rule> {
 }
 
 /// Turns in the wrong place or by the wrong spin.
-fn of_turns() -> impl Iterator<Item = Rule> {
-    let rows = [Turn::Old, Turn::Late, Turn::Early];
-    let rows =
-        Base::all().into_iter().chain(Base::every()).flat_map(move |base| rows.map(|turn| (base, turn)));
-    let others = Base::all().into_iter().chain([Base::PositionStage(1)]);
-    let others = others.flat_map(|base| Turn::OTHERS.map(|turn| (base, turn)));
-    // Of a spin that stays, a turn that is made twice may as well be one in times that are wrong.
-    let is_open = |(base, turn): &(Base, Turn)| {
-        !(base.is_still() && matches!(turn, Turn::TwiceBefore | Turn::TwiceAfter))
-    };
-    rows.chain(others.filter(is_open)).map(|(base, turn)| base.but(Alteration::Turned(turn)))
+fn of_turns() -> Vec<Rule> {
+    let (mut all, turned) = (Vec::new(), |base: Base, turn| base.but(Alteration::Turned(turn)));
+    for base in Base::all().into_iter().chain(Base::every()) {
+        all.extend([Turn::Old, Turn::Late, Turn::Early].map(|turn| turned(base, turn)));
+    }
+    for base in Base::all().into_iter().chain([Base::PositionStage(1)]) {
+        // Of a spin that stays, a turn that is made twice may as well be one in times that are wrong.
+        let open = |turn: &Turn| !(base.is_still() && matches!(turn, Turn::TwiceBefore | Turn::TwiceAfter));
+        all.extend(Turn::OTHERS.into_iter().filter(open).map(|turn| turned(base, turn)));
+    }
+    all
 }
 
 /// What a multiple of the gyroscopic term may be, by how many times as far as the spin says the attitude
@@ -204,7 +203,7 @@ pub(crate) fn other_bodies(subject: &Subject, pairs: &[Pair], rounding: f64) -> 
         };
         Some(few.iter().map(miss).collect())
     };
-    let Some(start) = least([named.x, named.y, 0.0, 0.0, 0.0].into(), linear, inside) else {
+    let Some(start) = least([named.x, named.y, 0.0, 0.0, 0.0].into(), &linear, &inside) else {
         return Vec::new();
     };
     let rule = |base: Base, numbers: &SVector<f64, 5>| {
@@ -216,11 +215,11 @@ pub(crate) fn other_bodies(subject: &Subject, pairs: &[Pair], rounding: f64) -> 
     };
     let fitted = |base: Base| {
         let misses = |numbers: &SVector<f64, 5>| misses(subject, &few, &rule(base, numbers)?);
-        let found = least(start, misses, inside)?;
+        let found = least(start, &misses, &inside)?;
         // What the record does not determine is not the engine's body, nor is what hardly differs.
         let here = misses(&found)?;
         let left = (here.iter().map(Vector3::norm_squared).sum::<f64>() / here.len() as f64).sqrt();
-        let errors = normal::<5>(&slopes(&found, &here, misses)?).cholesky()?.inverse().diagonal();
+        let errors = normal::<5>(&slopes(&found, &here, &misses)?).cholesky()?.inverse().diagonal();
         let unknown = errors.amax().sqrt() * left.max(rounding);
         let moved = (tensor(&found) - Matrix3::from_diagonal(&named)).norm();
         rule(base, &found).filter(|_| unknown < UNKNOWN_BODY && moved > OTHER_BODY)
@@ -268,21 +267,26 @@ pub(crate) fn inside(numbers: SVector<f64, 5>) -> SVector<f64, 5> {
     [all[(0, 0)], all[(1, 1)], all[(1, 2)], all[(2, 0)], all[(0, 1)]].into()
 }
 
-/// A base whose spin is lessened in each of its steps from row to row by the factor that fits best, in places
-/// that the spins do not tell apart.
+/// A base whose spin is lessened in each of its steps from row to row by the factor that fits best, in groups
+/// of places that the spins do not tell apart.
 fn damped(
     subject: &Subject,
     pairs: &[Pair],
     (base, steps): (Base, u32),
-    whens: &'static [When],
+    groups: &[&[When]],
     rounding: f64,
-) -> impl Iterator<Item = Rule> + use<> {
-    let rule = move |factor, rate, when| base.but(Alteration::Damped { factor, rate, when, steps });
-    let found = number(subject, pairs, 1.0, |factor| rule(factor, 0.0, whens[0])).zip(pairs.first());
+) -> Vec<Rule> {
+    let rule = |factor, rate, when| base.but(Alteration::Damped { factor, rate, when, steps });
     let below = 1.0 - DAMPED.max(DAMPED_ROUNDINGS * rounding);
-    let found = found.filter(|(factor, _)| *factor > 0.0 && *factor < below);
-    let found = found.map(|(factor, pair)| (factor, rate(factor, pair.h / f64::from(steps))));
-    found.into_iter().flat_map(move |(factor, rate)| whens.iter().map(move |&when| rule(factor, rate, when)))
+    let mut all = Vec::new();
+    for whens in groups {
+        let found = number(subject, pairs, 1.0, &|factor| rule(factor, 0.0, whens[0])).zip(pairs.first());
+        if let Some((factor, pair)) = found.filter(|(factor, _)| *factor > 0.0 && *factor < below) {
+            let rate = rate(factor, pair.h / f64::from(steps));
+            all.extend(whens.iter().map(|&when| rule(factor, rate, when)));
+        }
+    }
+    all
 }
 
 /// What is lost a second, 1/s: of the ways in which engines damp the one with a round number, if there is

@@ -69,6 +69,7 @@ impl Alteration {
                 let (lost, rate) = (1.0 - factor, readable(*rate));
                 let when = match when {
                     When::Before => ", before the gyroscopic term",
+                    When::Beside => ", beside the gyroscopic term (of the spin before the step)",
                     When::After => ", after the gyroscopic term",
                     When::Turned => ", after the turn",
                     When::Open => "",
@@ -155,9 +156,8 @@ type Steps = (&'static PhysicsEngine, u32);
 
 /// The engines that a record names and that go by one of these rules.
 pub(crate) fn engines<'a>(header: &str, rules: impl Iterator<Item = &'a Rule> + Clone) -> Vec<Steps> {
-    let called = |engine: &&PhysicsEngine| {
-        header.split(|c: char| !c.is_alphanumeric()).any(|word| engine.is_called(word))
-    };
+    let words = header.split(|c: char| !c.is_alphanumeric());
+    let called = |engine: &&PhysicsEngine| words.clone().any(|word| engine.is_called(word));
     let fitting = |engine| Some((engine, rules.clone().find_map(|rule: &Rule| rule.steps_of(engine))?));
     PHYSICS_ENGINES.iter().filter(called).filter_map(fitting).collect()
 }

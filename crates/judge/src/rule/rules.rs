@@ -116,6 +116,8 @@ pub enum Steps {
 pub enum When {
     /// Before the gyroscopic term.
     Before,
+    /// Beside it: by a share of the spin before the step.
+    Beside,
     /// After it, and before the turn.
     After,
     /// After the turn.
@@ -185,9 +187,7 @@ impl Rule {
         let base = match self.base {
             Base::Exact | Base::PositionStage(_) => false,
             // A limit on the turn of a step is out of reach of shorter ones.
-            Base::Engine(engine) => {
-                engine.limits.component.is_some() || matches!(engine.method, Method::ConstantSpin)
-            }
+            Base::Engine(own) => own.limits.component.is_some() || matches!(own.method, Method::ConstantSpin),
             Base::Method(..) | Base::Straight(..) => self.base.is_still(),
             _ => true,
         };
@@ -260,8 +260,7 @@ impl Base {
     /// Every rule that a step can be cut into parts of.
     pub(crate) fn every() -> impl Iterator<Item = Self> {
         let methods = Method::ALL.iter().map(|&method| Self::Method(method, 1));
-        let straight =
-            [Method::SemiImplicitEuler, Method::ConstantSpin].map(|method| Self::Straight(method, 1));
+        let straight = [Method::SemiImplicitEuler, Method::ConstantSpin].map(|x| Self::Straight(x, 1));
         methods.chain([Self::PositionStage(1)]).chain(straight)
     }
 

@@ -9,9 +9,6 @@ use crate::rule::{
 use crate::thresholds::*;
 use tumbling::step::Method;
 
-/// Rules with numbers that are fitted to the pairs, of numbers with this rounding.
-type Fitted = fn(&Subject, &[Pair], f64) -> Vec<Rule>;
-
 pub(super) fn explained(subject: &Subject, pairs: &[Pair], rule: Rule) -> Option<Explanation> {
     let residuals = pairs.iter().map(|pair| subject.residual(&rule, pair)).collect();
     middle_and_most(residuals).map(|[median, percentile_95]| Explanation { rule, median, percentile_95 })
@@ -20,8 +17,7 @@ pub(super) fn explained(subject: &Subject, pairs: &[Pair], rule: Rule) -> Option
 /// Whether a rule is within rounding of the best, in the median as in the 95th percentile.
 pub(super) fn alike_to_best(found: &[Explanation], floor: Floor) -> impl Fn(&Explanation) -> bool + use<> {
     let least = found.iter().map(|x| x.median).fold(f64::INFINITY, f64::min);
-    let [half, nearly_all] =
-        if floor.few { ALIKE_FEW } else { ALIKE_ROUNDINGS }.map(|units| units * floor.size);
+    let [half, nearly_all] = if floor.few { ALIKE_FEW } else { ALIKE_ROUNDINGS }.map(|x| x * floor.size);
     let near = move |x: &Explanation| x.median <= (ALIKE[0] * least).max(half);
     let best_most = found.iter().filter(|x| near(x)).map(|x| x.percentile_95).fold(f64::INFINITY, f64::min);
     move |x| near(x) && x.percentile_95 <= (ALIKE[1] * best_most).max(nearly_all)
@@ -53,8 +49,7 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
     }
     let unaltered = found.len();
     found.extend(equals(&found, floor).into_iter().filter_map(explained));
-    let more: [Fitted; 2] = [compound, other_bodies];
-    for rules in more {
+    for rules in [compound, other_bodies] {
         if free && !fits(&found) {
             // Times that are nearly right are wrong where that is all there is.
             let near = |times: f64| (times - 1.0).abs() < PACE_APART;

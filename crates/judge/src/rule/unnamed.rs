@@ -108,14 +108,14 @@ pub(super) fn are_interpolated(subject: &Subject, pairs: &[Pair], floor: Floor) 
     let is_knot = |two: &&[f64]| two[0].min(two[1]) <= 1.0 && two[0].max(two[1]) > ABOVE_ROUNDING;
     let many = bends.windows(2).filter(is_knot).count() as f64 > STRAIGHT[1] * bends.len() as f64;
     // Spins alone that are pushed do not go by the law.
-    many && (pairs[0].from.attitude.is_some() || law(pairs.iter().copied(), &subject.moments).0 > LAW_AGREES)
+    many && (pairs[0].from.attitude.is_some() || law(pairs, &subject.moments).0 > LAW_AGREES)
 }
 
 /// The error of the middle step, as a share of what the gyroscopic term changes of the spin in the middle
 /// step; of an accurate rule alone. A share of the spin would praise each rule whose steps are short, even
 /// where there is no gyroscopic term in them.
 fn accuracy(subject: &Subject, pairs: &[Pair], exact: &Explanation, floor: f64) -> Option<f64> {
-    let change = median(pairs.iter().filter_map(|pair| {
+    let change = median(&mut pairs.iter().filter_map(|pair| {
         let end = subject.spin_after(&Rule::EXACT, pair)?;
         Some((end - pair.from.omega).norm() / pair.from.omega.norm())
     }));
@@ -134,11 +134,10 @@ pub(crate) struct Hints {
 
 impl Hints {
     pub(super) fn of(subject: &Subject, pairs: &[Pair], nearest: &Rule, floor: Floor) -> Self {
-        let (alike, times) = law(pairs.iter().copied(), &subject.moments);
+        let (alike, times) = law(pairs, &subject.moments);
         // A torque changes the spin too.
-        let is_seen =
-            subject.torque.is_none() && alike.abs() > LAW_AGREES && (times - 1.0).abs() > TERM_APART;
-        Self { again: comes_again(subject, pairs, nearest, floor), term: is_seen.then_some(times) }
+        let seen = subject.torque.is_none() && alike.abs() > LAW_AGREES && (times - 1.0).abs() > TERM_APART;
+        Self { again: comes_again(subject, pairs, nearest, floor), term: seen.then_some(times) }
     }
 }
 

@@ -36,9 +36,8 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, options: &Options) -> Ver
     let enough = diagnosis.as_ref().filter(|_| free && trial.rows >= ENOUGH_ROWS);
     complaints.extend(enough.and_then(wrong_rule));
     let outcome = end.outcome(complaints.is_empty());
-    if let Some(found) = diagnosis.as_mut().filter(|_| outcome == Outcome::TooShort) {
-        found.advice = vec![Advice::LONGER];
-    }
+    let short = diagnosis.as_mut().filter(|_| outcome == Outcome::TooShort);
+    short.into_iter().for_each(|found| found.advice = vec![Advice::LONGER]);
     if let Some(named) = diagnosis.as_ref().filter(|found| found.confidence.names_a_rule()) {
         // What the rule does not keep is no rounding where it is more than that of the numbers.
         let graded = trial.laws.kept(|_| Some(0.0));
@@ -112,11 +111,11 @@ impl End<'_> {
         let broken: Vec<LawName> = self.broken().map(|law| law.name).collect();
         let fails = !sound || !broken.is_empty() || !complaints.is_empty();
         let unkept = self.laws.iter().filter(|law| is_length(law.name) && law.growth.rank() > 0);
-        let again = self.trial.written_again().is_some();
+        let again = self.trial.written_again().is_some() || self.trial.tail().is_some();
         let of_again = |x: &Complaint| again && matches!(x, Complaint::Otherwise { seen: None, .. });
-        let of_rows = |x: &Complaint| matches!(x, Complaint::Ended(_)) || of_again(x);
+        let rows = |x: &Complaint| matches!(x, Complaint::Ended(_) | Complaint::Repeats(..)) || of_again(x);
         Whole {
-            fails_otherwise: fails && broken.is_empty() && complaints.iter().all(of_rows),
+            fails_otherwise: fails && broken.is_empty() && complaints.iter().all(rows),
             broken,
             unkept: unkept.map(|law| law.name).collect(),
             fails,
@@ -136,6 +135,7 @@ impl End<'_> {
         let Trial { known, laws, steps, stopped, ended, rows, .. } = self.trial;
         let mut all = Vec::new();
         all.extend(ended.clone().map(Complaint::Ended));
+        all.extend(self.trial.tail().map(|(rows, line, time)| Complaint::Repeats(rows, line, time)));
         all.extend(self.flips.into_iter().flat_map(|flips| spin_faults(flips, laws.shows_flips())));
         let moved = laws.seen.moved;
         if self.free()
@@ -145,7 +145,7 @@ impl End<'_> {
         {
             all.push(Complaint::Constant(moved));
         }
-        all.extend(stopped.map(|(line, turn)| Complaint::TooFar { line, turn }));
+        all.extend(stopped.map(|(line, turn)| Complaint::TooFar(line, turn)));
         if *steps == 0 {
             all.push(Complaint::NoSteps);
         }
@@ -183,7 +183,7 @@ impl End<'_> {
 /// How the attitude turns where most steps do not turn it by the spin.
 fn turned(pairs: &[Pair]) -> Option<Seen> {
     let middle = |of: &dyn Fn(Vector3<f64>, Vector3<f64>, Matrix3<f64>) -> f64| {
-        median(pairs.iter().filter_map(|pair| {
+        median(&mut pairs.iter().filter_map(|pair| {
             let start = unit(&pair.from.attitude?).to_rotation_matrix().into_inner();
             Some(of(pair.turn()? / pair.h, (pair.from.omega + pair.to.omega) / 2.0, start))
         }))

@@ -49,9 +49,8 @@ impl Diagnosis {
             }
         };
         let mut lines = vec![words];
-        let unsaid =
-            self.is_open() || matches!(self.confidence, Confidence::FewDigits | Confidence::NoneFits);
-        let said = Some(&self.engines).filter(|engines| !engines.is_empty() && !unsaid);
+        let open = self.is_open() || matches!(self.confidence, Confidence::FewDigits | Confidence::NoneFits);
+        let said = Some(&self.engines).filter(|engines| !engines.is_empty() && !open);
         lines.extend(said.map(|engines| format!("as in {}", engines.join("; or in "))));
         lines.extend(self.advice.iter().map(|Advice { words, chapter }| {
             let more = chapter.map(|place| format!(" More about it: chapter {place}"));
@@ -105,6 +104,11 @@ impl Diagnosis {
         }
         if self.is_exact() {
             all.push("nor can any other rule whose errors in a step are within that rounding".into());
+        } else if self.confidence == Confidence::ToRounding && (self.single || self.few) {
+            all.push(
+                "nor can a rule that is not known here, if its steps differ by less than that rounding"
+                    .into(),
+            );
         }
         if let (Some(second), Some(ratio)) = (&self.second, self.ratio()) {
             all.push(format!("next is {}, {} times as far", second.rule.name(), plain_number(ratio)));

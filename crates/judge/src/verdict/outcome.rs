@@ -1,4 +1,5 @@
 //! A verdict: what was found, and how it ends; and what of it is written as JSON, field by field.
+#![expect(non_camel_case_types, reason = "a key of an object is the name of its type too")]
 
 use crate::law::LawName;
 use crate::laws::{FlipCount, Gaps, Law, Point, Reset};
@@ -8,11 +9,16 @@ use crate::rule::{Diagnosis, Explanation, Rule};
 use crate::verdict::{COLUMNS, Complaint};
 use nalgebra::Vector3;
 use serde::{Serialize, Serializer};
-use serde_json::{Value, json};
+use serde_json::Value;
+use std::collections::BTreeMap;
 
-/// An object, whose keys are put in at one place of the code: `json!` does so again for each.
+/// An object with these keys, written as it stands: a value that is built first is far more code in a module.
 macro_rules! object {
-    ($($key:literal: $value:expr),* $(,)?) => { vec![$(($key, json!($value))),*].into_iter().collect::<Value>() };
+    ($($key:ident: $value:expr),* $(,)?) => {{
+        #[derive(Serialize)]
+        struct Object<$($key),*> { $($key: $key),* }
+        Object { $($key: $value),* }
+    }};
 }
 
 /// The end of it.
@@ -133,111 +139,114 @@ impl Verdict {
     /// the times of the first 512 flips. What is not finite is null.
     #[must_use]
     pub fn json(&self) -> Value {
+        serde_json::to_value(self).unwrap_or_default()
+    }
+
+    fn object(&self) -> impl Serialize {
         let record = &self.record;
         object!(
-            "version": VERSION,
-            "outcome": self.outcome.key(),
-            "report": self.report(),
-            "columns": COLUMNS,
-            "grade": self.worst().map(|law| law.growth.name()),
-            "threshold": self.options.threshold,
-            "thresholds": self.options.own().map(|(law, most)| (law.key(), most)).collect::<Value>(),
-            "engine": record.engine,
-            "moments": <[f64; 3]>::from(self.moments),
-            "torque": self.torque.map(<[f64; 3]>::from),
-            "rows": record.rows,
-            "duration": record.duration,
-            "step": record.step,
-            "rounding": record.rounding,
-            "file_mistakes": self.mistakes(),
-            "ignored": record.ignored,
-            "notes": words(&record.notes),
-            "missing": record.missing.iter().map(|law| law.key()).collect::<Vec<_>>(),
-            "resets": self.resets.iter().map(reset).collect::<Vec<_>>(),
-            "gaps": record.gaps,
-            "sign_changes": record.sign_changes,
-            "laws": self.laws.iter().map(|law| reported(law, self)).collect::<Vec<_>>(),
-            "flips": self.flips,
-            "separatrix": self.separatrix,
-            "complaints": words(&self.complaints),
-            "diagnosis": self.diagnosis.as_ref().map(diagnosed),
-            "curve": drawn(&self.curve),
+            version: VERSION,
+            outcome: self.outcome.key(),
+            report: self.report(),
+            columns: COLUMNS,
+            grade: self.worst().map(|law| law.growth.name()),
+            threshold: self.options.threshold,
+            thresholds: self.options.own().map(|(law, most)| (law.key(), most)).collect::<BTreeMap<_, _>>(),
+            engine: &record.engine,
+            moments: <[f64; 3]>::from(self.moments),
+            torque: self.torque.map(<[f64; 3]>::from),
+            rows: record.rows,
+            duration: record.duration,
+            step: record.step,
+            rounding: record.rounding,
+            file_mistakes: self.mistakes(),
+            ignored: &record.ignored,
+            notes: words(&record.notes),
+            missing: record.missing.iter().map(|law| law.key()).collect::<Vec<_>>(),
+            resets: self.resets.iter().map(reset).collect::<Vec<_>>(),
+            gaps: record.gaps,
+            sign_changes: record.sign_changes,
+            laws: self.laws.iter().map(|law| reported(law, self)).collect::<Vec<_>>(),
+            flips: &self.flips,
+            separatrix: self.separatrix,
+            complaints: words(&self.complaints),
+            diagnosis: self.diagnosis.as_ref().map(diagnosed),
+            curve: drawn(&self.curve),
         )
     }
 }
 
 impl Serialize for Verdict {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        self.json().serialize(to)
+        self.object().serialize(to)
     }
 }
 
-fn reset(reset: &Reset) -> Value {
+fn reset(reset: &Reset) -> impl Serialize {
     let Reset { line, time, to_rest, to_start } = reset;
-    object!("line": line, "time": time, "to_rest": to_rest, "to_start": to_start, "words": reset.words())
+    object!(line: line, time: time, to_rest: to_rest, to_start: to_start, words: reset.words())
 }
 
-fn reported(law: &Law, verdict: &Verdict) -> Value {
+fn reported(law: &Law, verdict: &Verdict) -> impl Serialize {
     object!(
-        "law": law.name.key(),
-        "words": law.name.words(),
-        "grade": law.growth.name(),
-        "growth": law.plain(),
-        "rate": law.growth.rate(),
-        "most": law.most,
-        "last": law.last,
-        "allowed": verdict.options.allowed(law.name),
+        law: law.name.key(),
+        words: law.name.words(),
+        grade: law.growth.name(),
+        growth: law.plain(),
+        rate: law.growth.rate(),
+        most: law.most,
+        last: law.last,
+        allowed: verdict.options.allowed(law.name),
     )
 }
 
-fn diagnosed(diagnosis: &Diagnosis) -> Value {
-    let mut best = explained(&diagnosis.best);
-    best["engines"] = json!(diagnosis.engines);
+fn diagnosed(diagnosis: &Diagnosis) -> impl Serialize {
     object!(
-        "best": best,
-        "alike": diagnosis.alike.iter().map(ruled).collect::<Vec<_>>(),
-        "second": diagnosis.second.as_ref().map(explained),
-        "ratio": diagnosis.ratio(),
-        "confidence": diagnosis.confidence.key(),
-        "words": diagnosis.words(),
-        "steps": diagnosis.steps,
-        "share": diagnosis.share,
-        "single": diagnosis.single,
-        "would_decide": diagnosis.would_decide(),
-        "error": diagnosis.error,
-        "jumps": diagnosis.jumps,
-        "advice": diagnosis.advice.iter().map(|advice| advice.words).collect::<Vec<_>>().join(" "),
-        "chapter": diagnosis.advice.iter().find_map(|advice| advice.chapter),
+        best: explained(&diagnosis.best, diagnosis.engines.clone()),
+        alike: diagnosis.alike.iter().map(ruled).collect::<Vec<_>>(),
+        second: diagnosis.second.as_ref().map(|second| explained(second, second.rule.engines())),
+        ratio: diagnosis.ratio(),
+        confidence: diagnosis.confidence.key(),
+        words: diagnosis.words(),
+        steps: diagnosis.steps,
+        share: diagnosis.share,
+        single: diagnosis.single,
+        would_decide: diagnosis.would_decide(),
+        error: diagnosis.error,
+        jumps: &diagnosis.jumps,
+        advice: diagnosis.advice.iter().map(|advice| advice.words).collect::<Vec<_>>().join(" "),
+        chapter: diagnosis.advice.iter().find_map(|advice| advice.chapter),
     )
 }
 
-fn ruled(rule: &Rule) -> Value {
-    object!("rule": rule.name(), "engines": rule.engines())
+fn ruled(rule: &Rule) -> impl Serialize {
+    object!(rule: rule.name(), engines: rule.engines())
 }
 
-fn explained(Explanation { rule, median, percentile_95 }: &Explanation) -> Value {
-    object!("rule": rule.name(), "engines": rule.engines(), "median": median, "percentile_95": percentile_95)
+fn explained(found: &Explanation, engines: Vec<String>) -> impl Serialize {
+    let Explanation { rule, median, percentile_95 } = *found;
+    object!(rule: rule.name(), engines: engines, median: median, percentile_95: percentile_95)
 }
 
 /// One array for each quantity, and one for each of three components.
-fn drawn(points: &[Point]) -> Value {
+fn drawn(points: &[Point]) -> impl Serialize {
     let each = |of: fn(&Point) -> f64| points.iter().map(of).collect::<Vec<_>>();
     let known = |of: fn(&Point) -> Option<f64>| points.iter().map(of).collect::<Option<Vec<_>>>();
     let three = |of: fn(&Point) -> &Vector3<f64>| {
         [0, 1, 2].map(|i| points.iter().map(|point| of(point)[i]).collect::<Vec<_>>())
     };
     object!(
-        "time": each(|point| point.time),
-        "energy": each(|point| point.energy),
-        "momentum": each(|point| point.momentum),
-        "direction": known(|point| point.direction),
-        "phase": known(|point| point.phase),
-        "spin": three(|point| &point.spin),
-        "spin_least": three(|point| &point.spin_range[0]),
-        "spin_greatest": three(|point| &point.spin_range[1]),
-        "exact": three(|point| &point.exact),
-        "exact_least": three(|point| &point.exact_range[0]),
-        "exact_greatest": three(|point| &point.exact_range[1]),
+        time: each(|point| point.time),
+        energy: each(|point| point.energy),
+        momentum: each(|point| point.momentum),
+        direction: known(|point| point.direction),
+        phase: known(|point| point.phase),
+        spin: three(|point| &point.spin),
+        spin_least: three(|point| &point.spin_range[0]),
+        spin_greatest: three(|point| &point.spin_range[1]),
+        exact: three(|point| &point.exact),
+        exact_least: three(|point| &point.exact_range[0]),
+        exact_greatest: three(|point| &point.exact_range[1]),
     )
 }
 

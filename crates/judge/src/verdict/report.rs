@@ -3,7 +3,7 @@
 use crate::law::LawName;
 use crate::laws::{Gaps, Law, Reset};
 use crate::read::FileMistake;
-use crate::rule::{Confidence, Diagnosis, readable};
+use crate::rule::{Base, Confidence, Diagnosis, readable};
 use crate::thresholds::{ENOUGH_CHANGE, ENOUGH_ROWS, STILL};
 use crate::verdict::words::times;
 use crate::verdict::{Complaint, Outcome, Verdict, capital, plain_number, sentence};
@@ -68,21 +68,23 @@ impl Verdict {
         let each = self.broken().map(|law| format!("{}, {}", law.name.words(), law.plain()));
         let turned =
             self.complaints.iter().filter(|x| matches!(x, Complaint::Otherwise { seen: Some(_), .. }));
-        let times =
-            |x| format!("the spin changes {} times as much as by the gyroscopic term", plain_number(x));
+        let by = |x| format!("the spin changes {} times as much as by the gyroscopic term", plain_number(x));
         let again = found.hints.again.map(|rows| {
             format!(
                 "the errors of the steps come again every {rows} rows, as of rows resampled between the engine's steps or of \
                  what acts in one of {rows} steps alone"
             )
         });
-        let all = each.chain(turned.map(ToString::to_string)).chain(found.hints.term.map(times)).chain(again);
+        let all = each.chain(turned.map(ToString::to_string)).chain(found.hints.term.map(by)).chain(again);
         let all = all.collect::<Vec<_>>().join("; ");
         (!all.is_empty() && found.confidence == Confidence::NoneFits).then(|| format!("what is seen: {all}"))
     }
 
     /// The mistakes of the file in words.
     pub(crate) fn mistakes(&self) -> Vec<String> {
+        // The tensor frozen at the identity, in the other axes, is the body's turned on the wrong side.
+        let is_frozen = |found: &Diagnosis| matches!(found.best.rule.base, Base::FrozenTensor(..));
+        let frozen = self.diagnosis.as_ref().is_some_and(is_frozen);
         let words = |mistake: &FileMistake| match (mistake, self.record.has_attitude) {
             (FileMistake::LeftHandedSpin, false) => {
                 format!(
@@ -95,6 +97,9 @@ impl Verdict {
                 let steps = |step| format!(" (rows dt = {:.6} s, put right {step:.6} s)", step / times);
                 let steps = self.record.step.map(steps);
                 mistake.words().replacen(':', &(steps.unwrap_or_default() + ":"), 1)
+            }
+            (FileMistake::Frame, _) if frozen => {
+                format!("{}; or the turn of a step stands on the wrong side of the attitude", mistake.words())
             }
             _ => mistake.words(),
         };
@@ -142,7 +147,8 @@ impl Verdict {
     /// Why nothing is to be judged.
     fn why_not(&self) -> &'static str {
         if self.torque.is_some() {
-            "a torque acts, and the laws judged here are those of a free body"
+            "a torque acts: the laws judged here are those of a free body, and damping and wrong terms are tried on \
+             free bodies alone"
         } else if self.untraceable {
             "the body turns so far from row to row that no number of double precision says where it should be. \
              Record it with shorter steps, and look at the units"
@@ -173,7 +179,7 @@ impl Verdict {
         let mut all = Vec::new();
         if !self.laws.is_empty() {
             let worst = self.worst().map(|law| {
-                let (name, how) = (law.name.words(), law.growth.name());
+                let (name, how) = (law.name.words(), law.how());
                 format!("Of what the motion keeps, {name} is kept worst: {how}.")
             });
             let table = self.laws.iter().map(|law| law.cells()).collect();

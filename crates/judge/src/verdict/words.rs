@@ -22,13 +22,12 @@ pub enum Complaint {
     Flips(u64),
     /// The spin stays as it is, and should change: by how much, as a share.
     Constant(f64),
-    /// Attitudes turn too far from one to the next to say which way; the record is judged up to there.
-    TooFar {
-        /// In which line.
-        line: usize,
-        /// By how much, rad.
-        turn: f64,
-    },
+    /// Attitudes turn too far from one to the next to say which way; the record is judged up to there: in
+    /// which line, and by how much, rad.
+    TooFar(usize, f64),
+    /// The last rows repeat the row before them: how many, the line of the first, and the time of the row
+    /// before it, s.
+    Repeats(u64, usize, f64),
     /// No two rows are one step apart.
     NoSteps,
     /// The attitude does not turn as the spin says.
@@ -84,7 +83,11 @@ impl fmt::Display for Complaint {
                 let moved = 100.0 * moved;
                 write!(f, "the spin stays as it is at the start, and should change by {moved:.0} % of it")
             }
-            Self::TooFar { line, turn } => write!(f, "line {line}: {}. Judged up to there", too_far(*turn)),
+            Self::TooFar(line, turn) => write!(f, "line {line}: {}. Judged up to there", too_far(*turn)),
+            Self::Repeats(rows, line, time) => write!(
+                f,
+                "rows at the end repeat the row before them ({rows}, from line {line} on): the run may have ended at t = {time:.4} s"
+            ),
             Self::NoSteps => f.write_str("no two rows are one step apart: no rule can be tried"),
             Self::Otherwise { off, seen } => {
                 let how = match seen {
@@ -120,7 +123,7 @@ pub(crate) fn too_far(turn: f64) -> String {
 impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Unread { line, word } => {
+            Self::Unread(line, word) => {
                 write!(f, "line {line} speaks of `{word}`, and no number is read from it")
             }
             Self::Story(name) => write!(f, "the record is of the kit's story {name}"),
@@ -136,7 +139,7 @@ impl fmt::Display for Note {
                  has; its printed digits leave that open, and a flat body of {}, {}, {} kg m2 is judged",
                 moments.x, moments.y, moments.z
             ),
-            Self::EvenSteps { named, step } => {
+            Self::EvenSteps(named, step) => {
                 let which = if *named { "that the header names" } else { "that they have in the mean" };
                 write!(
                     f,
@@ -144,10 +147,10 @@ impl fmt::Display for Note {
                      the file counts"
                 )
             }
-            Self::StepsPerRow { named, steps } => {
+            Self::StepsPerRow(named, steps) => {
                 write!(f, "the header names a step of {named:.9} s: from row to row are {steps} such steps")
             }
-            Self::OtherStep { named, row } => write!(
+            Self::OtherStep(named, row) => write!(
                 f,
                 "the header names a step of {named:.9} s, and the rows are {row:.9} s apart, no whole number of such steps: \
                  it is not used"
@@ -161,7 +164,9 @@ impl Reset {
     #[must_use]
     pub const fn words(&self) -> &'static str {
         match (self.to_rest, self.to_start) {
-            (true, _) => "is put to rest (a reset, or put to sleep)",
+            (true, _) => {
+                "is put to rest (a reset, or put to sleep; of attitudes alone also a last row that repeats)"
+            }
             (false, true) => "is put back to its start",
             (false, false) => "jumps to another motion (a reset, a push or a collision)",
         }
@@ -177,7 +182,7 @@ impl Law {
     ///
     /// Energy and `|L|` are given as what happens to themselves, the other laws as what happens to the error.
     pub(crate) fn plain(&self) -> String {
-        let name = self.growth.name();
+        let name = self.how();
         let (rate, how) = match self.growth {
             Growth::Rounding | Growth::Bounded | Growth::Stayed => return name.into(),
             Growth::Power { power } => (power, format!("as time to the power {power:.1}")),

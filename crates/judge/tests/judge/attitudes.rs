@@ -89,6 +89,24 @@ fn steps_near_half_a_turn_are_refused_in_plain_words() {
 }
 
 #[test]
+fn attitudes_written_again_are_refused_or_said_to_be_the_end_and_never_a_rest() {
+    let rows = exact(Vector3::new(1.0, 2.0, 1.5), 0.01, 200);
+    let at = |place: fn(usize) -> usize| {
+        let row = |i| (0.01 * i as f64, rows[place(i)].1, rows[place(i)].2);
+        (0..240).map(row).collect::<Vec<Row>>()
+    };
+    for twice in [|i| i / 2, |i| i / 3] {
+        let error = judge(attitudes(&at(twice)).as_bytes(), &Options::default()).unwrap_err().to_string();
+        assert!(error.contains("write each instant once"), "{error}");
+    }
+    let stopped = at(|i| i.min(200));
+    assert!(judged(&attitudes(&stopped)).to_string().contains("also a last row that repeats"));
+    let said = judged(&csv(&stopped)).to_string();
+    assert!(said.contains("repeat the row before them (39, from line 204 on): the run may have"), "{said}");
+    assert!(said.contains("at t = 2.0000 s") && said.contains("rounding, with: the exact motion"), "{said}");
+}
+
+#[test]
 fn attitudes_of_fewer_digits_than_are_printed_are_told_from_a_turn_that_is_wrong() {
     let (a, b, c) = (Method::Rescaled, Method::TurnedRungeKutta4, Method::Gauss4);
     for (method, places) in [(a, 1e5), (a, 1e7), (b, 1e7), (c, 1e5), (c, 1e7)] {

@@ -1,7 +1,6 @@
 //! One object, described to an engine in several ways: whether the records are one motion.
 
 use nalgebra::{UnitQuaternion, Vector3};
-use std::fmt::Write as _;
 use tumbling::exact::FreeMotion;
 use tumbling::{Body, Inertia};
 use tumbling_judge::{Comparison, Motion, Options, compare};
@@ -22,14 +21,8 @@ struct Description {
 
 fn described(turn: [f64; 3], origin: [f64; 3]) -> Description {
     let (start, origin) = (UnitQuaternion::from_euler_angles(turn[0], turn[1], turn[2]), origin.into());
-    Description {
-        start,
-        origin,
-        wrong: 0.0,
-        about: Vector3::y(),
-        heavier: 1.0,
-        velocity: Vector3::new(0.3, -0.2, 0.1),
-    }
+    let (about, velocity) = (Vector3::y(), Vector3::new(0.3, -0.2, 0.1));
+    Description { start, origin, wrong: 0.0, about, heavier: 1.0, velocity }
 }
 
 impl Description {
@@ -47,12 +40,8 @@ impl Description {
             let now = motion.at(t).unwrap();
             let (q, w) = (now.attitude, now.omega);
             let p = self.velocity * t + q * self.origin;
-            writeln!(
-                text,
-                "{t},{},{},{},{},{},{},{},{},{},{}",
-                p.x, p.y, p.z, q.w, q.i, q.j, q.k, w.x, w.y, w.z
-            )
-            .unwrap();
+            let numbers = [t, p.x, p.y, p.z, q.w, q.i, q.j, q.k, w.x, w.y, w.z].map(|x| x.to_string());
+            text += &(numbers.join(",") + "\n");
         }
         text
     }
@@ -61,8 +50,8 @@ impl Description {
 fn compared(all: &[Description]) -> Comparison {
     let read = |record: String| Motion::read(record.as_bytes(), &Options::default()).unwrap();
     let name = |k: usize| ["one", "fixed children", "off the origin", "turned frame"][k].to_owned();
-    compare(&all.iter().enumerate().map(|(k, one)| (name(k), read(one.record()))).collect::<Vec<_>>(), None)
-        .unwrap()
+    let all = all.iter().enumerate().map(|(k, one)| (name(k), read(one.record())));
+    compare(&all.collect::<Vec<_>>(), None).unwrap()
 }
 
 fn four() -> [Description; 4] {
@@ -145,12 +134,8 @@ fn a_position_that_drifts_late_is_named_with_that_time() {
 #[test]
 fn records_of_every_other_row_are_compared_at_common_times_and_origins_are_found() {
     let texts = [0, 2].map(|k| four()[k].record());
-    let half: String = texts[1]
-        .lines()
-        .enumerate()
-        .filter(|(i, _)| i % 2 != 0 || *i == 0)
-        .map(|(_, line)| format!("{line}\n"))
-        .collect();
+    let lines = texts[1].lines().enumerate().filter(|(i, _)| i % 2 != 0 || *i == 0);
+    let half: String = lines.map(|(_, line)| format!("{line}\n")).collect();
     let read = |text: &String| Motion::read(text.as_bytes(), &Options::default()).unwrap();
     let found = compare(&[("a".into(), read(&texts[0])), ("b".into(), read(&half))], None).unwrap();
     let apart = found.alike[1].1;

@@ -60,7 +60,8 @@ fn a_tensor_frozen_where_the_body_started_is_named_under_damping_too() {
 const GIVEN: &str = "torque: x=0 y=0 z=1|torque: Mz = 0.1|torque: constant, 0.1 N m|torque about z: 0 0 1";
 const IN_BODY: &str = "torque (body): 0 0 1|torque: 0 0 1 in the body frame; world: y up|torque: 0 0 1; in body axes|\
      torque: body-fixed 0 0 1|torque [body]: 0 0 1|torque (N m, body): 0 0 1|torque: 0 0 1, on the body's axes|\
-     body torque: 0 0 1|torque in body axes: 0 0 1|torque: body 0 0 1|torque: [0; 0; 1] in the frame of the body";
+     body torque: 0 0 1|torque in body axes: 0 0 1|torque: body 0 0 1|torque: [0; 0; 1] in the frame of the body|\
+     torque (local): 0 0 1|torque (principal axes): 0 0 1|torque, local frame: 0 0 1|torque in rotating axes: 0 0 1";
 
 #[test]
 fn a_tensor_may_be_written_in_six_or_nine_numbers_and_a_step_in_place_of_times() {

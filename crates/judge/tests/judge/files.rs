@@ -34,6 +34,7 @@ fn each_misread_file_made_on_purpose_is_named_and_the_rule_behind_it_too() {
         assert_eq!(right.file_mistakes, []);
         let rule = right.diagnosis.unwrap().best.rule.method();
         let conj = |q: &Quaternion<f64>| q.conjugate();
+        let in_z = |q: &Quaternion<f64>| Quaternion::new(q.w, q.i, q.j, -q.k);
         let world = |q: &Quaternion<f64>, w: &Vector3<f64>| tumbling::attitude::rotation_matrix(q) * w;
         type Mistake<'a> = (FileMistake, Box<dyn Fn(&Row) -> Row + 'a>);
         let mistakes: [Mistake<'_>; 12] = [
@@ -49,12 +50,7 @@ fn each_misread_file_made_on_purpose_is_named_and_the_rule_behind_it_too() {
             (FileMistake::LeftHanded, Box::new(|(t, q, w)| (*t, conj(q), -w))),
             (FileMistake::MirroredComponent(1), Box::new(|(t, q, w)| (*t, *q, Vector3::new(w.x, -w.y, w.z)))),
             // One component of all, the z: half a turn about it away from the mirrored one above.
-            (
-                FileMistake::LeftHanded,
-                Box::new(|(t, q, w)| {
-                    (*t, Quaternion::new(q.w, q.i, q.j, -q.k), Vector3::new(w.x, w.y, -w.z))
-                }),
-            ),
+            (FileMistake::LeftHanded, Box::new(|(t, q, w)| (*t, in_z(q), Vector3::new(w.x, w.y, -w.z)))),
         ];
         for (misread, how) in mistakes {
             let verdict = judged(&csv(&altered(&rows, how)));
@@ -113,8 +109,7 @@ fn spin_in_world_axes_and_momentum_in_either_are_judged_alike() {
     ] {
         let verdict = judged(&csv(&altered(&rows, how)).replace("wx,wy,wz", names));
         assert_eq!(verdict.file_mistakes, [], "{names}");
-        let diagnosis = verdict.diagnosis.unwrap();
-        assert_eq!(diagnosis.best.rule, expected, "{names}: {diagnosis}");
+        assert_eq!(verdict.diagnosis.unwrap().best.rule, expected, "{names}");
     }
 }
 
@@ -159,14 +154,12 @@ fn missing_rows_are_counted_and_a_varying_step_is_said() {
     assert_eq!(gaps.line, 53);
     assert_eq!(verdict.outcome, Outcome::Passed);
     let motion = tumbling::exact::FreeMotion::new(MOMENTS.try_into().unwrap(), &SPIN).unwrap();
-    let uneven: Vec<Row> = (0..300)
-        .map(|i| {
-            let t = 0.01 * f64::from(i) + 0.003 * f64::from(i).sin();
-            let now = motion.at(t).unwrap();
-            (t, now.attitude.into_inner(), now.omega)
-        })
-        .collect();
-    let verdict = judged(&csv(&uneven));
+    let uneven = (0..300).map(|i| {
+        let t = 0.01 * f64::from(i) + 0.003 * f64::from(i).sin();
+        let now = motion.at(t).unwrap();
+        (t, now.attitude.into_inner(), now.omega)
+    });
+    let verdict = judged(&csv(&uneven.collect::<Vec<Row>>()));
     assert_eq!(verdict.record.step, None);
     assert_eq!(verdict.outcome, Outcome::Passed);
 }
@@ -222,11 +215,8 @@ fn numbers_of_few_digits_are_judged_by_their_digits() {
     let verdict = judged(&text);
     assert_eq!(verdict.outcome, Outcome::Passed);
     assert!(verdict.record.rounding > 1e-8 && verdict.record.rounding < 1e-6);
-    for law in &verdict.laws {
-        assert_eq!(law.growth.rank(), 0, "{law}");
-    }
-    let diagnosis = verdict.diagnosis.unwrap();
-    assert_eq!(diagnosis.best.rule.name(), "the exact motion");
+    assert!(verdict.laws.iter().all(|law| law.growth.rank() == 0), "{verdict}");
+    assert_eq!(verdict.diagnosis.unwrap().best.rule.name(), "the exact motion");
 }
 
 /// Terminal, programs and pages have the same sentences, and none of them names an option that only one has.
@@ -234,14 +224,8 @@ fn numbers_of_few_digits_are_judged_by_their_digits() {
 fn the_json_has_the_sentences_of_the_text_and_none_names_an_option_of_the_command_line() {
     let rows = exact(SPIN, 1.0 / 60.0, 600);
     let gaps: Vec<Row> = rows.iter().enumerate().filter(|(i, _)| i % 97 != 5).map(|(_, row)| *row).collect();
-    let jump: Vec<Row> = rows
-        .iter()
-        .take(300)
-        .chain(&rows)
-        .copied()
-        .enumerate()
-        .map(|(i, row)| (i as f64 / 60.0, row.1, row.2))
-        .collect();
+    let jump = rows.iter().take(300).chain(&rows).enumerate();
+    let jump: Vec<Row> = jump.map(|(i, row)| (i as f64 / 60.0, row.1, row.2)).collect();
     let mut texts: Vec<String> = [&rows, &gaps, &jump].map(|rows| csv(rows)).into();
     let half = altered(&rows, |(t, q, w)| (*t, *q, w * (180.0 / std::f64::consts::PI)));
     texts.push(csv(&half));
@@ -251,14 +235,9 @@ fn the_json_has_the_sentences_of_the_text_and_none_names_an_option_of_the_comman
         let verdict = judged(&text);
         let (said, json) = (verdict.to_string(), verdict.json());
         let report = json["report"].as_array().unwrap();
-        let sentences: Vec<&str> = report
-            .iter()
-            .flat_map(|section| section["lines"].as_array().unwrap())
-            .filter_map(|x| x.as_str())
-            .collect();
-        for sentence in &sentences {
-            assert!(said.contains(sentence), "{sentence}\n{said}");
-        }
+        let lines = report.iter().flat_map(|section| section["lines"].as_array().unwrap());
+        let sentences: Vec<&str> = lines.filter_map(|x| x.as_str()).collect();
+        assert!(sentences.iter().all(|sentence| said.contains(sentence)), "{sentences:?}\n{said}");
         assert!(sentences.len() > 2 && !said.contains(" `--") && !said.contains(" --"), "{said}");
     }
     let alone = csv(&rows[..1]);

@@ -59,12 +59,12 @@ fn a_step_of_the_header_that_is_a_part_of_the_row_s_is_named_so_and_another_is_n
         judged(&lines.collect::<String>())
     };
     let verdict = short("# dt: 1/240\n");
-    let is_fourth = |note: &Note| matches!(note, Note::StepsPerRow { steps: 4, .. });
+    let is_fourth = |note: &Note| matches!(note, Note::StepsPerRow(_, 4));
     assert!(verdict.record.notes.iter().any(is_fourth), "{verdict}");
     assert!(!verdict.to_string().contains("are steps of the length"), "{verdict}");
     assert_eq!(verdict.record.step.map(|step| (step * 60.0 * 1e9).round()), Some(1e9));
     let verdict = judged(&every(4, "# dt: 0.007\n", &rows));
-    assert!(verdict.record.notes.iter().any(|note| matches!(note, Note::OtherStep { .. })), "{verdict}");
+    assert!(verdict.record.notes.iter().any(|note| matches!(note, Note::OtherStep(..))), "{verdict}");
 }
 
 #[test]
@@ -76,6 +76,17 @@ fn damping_in_each_step_is_named_where_only_every_third_is_written() {
             let end = method.step(&system, motion, h).unwrap();
             State { momentum: end.momentum * (1.0 - rate * h), ..end }
         });
+        // A drag beside the term takes its share of the spin before the step.
+        let beside = stepped_by(SPIN, h, 300, |motion| {
+            let momentum = method.step(&system, motion, h).unwrap().momentum - motion.momentum * (rate * h);
+            let attitude = product(&motion.attitude, &turn(&(system.omega(&momentum) * h)));
+            State { attitude, momentum }
+        });
+        let said = judged(&csv(&beside)).to_string();
+        assert!(
+            said.contains("rounding, with: damping left on (0.1/s: 1.667e-3 of the spin each step, beside"),
+            "{said}"
+        );
         for header in ["", "# dt: 1/60\n"] {
             let said = judged(&every(3, header, &rows)).to_string();
             let rule =

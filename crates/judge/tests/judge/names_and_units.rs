@@ -106,7 +106,9 @@ fn times_of_few_digits_are_taken_for_the_steps_that_they_are_rounded_from() {
 fn a_comment_that_denies_a_torque_makes_none_and_one_that_is_not_understood_is_noted() {
     let with = |comment: &str| judged(&format!("# {comment}\n{}", csv(&good())));
     assert_eq!(with("no torque: 1 2 3").torque, None);
-    for said in "(4 runs): 1 2 3|(world, on the body): 1 2 3|1 2 3; body: a|1 2 3 (rigid body)".split('|') {
+    let given = "(4 runs): 1 2 3|(world, on the body): 1 2 3|1 2 3; body: a|1 2 3 (rigid body)|on the body: 1 2 3|\
+                 in world axes (N m): 1 2 3|1 2 3; moments about principal axes";
+    for said in given.split('|') {
         assert_eq!(with(&format!("torque {said}")).torque, Some(Vector3::new(1.0, 2.0, 3.0)), "{said}");
     }
     for said in " unknown|: off (body since 2024)|: none since t=0|: so, v2| 2 on the rigid body".split('|') {

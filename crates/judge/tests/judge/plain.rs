@@ -68,6 +68,14 @@ fn an_error_beyond_the_limit_is_never_kept_to_rounding_and_a_great_one_never_bou
         let verdict = judged(&text(&plain(true, false, 1200), |x| significant(x, digits)));
         assert!(verdict.broken().all(|law| law.growth.rank() > 0), "{verdict}");
     }
+    // A momentum that grows without end turns about as it pleases, and digits do not excuse that.
+    let system = System::free(BODY.try_into().unwrap()).unwrap();
+    let pushed = stepped_by(SPIN * 3.0, 0.1, 20, |motion| {
+        Method::SemiImplicitEuler.step(&system, motion, 0.1).unwrap_or(*motion)
+    });
+    let verdict = judged(&crate::common::csv(&pushed));
+    let direction = verdict.laws.iter().find(|law| law.name == LawName::Direction).unwrap();
+    assert!(direction.most > 1.0 && direction.growth.rank() > 0, "{verdict}");
     // An energy that grows a millionfold in a second, and stays there.
     let mut text = String::from("# inertia: 1 2 2.5\nt,wx,wy,wz\n");
     for i in 0..600 {
