@@ -31,7 +31,7 @@ mod integrals;
 mod kept;
 pub(crate) mod klein;
 pub(crate) mod methods;
-mod order;
+pub(crate) mod order;
 mod position_stage;
 mod sensitivity;
 mod shares;
