@@ -4,6 +4,7 @@
 mod batch;
 mod common;
 mod driven;
+mod four_lanes;
 mod free;
 mod same_bits;
 mod scene;
