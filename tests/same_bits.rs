@@ -2,8 +2,7 @@
 //! to be the same wherever `f64` follows IEEE 754. That the answers are right is for the tests in the rooms'
 //! folders.
 
-#[path = "common/same_bits.rs"]
-mod same_bits;
+use crate::common::same_bits;
 
 /// `.ci/same-bits` has more rounds, and builds for other machines.
 #[test]

@@ -68,6 +68,12 @@ impl Figure {
         Ok(canvas.finish(self.name, &title, &picture::with_powers(&description)))
     }
 
+    /// By how much area writing lies on other writing or beyond the sheet, if it can be drawn for this body.
+    #[must_use]
+    pub fn overlap_for(&self, body: &BodyModel) -> Option<f64> {
+        Some(self.picture_of(body).ok()?.ok()?.canvas.over.get())
+    }
+
     fn picture_of(&self, body: &BodyModel) -> Result<picture::Drawing, String> {
         let follows =
             self.of_body.ok_or("it shows a record, a rule or the book's own example, not one body")?;

@@ -1,5 +1,7 @@
 //! Shared by the tests: exact arithmetic, and what bodies and motions are drawn from.
 
+pub mod same_bits;
+
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};

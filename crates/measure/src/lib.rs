@@ -10,7 +10,7 @@
 //! [`costs`] is the record of what a [scene](tumbling_scenes::Scene) costs by its outputs.
 //!
 //! The [`atlas`] measures no time: how each method ends on each hard case under torques.
-#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+#![warn(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 pub mod atlas;
 pub mod campaign;

@@ -139,15 +139,3 @@ impl One for Counted {
         Self { value: 1.0, unity: true }
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_counting_number_compares_by_its_value() {
-        assert_eq!(Counted::new(1.0), Counted::one());
-        assert!(Counted::new(1.0).is_one());
-        assert!(Counted::new(0.5) < Counted::one());
-    }
-}

@@ -24,11 +24,9 @@ pub mod frozen;
 mod functions;
 pub mod geometry;
 pub mod motion;
-mod paths;
+pub(crate) mod paths;
 mod real;
-mod rounded;
-#[cfg(test)]
-mod tests;
+pub(crate) mod rounded;
 
 use crate::Rational;
 use std::cmp::Ordering;
@@ -60,12 +58,6 @@ impl Interval {
     /// assert!((four * (four * a.atan() - b.atan()) - Interval::PI).has_zero());
     /// ```
     pub const PI: Self = Self { low: std::f64::consts::PI, high: std::f64::consts::PI.next_up() };
-
-    /// A whole number that a float holds.
-    fn whole(number: impl Into<f64>) -> Self {
-        let number = number.into();
-        Self { low: number, high: number }
-    }
 
     /// The lower end.
     #[must_use]
@@ -113,7 +105,7 @@ impl Interval {
     }
 
     /// The smaller of the two numbers.
-    fn min_of(self, other: Self) -> Self {
+    pub fn min_of(self, other: Self) -> Self {
         if Self::none([self, other]) {
             return Self::NONE;
         }
@@ -122,7 +114,7 @@ impl Interval {
 
     /// The part between these bounds, of a number that is known to lie there; none where that contradicts
     /// what else is known of it.
-    fn clamped(self, low: f64, high: f64) -> Self {
+    pub fn clamped(self, low: f64, high: f64) -> Self {
         if self.low.is_nan() || self.high < low || self.low > high {
             return Self::NONE;
         }
@@ -191,8 +183,10 @@ impl PartialOrd for Interval {
     }
 }
 
-fn whole(n: impl Into<f64>) -> Interval {
-    Interval::whole(n)
+/// A number that a float holds.
+fn whole(number: impl Into<f64>) -> Interval {
+    let number = number.into();
+    Interval { low: number, high: number }
 }
 
 /// The digits that all numbers in it round to, or the two ends.

@@ -23,7 +23,7 @@
 //!
 //! A proof is about the formula in exact arithmetic: it says nothing of rounding, of overflow, or of what is
 //! computed with branches and roots, which other tests must watch.
-#![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
+#![warn(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod certain;
 mod lattice;
@@ -38,6 +38,13 @@ pub mod interval;
 pub mod proof;
 pub mod symbols;
 pub mod tex;
+
+/// What is public for the tests of this crate alone.
+pub mod tested {
+    pub use crate::interval::{paths::every_path, rounded::Rounded};
+    pub use crate::proofs::{methods::TESTED, methods::cases, order::exact};
+    pub use crate::region::{Region, around};
+}
 
 pub use certain::{Exact, enclosed, exactly};
 pub use interval::Interval;

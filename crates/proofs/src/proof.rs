@@ -16,12 +16,31 @@ pub struct Proof {
     /// What the check checks, and no more, in plain words, with formulas in TeX between dollar signs: the
     /// check works them out as they stand there.
     pub statement: &'static str,
-    /// What is left over, if the claim is false.
-    pub check: fn() -> Outcome,
+    /// What holds besides the formulas; what is left over, if it does not.
+    pub also: fn() -> Outcome,
     /// What the names in the formulas mean, in each case that the check looks at.
     pub cases: fn() -> Result<Vec<Scope>, Residue>,
     /// The claim about an altered law, or an altered claim about the law: each must fail.
     pub mutants: &'static [Mutant],
+}
+
+impl Proof {
+    /// The check.
+    ///
+    /// # Errors
+    /// What is left over, if the claim is false.
+    pub fn check(&self) -> Outcome {
+        self.check_in(&(self.cases)()?)
+    }
+
+    /// The check, with its cases as they were found.
+    ///
+    /// # Errors
+    /// As [`check`](Self::check).
+    pub fn check_in(&self, cases: &[Scope]) -> Outcome {
+        (self.also)()?;
+        formulas(self.statement).try_for_each(|tex| holds_in(cases, tex))
+    }
 }
 
 /// A proof with one thing changed, which must therefore fail.

@@ -9,7 +9,7 @@ use num_traits::{One, Zero};
 ///
 /// The volume element is not given but computed, as the determinant of the derivatives.
 #[derive(Debug, Clone)]
-pub(crate) struct Region {
+pub struct Region {
     position: Vector,
     relations: Relations,
     ranges: Vec<Range>,
@@ -30,24 +30,24 @@ enum Run {
 
 impl Region {
     /// The point at each value of the parameters, which may hold symbols tied by `relations`.
-    pub(crate) fn new(position: Vector, relations: Relations) -> Self {
+    pub fn new(position: Vector, relations: Relations) -> Self {
         Self { position, relations, ranges: Vec::new() }
     }
 
     /// A parameter that runs from `from` to `to`, which may hold the parameters before it.
-    pub(crate) fn between(self, name: &str, from: &Polynomial, to: &Polynomial) -> Self {
+    pub fn between(self, name: &str, from: &Polynomial, to: &Polynomial) -> Self {
         self.along(name, from, to, Derivation::default())
     }
 
     /// A parameter with which other symbols change too.
-    pub(crate) fn along(mut self, name: &str, from: &Polynomial, to: &Polynomial, also: Derivation) -> Self {
+    pub fn along(mut self, name: &str, from: &Polynomial, to: &Polynomial, also: Derivation) -> Self {
         let run = Run::Between(name.into(), from.clone(), to.clone());
         self.ranges.push(Range { rate: also.and(name, Fraction::one()), run });
         self
     }
 
     /// An angle that runs once around, by the names of its cosine and sine.
-    pub(crate) fn around(mut self, cos: &str, sin: &str) -> Self {
+    pub fn around(mut self, cos: &str, sin: &str) -> Self {
         let rate = Derivation::new([(cos, -Fraction::variable(sin)), (sin, Fraction::variable(cos))]);
         self.ranges.push(Range { rate, run: Run::Around(cos.into(), sin.into()) });
         self
@@ -72,7 +72,7 @@ impl Region {
     }
 
     /// Volume, first moments `∫ r` and inertia `∫ (y² + z²)`, `-∫ x y`, ... about the origin.
-    pub(crate) fn sums(&self) -> Result<Sums, Residue> {
+    pub fn sums(&self) -> Result<Sums, Residue> {
         let r = &self.position;
         let square = |i: usize| &r[i] * &r[i];
         let mut first = Vector::zeros();
@@ -90,7 +90,7 @@ impl Region {
 
 /// Volume, first moments and inertia about the origin, all for density 1. Bodies add, holes subtract.
 #[derive(Debug, Clone)]
-pub(crate) struct Sums {
+pub struct Sums {
     pub(crate) volume: Fraction,
     pub(crate) first: Vector,
     pub(crate) inertia: Matrix,
@@ -108,19 +108,19 @@ impl Sums {
     }
 
     /// Both together.
-    pub(crate) fn and(self, other: &Self) -> Self {
+    pub fn and(self, other: &Self) -> Self {
         self.plus(1, other)
     }
 
     /// This with `hole` taken out.
-    pub(crate) fn without(self, hole: &Self) -> Self {
+    pub fn without(self, hole: &Self) -> Self {
         self.plus(-1, hole)
     }
 }
 
 /// The integral once around an angle: odd powers of sine or cosine leave nothing, and
 /// `∫ sin^n = 2 pi (1/2) (3/4) ... ((n - 1)/n)` for even `n`.
-fn around(p: &Polynomial, cos: &Symbol, sin: &Symbol) -> Polynomial {
+pub fn around(p: &Polynomial, cos: &Symbol, sin: &Symbol) -> Polynomial {
     let circle = Relations::circle(cos.name(), sin.name());
     let mut sum = Polynomial::zero();
     let even_in_cos = circle.reduce(p).in_powers_of(cos).swap_remove(0);
@@ -137,34 +137,4 @@ fn around(p: &Polynomial, cos: &Symbol, sin: &Symbol) -> Polynomial {
         sum += part * mean.clone();
     }
     sum
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Once around, the integral of a rate of change is nothing, and that of 1 is 2 pi: with
-    /// `c² + s² = 1` this settles every integral of powers of cosine and sine.
-    #[test]
-    fn around_an_angle_every_rate_of_change_sums_to_zero() {
-        let [cos, sin] = ["cos", "sin"].map(Symbol::new);
-        let [c, s] = ["cos", "sin"].map(Polynomial::variable);
-        let full = Polynomial::from(2) * Polynomial::variable("pi");
-        assert_eq!(around(&Polynomial::one(), &cos, &sin), full);
-        for i in 0..6 {
-            for j in 0..6 {
-                let p = c.pow(i) * s.pow(j);
-                let rate = p.derivative(&sin) * c.clone() - p.derivative(&cos) * s.clone();
-                assert!(around(&rate, &cos, &sin).is_zero(), "{p}");
-            }
-        }
-    }
-
-    #[test]
-    fn a_region_without_three_parameters_is_refused() {
-        let [u, v] = ["u", "v"].map(Fraction::variable);
-        let flat = Region::new(Vector::new(u, v, Fraction::zero()), Relations::none());
-        let flat = flat.between("u", &Polynomial::zero(), &Polynomial::one());
-        assert!(matches!(flat.sums(), Err(Residue::Missing { .. })));
-    }
 }

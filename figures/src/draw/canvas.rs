@@ -8,7 +8,7 @@ use super::point::{P, polar};
 use super::text::{Label, SIZE, escaped};
 use crate::ink::{Ink, stand_alone_style};
 use plotters_backend::{BackendColor, BackendCoord, BackendStyle, DrawingBackend, DrawingErrorKind};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::convert::Infallible;
 use std::fmt::Write as _;
 use std::rc::Rc;
@@ -20,6 +20,8 @@ pub(crate) struct Canvas {
     body: Rc<RefCell<String>>,
     /// Left, top, right and bottom of each piece of writing.
     written: Rc<RefCell<Vec<[f64; 4]>>>,
+    /// By how much area writing lies on other writing or beyond the sheet.
+    pub(crate) over: Rc<Cell<f64>>,
 }
 
 /// The width of every figure, in points.
@@ -42,7 +44,7 @@ impl Canvas {
 
     /// One of another width, that of its letters at their own size.
     pub(crate) fn sized(width: u32, height: u32) -> Self {
-        Self { size: (width, height), body: Rc::default(), written: Rc::default() }
+        Self { size: (width, height), body: Rc::default(), written: Rc::default(), over: Rc::default() }
     }
 
     fn push(&self, element: &str) {
@@ -53,11 +55,8 @@ impl Canvas {
         if points.len() < 2 {
             return;
         }
-        self.push(&format!(
-            "<path d=\"{}{}\" style=\"{style}\"/>\n",
-            path_data(points),
-            if close { "z" } else { "" }
-        ));
+        let close = if close { "z" } else { "" };
+        self.push(&format!("<path d=\"{}{close}\" style=\"{style}\"/>\n", path_data(points)));
     }
 
     /// An open line through the points.
@@ -102,8 +101,7 @@ impl Canvas {
         let (half, mut data) = ((r * FINENESS).round(), String::new());
         for (x, y) in centres.into_iter().map(fine) {
             let (left, top) = (f64::from(x) - half, f64::from(y) - half);
-            let whole = 2.0 * half;
-            let right = left + whole;
+            let (whole, right) = (2.0 * half, left + 2.0 * half);
             let _ = write!(data, "M{left} {top}l{whole} {whole}M{right} {top}l-{whole} {whole}");
         }
         if !data.is_empty() {
@@ -142,7 +140,9 @@ impl Canvas {
 
     /// Writing, with its baseline at the point.
     pub(crate) fn label(&self, at: P, label: &Label) {
-        self.written.borrow_mut().push(label.bounds(at));
+        let bounds = label.bounds(at);
+        self.over.set(self.over.get() + self.overlap(&bounds));
+        self.written.borrow_mut().push(bounds);
         self.push(&label.svg(at, FINENESS));
     }
 
@@ -166,18 +166,6 @@ impl Canvas {
         let sheet = [0.0, 0.0, f64::from(self.size.0), f64::from(self.size.1)];
         let off = whole - common(sheet);
         off.max(0.0) + self.written.borrow().iter().map(|&other| common(other)).sum::<f64>()
-    }
-
-    /// Where writing lies on other writing or beyond the sheet: left, top, right and bottom, and the area.
-    #[cfg(test)]
-    pub(crate) fn collisions(&self) -> Vec<([f64; 4], f64)> {
-        let written = self.written.take();
-        let over = |bounds: [f64; 4]| {
-            let over = self.overlap(&bounds);
-            self.written.borrow_mut().push(bounds);
-            (bounds.map(f64::round), over)
-        };
-        written.into_iter().map(over).filter(|(_, over)| *over > 1e-6).collect()
     }
 
     /// The whole document. `name` prefixes its ids.

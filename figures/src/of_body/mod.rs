@@ -139,6 +139,3 @@ impl<'a> Subject<'a> {
         if known.is_empty() { "mass and size not given".into() } else { known.join(", ") }
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -65,8 +65,7 @@ fn start(subject: &Subject<'_>) -> Vector3<f64> {
 /// None where the rule breaks down.
 fn run(rule: Option<Method>, subject: &Subject<'_>, frames: u32) -> Result<Option<Errors>, Box<dyn Error>> {
     // In units of the largest moment and of the spin: errors know of neither, and none overflows.
-    let moments = subject.moments.vector();
-    let moments = PrincipalMoments::try_from(moments / moments.z)?;
+    let moments = PrincipalMoments::try_from(subject.moments.vector() / subject.moments.vector().z)?;
     let omega = start(subject);
     let motion = FreeMotion::new(moments, &omega)?;
     let system = System::free(moments)?;

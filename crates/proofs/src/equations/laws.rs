@@ -106,7 +106,7 @@ impl Exemption {
         static KNOWN: Mutex<BTreeMap<&str, Result<(), String>>> = Mutex::new(BTreeMap::new());
         let Some(name) = self.proof else { return Ok(()) };
         let prove = || match proofs().iter().find(|proof| proof.name == name) {
-            Some(proof) => (proof.check)().map_err(|residue| residue.to_string()),
+            Some(proof) => proof.check().map_err(|residue| residue.to_string()),
             None => Err(format!("no proof has the name `{name}`")),
         };
         let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);

@@ -7,11 +7,6 @@ use num_traits::{One, Zero};
 /// The number of terms of each series; its rest is bounded by the next one.
 const TERMS: i32 = 24;
 
-/// The exact fraction, enclosed.
-fn fraction(numerator: i32, denominator: i32) -> Interval {
-    whole(numerator) / whole(denominator)
-}
-
 /// The sum of `sign^n x^(2n+1) / (2n+1)`: the arctangent, or with a positive sign its hyperbolic sister, for
 /// `|x| < 1/2`.
 fn odd_powers(x: Interval, sign: i32) -> Interval {
@@ -19,7 +14,7 @@ fn odd_powers(x: Interval, sign: i32) -> Interval {
     let mut sum = Interval::zero();
     let mut power = x;
     for n in 0..TERMS {
-        sum += power * fraction(1, 2 * n + 1);
+        sum += power * (whole(1) / whole(2 * n + 1));
         power *= square;
     }
     // The terms fall by a factor of four at least, so that the rest is below twice the first term left off.
@@ -28,7 +23,7 @@ fn odd_powers(x: Interval, sign: i32) -> Interval {
 }
 
 fn logarithm_of_2() -> Interval {
-    whole(2) * odd_powers(fraction(1, 3), 1)
+    whole(2) * odd_powers(whole(1) / whole(3), 1)
 }
 
 impl Interval {
@@ -121,7 +116,7 @@ impl Interval {
     }
 
     /// The exponential, and the exponential less 1.
-    pub(super) fn exp_and_exp_m1(self) -> (Self, Self) {
+    pub fn exp_and_exp_m1(self) -> (Self, Self) {
         if !(self.low > -1e4 && self.high < 1e4) {
             return (Self::ALL, Self::ALL);
         }
@@ -132,7 +127,7 @@ impl Interval {
             let (mut term, mut less) = (part, Self::zero());
             for n in 2..=TERMS {
                 less += term;
-                term *= part * fraction(1, n);
+                term *= part * (whole(1) / whole(n));
             }
             let rest = term.abs() * whole(2);
             let less = less + rest.hull(-rest);
@@ -190,9 +185,9 @@ fn small_sin_cos(x: Interval) -> (Interval, Interval) {
     let mut term = Interval::one();
     for n in 0..TERMS / 2 {
         cosine += term;
-        let odd = term * fraction(1, 2 * n + 1);
+        let odd = term * (whole(1) / whole(2 * n + 1));
         sine += odd;
-        term = odd * square * fraction(1, 2 * n + 2);
+        term = odd * square * (whole(1) / whole(2 * n + 2));
     }
     let rest = term.abs() * whole(2);
     let rest = rest.hull(-rest);

@@ -175,7 +175,7 @@ pub const FLIPS: [f64; 4] = [1.0, 1e3, 1e6, 1e9];
 /// # Errors
 /// As [`FreeMotion::new`].
 pub fn of_floats(moments: [f64; 3], omega: [f64; 3], flips: f64) -> Result<(FreeMotion, f64), Open> {
-    let numbers = |x: [f64; 3]| x.map(|x| Interval { low: x, high: x }).into();
+    let numbers = |x: [f64; 3]| x.map(whole).into();
     let motion = FreeMotion::new(&numbers(moments), &numbers(omega))?;
     let late = flips * motion.between_flips().low();
     Ok((motion, late))

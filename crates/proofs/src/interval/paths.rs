@@ -33,7 +33,7 @@ pub(super) fn choose(of: usize) -> usize {
 }
 
 /// What comes out on every path, if they are not too many.
-pub(super) fn every_path<R>(run: impl Fn() -> R) -> Option<Vec<R>> {
+pub fn every_path<R>(run: impl Fn() -> R) -> Option<Vec<R>> {
     const MOST: usize = 1 << 16;
     let around = PATH.take();
     let mut found = Vec::new();

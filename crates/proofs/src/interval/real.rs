@@ -20,12 +20,13 @@ fn exact(x: f64) -> Enclosed {
 }
 
 /// The traits of a field, and arithmetic with floats, from a sum, a product, a quotient and what a float is.
+#[macro_export]
 macro_rules! field {
     ($T:ident, $exact:ident) => {
-        field!($T, $exact, Add add AddAssign add_assign |a, b| a.plus(b));
-        field!($T, $exact, Sub sub SubAssign sub_assign |a, b| a.plus(b.minus()));
-        field!($T, $exact, Mul mul MulAssign mul_assign |a, b| a.times(b));
-        field!($T, $exact, Div div DivAssign div_assign |a, b| a.over(b));
+        $crate::field!($T, $exact, Add add AddAssign add_assign |a, b| a.plus(b));
+        $crate::field!($T, $exact, Sub sub SubAssign sub_assign |a, b| a.plus(b.minus()));
+        $crate::field!($T, $exact, Mul mul MulAssign mul_assign |a, b| a.times(b));
+        $crate::field!($T, $exact, Div div DivAssign div_assign |a, b| a.over(b));
         impl std::ops::Neg for $T {
             type Output = Self;
             fn neg(self) -> Self {
@@ -67,7 +68,6 @@ macro_rules! field {
         }
     };
 }
-pub(super) use field;
 
 field!(Enclosed, exact);
 

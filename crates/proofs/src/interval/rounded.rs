@@ -8,7 +8,8 @@
 use super::Interval;
 use super::arithmetic::safe;
 use super::paths::choose;
-use super::real::{field, one_lane};
+use super::real::one_lane;
+use crate::field;
 use num_traits::Zero;
 use std::cmp::Ordering;
 use tumbling::laws::{Real, Rounding};
@@ -16,9 +17,11 @@ use tumbling::number::{Lane, Series};
 
 /// What is computed, and how much more that is than without rounding.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Rounded {
-    pub(super) at: Interval,
-    pub(super) off: Interval,
+pub struct Rounded {
+    /// What is computed.
+    pub at: Interval,
+    /// How much more.
+    pub off: Interval,
 }
 
 /// In how many parts a turn is looked at whose phase is open.
@@ -49,7 +52,7 @@ field!(Rounded, exact);
 
 impl Rounded {
     /// Floats of this interval, as the exact numbers that they are.
-    pub(super) fn given(at: Interval) -> Self {
+    pub fn given(at: Interval) -> Self {
         Self { at, off: Interval::zero() }
     }
 
@@ -300,96 +303,5 @@ impl Real for Rounded {
     }
     fn has_all_digits(self) -> bool {
         self.at.low > f64::MIN_POSITIVE
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::Rational;
-    use crate::interval::paths::every_path;
-    use proptest::prelude::*;
-
-    fn fraction(x: f64) -> Rational {
-        Rational::of_f64(x)
-    }
-
-    /// Whether on a path this is what is computed where the exact number is that one.
-    fn holds(found: impl Fn() -> Rounded, computed: f64, exact: &Rational) -> bool {
-        let off = fraction(computed) - exact.clone();
-        let holds = |x: &Rounded| x.at.contains(&fraction(computed)) && x.off.contains(&off);
-        every_path(found).unwrap().iter().any(holds)
-    }
-
-    /// A number computed as `x` that is off by `off`, among others around it.
-    fn number(x: f64, off: f64, wide: f64) -> (Rounded, Rational) {
-        let around = |x: f64, wide: f64| Interval { low: x - wide, high: x + wide };
-        (
-            Rounded { at: around(x, wide * x.abs()), off: around(off, 0.1 * off.abs()) },
-            fraction(x) - fraction(off),
-        )
-    }
-
-    proptest! {
-        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
-
-        /// Against exact fractions. At points and without an error before it, what is left is the operation's
-        /// own rounding.
-        #[test]
-        fn each_operation_is_off_by_no_more_than_it_says(
-            a in prop_oneof![-9.0..9.0_f64, Just(3.0), -1e-160..1e-160],
-            b in prop_oneof![-9.0..9.0_f64, Just(0.1), 1e-170..1e-150_f64],
-            off in prop_oneof![Just(0.0), -1e-12..1e-12_f64],
-            wide in prop_oneof![Just(0.0), Just(1e-3)],
-        ) {
-            let ((x, p), (y, q)) = (number(a, off * a, wide), number(b, 0.7 * off * b, wide));
-            prop_assert!(holds(|| x + y, a + b, &(p.clone() + q.clone())));
-            prop_assert!(holds(|| x - y, a - b, &(p.clone() - q.clone())));
-            prop_assert!(holds(|| x * y, a * b, &(p.clone() * q.clone())));
-            if b != 0.0 {
-                prop_assert!(holds(|| x / y, a / b, &(p.clone() / q.clone())));
-            }
-            let (high, parts) = (a + b, a.sum_in_two(b));
-            let left = p.clone() + q.clone() - fraction(high);
-            prop_assert!(holds(|| x.sum_in_two(y)[1], parts[1], &left));
-            let parts = a.quick_sum_in_two(b);
-            prop_assert!(holds(|| x.quick_sum_in_two(y)[1], parts[1], &left));
-            let [high, low] = a.product_in_two(b);
-            prop_assert!(holds(|| x.product_in_two(y)[1], low, &(p.clone() * q.clone() - fraction(high))));
-            let one = || { let [high, low] = x.product_in_two(y); Rounded::in_one(high, low)[0] };
-            prop_assert!(holds(one, high, &(p.clone() * q)));
-            let [whole, left] = a.whole_and_left();
-            prop_assert!(holds(|| x.whole_and_left()[1], left, &(p - fraction(whole))));
-        }
-
-        /// The platform's functions are right to a unit, too. Of the exact result there is an enclosure.
-        #[test]
-        fn each_function_is_off_by_no_more_than_it_says(
-            a in 0.01..0.7_f64,
-            b in 0.1..2.0_f64,
-            off in prop_oneof![Just(0.0), -1e-12..1e-12_f64],
-        ) {
-            let ((x, p), (y, q)) = (number(a, off, 0.0), number(b, -off, 1e-9));
-            let [p, q] = [p, q].map(Interval::from);
-            let agree = |x: Rounded, computed: f64, truth: Interval| {
-                let off = exact(computed).at - truth;
-                off.high() >= x.off.low() && off.low() <= x.off.high() && x.off.width() < 1e-11
-            };
-            prop_assert!(agree(x.sqrt(), a.sqrt(), p.sqrt()));
-            prop_assert!(agree(Real::sin_cos(x).0, a.sin(), p.sin_cos().0));
-            prop_assert!(agree(Real::sin_cos(x).1, a.cos(), p.sin_cos().1));
-            prop_assert!(agree(x.atan2(y), a.atan2(b), p.atan2(q)));
-            prop_assert!(agree(x.hypot(y), a.hypot(b), (p.square() + q.square()).sqrt()));
-            prop_assert!(agree(Real::exp_and_exp_m1(-x).0, (-a).exp(), (-p).exp_and_exp_m1().0));
-            prop_assert!(agree(Real::exp_and_exp_m1(-x).1, (-a).exp_m1(), (-p).exp_and_exp_m1().1));
-            let (sine, cosine) = (exact(0.6) * x).sin_cos_of_quarter();
-            let (s, c) = (0.6 * a).sin_cos_of_quarter();
-            let angle = Interval::PI * exact(0.3).at * p;
-            prop_assert!(agree(sine, s, angle.sin_cos().0) && agree(cosine, c, angle.sin_cos().1));
-            let [power, less] = (x * 9.0).decay(exact(1e-20));
-            let [f, g] = (a * 9.0).decay(1e-20);
-            let (p, l) = (-(p * exact(9.0).at + exact(1e-20).at)).exp_and_exp_m1();
-            prop_assert!(agree(power, f, p) && agree(less, g, l));
-        }
     }
 }

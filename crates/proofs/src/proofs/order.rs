@@ -8,7 +8,7 @@ use tumbling::laws::Rate;
 use tumbling::number::Field;
 use tumbling::step::State;
 
-pub(super) type Number = Series<Fraction>;
+pub type Number = Series<Fraction>;
 pub(super) fn constant(x: &Fraction) -> Number {
     Series::constant(x.clone())
 }
@@ -22,7 +22,7 @@ pub(super) fn start() -> State<Number> {
 
 /// The exact motion of a state under a law, to the power `order`: each round of `y = y0 + ∫ law(y)` settles
 /// one more.
-pub(super) fn exact<T: Field>(
+pub fn exact<T: Field>(
     start: &State<Series<T>>,
     order: usize,
     law: impl Fn(&State<Series<T>>) -> Rate<Series<T>>,
@@ -42,28 +42,4 @@ pub(super) fn exact<T: Field>(
 /// Attitude and momentum.
 pub(super) fn components<T: Field>(m: &State<Series<T>>) -> Vec<Series<T>> {
     m.attitude.coords.iter().chain(&m.momentum).cloned().collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::number::Rational;
-    use nalgebra::Vector3;
-    use tumbling::attitude;
-
-    #[test]
-    fn the_exact_motion_of_a_steady_spin_is_sine_and_cosine() {
-        let [one, zero] = [Series::<Rational>::one(), Series::zero()];
-        let start = State {
-            attitude: Quaternion::new(one, zero.clone(), zero.clone(), zero.clone()),
-            momentum: Vector3::new(zero.clone(), zero, Series::constant(Rational::from(2))),
-        };
-        let law = |m: &State<Series<Rational>>| Rate {
-            attitude: attitude::rate(&m.attitude, &m.momentum),
-            momentum: Vector3::zeros(),
-        };
-        let end = exact(&start, 5, law);
-        assert_eq!(end.attitude.coords.w.to_string(), "1 - 1/2 h^2 + 1/24 h^4 + ...");
-        assert_eq!(end.attitude.coords.z.to_string(), "h - 1/6 h^3 + 1/120 h^5 + ...");
-    }
 }

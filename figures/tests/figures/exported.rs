@@ -1,5 +1,6 @@
 //! What an exported figure owes the programs that show it.
 
+use crate::DRAWN;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 use tumbling_figures::{Figure, Theme, registry};
@@ -15,8 +16,7 @@ struct Exported {
 
 static ALL: LazyLock<Vec<Exported>> = LazyLock::new(|| {
     let export = |(figure, theme): (&'static Figure, Theme)| {
-        let svg = figure.draw().unwrap_or_else(|e| panic!("figure `{}` cannot be drawn: {e}", figure.name));
-        let plain = theme.dressed(&svg);
+        let plain = theme.dressed(&DRAWN[figure.name]);
         let drawing = Drawing::read(&plain).unwrap_or_else(|e| panic!("{}: {e}", figure.name));
         Exported { figure, theme, plain, drawing }
     };

@@ -2,11 +2,12 @@
 
 use nalgebra::{Matrix3, Quaternion, Vector3};
 use num_dual::Dual64;
-use num_traits::Zero;
+use num_traits::{One, Zero};
 use tumbling::laws::Rate;
 use tumbling::number::Field;
 use tumbling::step::{State, rk4};
 use tumbling::{attitude, dynamics::euler, dynamics::observe, dynamics::stability, inertia, laws};
+use tumbling_proofs::counted::Counted;
 use tumbling_proofs::{Fraction, Rational, Series};
 
 /// A slow book of moments 2, 3, 4 at a given spin, one step of free motion from a tilted attitude, and what
@@ -106,4 +107,11 @@ fn a_series_in_the_step_summed_up_is_the_step() {
         };
         assert_eq!(series.iter().map(sum).collect::<Vec<_>>(), exactly(spin));
     }
+}
+
+#[test]
+fn a_counting_number_compares_by_its_value() {
+    assert_eq!(Counted::new(1.0), Counted::one());
+    assert!(Counted::new(1.0).is_one());
+    assert!(Counted::new(0.5) < Counted::one());
 }

@@ -1,13 +1,13 @@
 //! What each series leaves out, and what the library says that this is at most: its code runs on numbers that
 //! are exact but for these rests, and is compared with sums of many more terms.
 
-use crate::interval::real::field;
 use num_rational::BigRational as Exact;
 use num_traits::{Signed, ToPrimitive, Zero};
 use std::cell::Cell;
 use std::f64::consts::{FRAC_PI_2, PI};
 use tumbling::laws::{ComplementaryPair, ComplementarySeries, DirectPair, DirectSeries, Rounding};
 use tumbling::number::{Lane, Series};
+use tumbling_proofs::field;
 
 /// An exact number, and how much the rests can change it. Both are never freed, since a lane must be `Copy`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -227,7 +227,7 @@ fn angles() -> impl Iterator<Item = ([[Exact; 2]; 2], [Vec<Exact>; 4])> {
 /// The largest nome of a series, rounded up, by its logarithm at the library's border between both, and two
 /// smaller ones.
 fn nomes(log_at: fn(f64) -> f64) -> [(Exact, Exact); 3] {
-    let source = include_str!("../../../../../src/exact/elliptic.rs");
+    let source = include_str!("../../../../src/exact/elliptic.rs");
     let number = source.split("NOME_RATIO: f64 = ").nth(1).and_then(|rest| rest.split(';').next());
     let largest = (log_at(number.unwrap().parse().unwrap()).exp() * 1e4).ceil() as i64;
     [(largest, 10_000), (3, 100), (1, 1000)].map(|(a, b)| (ratio(a, b), ratio(1, 1)))

@@ -1,8 +1,6 @@
 //! The numbers of this crate against sympy's, see `data/README.md`.
 
-mod reader;
-
-use reader::read;
+use crate::reader::read;
 use tumbling_proofs::{Fraction, Polynomial, Relations, Series, Symbol};
 
 fn polynomial(text: &str) -> Polynomial {
@@ -41,7 +39,7 @@ fn agrees(line: &str) -> bool {
     }
 }
 
-const TABLE: &str = include_str!("data/sympy_tables.txt");
+const TABLE: &str = include_str!("../data/sympy_tables.txt");
 
 #[test]
 fn every_operation_gives_what_sympy_gives() {

@@ -79,9 +79,9 @@ fn contained(table: &str) -> (usize, [f64; 2]) {
 #[test]
 fn the_enclosures_contain_40_digits_and_are_narrow() {
     let tables = [
-        include_str!("../../../tests/data/free-motion.json"),
-        include_str!("../../../tests/data/sweep.json"),
-        include_str!("../../../tests/data/late.json"),
+        include_str!("../../../../tests/data/free-motion.json"),
+        include_str!("../../../../tests/data/sweep.json"),
+        include_str!("../../../../tests/data/late.json"),
     ];
     let found = tables.map(contained);
     assert!(found[0].0 > 100 && found[1].0 > 300 && found[2].0 == 24, "{found:?}");

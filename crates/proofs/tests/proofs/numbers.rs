@@ -24,7 +24,7 @@ fn tossed() -> FreeMotion {
 
 #[test]
 fn coq_and_the_intervals_give_the_digits_of_the_book() {
-    let theorems = include_str!("../coq/numbers.v");
+    let theorems = include_str!("../../coq/numbers.v");
     let [easy, middle, hard]: [Rational; 3] = [given!(5), given!(10), given!(13)];
     let growth = Interval::from(rate_squared(&given!(10), &middle, &easy, &hard)).sqrt();
     let numbers = [

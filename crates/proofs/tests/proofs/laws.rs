@@ -1,11 +1,9 @@
 //! The laws that the numbers of this crate must obey, on random ones.
 
-mod reader;
-
+use crate::reader::read;
 use nalgebra::{Quaternion, Vector3};
 use num_traits::{One, Zero};
 use proptest::prelude::*;
-use reader::read;
 use tumbling::number::Field;
 use tumbling::step::PositionStage;
 use tumbling_proofs::{

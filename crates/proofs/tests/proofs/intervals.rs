@@ -1,15 +1,12 @@
 //! Intervals against exact fractions, identities and the library's closed form.
 
-use super::geometry::{about_z, angle, axis_of, smallest_moment};
-use super::motion::{FreeMotion, Open};
-use super::*;
-use crate::given;
 use nalgebra::{Matrix3, Vector3};
 use num_traits::{One, Zero};
 use proptest::prelude::*;
 use tumbling::number::Ring;
-
-mod rests;
+use tumbling_proofs::interval::geometry::{about_z, angle, axis_of, smallest_moment};
+use tumbling_proofs::interval::motion::{FreeMotion, Open};
+use tumbling_proofs::{Interval, Rational, given};
 
 fn exact(x: f64) -> Rational {
     Rational::of_f64(x)
@@ -181,7 +178,7 @@ fn the_smallest_float_has_a_logarithm() {
 
 #[test]
 fn bounds_that_contradict_a_number_leave_none_and_nothing_hides_it() {
-    let two = Interval::whole(2);
+    let two = given!(Interval: 2);
     for none in [two.acos(), (-two).not_negative(), two.clamped(-1.0, 1.0)] {
         let (sine, cosine) = none.sin_cos();
         let with_another = [
@@ -196,12 +193,12 @@ fn bounds_that_contradict_a_number_leave_none_and_nothing_hides_it() {
         let alone =
             [none.abs(), none.square(), none.sqrt(), none.ln(), none.atan(), two.atan2(none), sine, cosine];
         for x in with_another.into_iter().chain(alone).chain([none.clamped(-1.0, 1.0), none.min_of(two)]) {
-            assert!(x.low.is_nan() && x.high.is_nan(), "{x:?}");
+            assert!(x.low().is_nan() && x.high().is_nan(), "{x:?}");
             assert!(x.partial_cmp(&two).is_none() && !x.has_zero());
         }
         assert_eq!(format!("{none:.3}"), "NaN");
     }
-    assert_eq!(format!("{:.3}", (two / Interval::whole(4)).acos()), "1.047");
+    assert_eq!(format!("{:.3}", (two / given!(4)).acos()), "1.047");
 }
 
 #[test]
