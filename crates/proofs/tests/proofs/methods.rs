@@ -18,11 +18,8 @@ fn the_exact_motion_of_a_steady_spin_is_sine_and_cosine() {
         attitude: Quaternion::new(one, zero.clone(), zero.clone(), zero.clone()),
         momentum: Vector3::new(zero.clone(), zero, Series::constant(Rational::from(2))),
     };
-    let law = |m: &State<Series<Rational>>| Rate {
-        attitude: attitude::rate(&m.attitude, &m.momentum),
-        momentum: Vector3::zeros(),
-    };
-    let end = exact(&start, 5, law);
+    let turning = |m: &State<Series<Rational>>| attitude::rate(&m.attitude, &m.momentum);
+    let end = exact(&start, 5, |m| Rate { attitude: turning(m), momentum: Vector3::zeros() });
     assert_eq!(end.attitude.coords.w.to_string(), "1 - 1/2 h^2 + 1/24 h^4 + ...");
     assert_eq!(end.attitude.coords.z.to_string(), "h - 1/6 h^3 + 1/120 h^5 + ...");
 }
