@@ -16,9 +16,9 @@
 //!
 //! Their powers in `h` come from the exact motion: for it, `1/K_j = 4 p0 p_j / (h (L + L')_j)` with `(p0, p)`
 //! the turn of one step. `crates/proofs/programs/moser_veselov.py` expands this in exact fractions and prints
-//! the sums below. The order of the result is proven of this very code, on power series: up to 6 of the whole
-//! step, and to 4 and more of the altered moments, which the motion itself has to that order in the equation
-//! that the step solves.
+//! the sums below. The order of the result is proven of this very code, on power series: up to order 6 of
+//! the whole step; for each order of the altered moments, with the smallest moment about each axis. With them
+//! the motion itself obeys, to that order, the equation that the step solves.
 
 use super::implicit::{cramer, whole};
 use crate::attitude;
