@@ -44,13 +44,12 @@ fn what_is_asserted_must_be_said() {
     objects("The gap is small.", ANGLE, "x.md:4: found `7.4°`, asserted, expected the same");
     objects("Text.", "// 7.4°\nassert_eq!(format!(\"{x:.1}°\"), \"7.4°\");", "asserted");
     holds("No number, no need.", "assert_eq!(name.to_string(), \"flat\");");
-    let denied = "assert_eq!(fate, \"it does not flip\");";
-    holds("Spun so, it does not flip.", denied);
-    objects(
-        "Spun so, it does flip.",
-        denied,
-        "x.md:4: found `it does not flip`, asserted, expected the same",
-    );
+    for said in ["it does not flip", "they do not meet", "it is not flat", "it returns never"] {
+        let denied = format!("assert_eq!(fate, \"{said}\");");
+        holds(&format!("Spun so, {said}."), &denied);
+        let turned = said.replace(" not", "").replace("never", "ever");
+        objects(&turned, &denied, &format!("x.md:4: found `{said}`, asserted, expected the same"));
+    }
 }
 
 #[test]

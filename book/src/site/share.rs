@@ -66,6 +66,7 @@ pub(crate) fn tell(book: &Path, pages: &Path, site: Option<&Site>) -> Result<(),
             write_changed(&file, page.as_bytes())?;
             let all = own.markup(&files::text(&pages.join("toc.html"))?.replace("&#39;", "'")).0;
             let all = all.replace(&format!("{original}."), &format!("{name}."));
+            let all = all.replacen("lang=\"en\"", &format!("lang=\"{}\"", own.code), 1);
             // A chapter's number is no decimal.
             write_changed(&pages.join(toc), with(&all, ',', '.').as_bytes())?;
         }
