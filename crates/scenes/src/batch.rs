@@ -53,7 +53,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 use rayon::prelude::*;
 use std::ops::{ControlFlow, Range};
 use tumbling::exact::{Batch, FreeMotion, Instant};
-use tumbling::number::Lane;
+use tumbling::laws::Rounding;
 
 /// The number of bodies that are sorted, worked on and put out together.
 const TILE: usize = 256;
@@ -165,7 +165,7 @@ pub(crate) fn side_by_side(motions: &[FreeMotion], attitudes: bool) -> Answers {
     in_lanes::<Lanes<4, { cfg!(any(target_arch = "aarch64", target_feature = "fma")) }>>(motions, attitudes)
 }
 
-pub(crate) fn in_lanes<T: Lane + Send + 'static>(motions: &[FreeMotion], attitudes: bool) -> Answers {
+pub(crate) fn in_lanes<T: Rounding + Send + 'static>(motions: &[FreeMotion], attitudes: bool) -> Answers {
     if attitudes {
         let batch = Batch::<T>::new(motions);
         return Box::new(move |times, put| {
