@@ -187,8 +187,9 @@ impl FreeMotion {
     /// ```
     #[must_use]
     pub fn energy(&self) -> f64 {
-        // Of half the momentum, so that it is infinite only where the result is.
-        2.0 * energy(&self.start, &(self.moments.vector() * 0.5).component_mul(&self.start))
+        // Of half the momentum, so that it is infinite only where the result is. The spin is halved, not the
+        // moments: where a moment is near the least number, half of it is another.
+        2.0 * energy(&self.start, &self.moments.vector().component_mul(&(self.start * 0.5)))
     }
 
     /// The period of the spin as seen from the body, s; two flips fall into it. `None` where the spin is

@@ -79,7 +79,9 @@ methods! {
     /// The step of order 5 of Dormand and Prince's pair, the attitude's length left as it comes.
     DormandPrince5("Dormand-Prince 5", 5, EXPLICIT, NONE, "DP80") => runge_kutta::dormand_prince(system, start, h);
     /// Runge-Kutta in the turn since the start of the step, so that the attitude stays a rotation and a free
-    /// body's momentum stays where it is in the world.
+    /// body's momentum stays where it is in the world. It refuses no needle, and turns a long one wrongly: in
+    /// `f32` a solid rod of 100 diameters that spins at 10 rad/s, stepped at 60 Hz for ten seconds, by more
+    /// than a radian.
     MuntheKaas4("Munthe-Kaas 4", 4, EXPLICIT, MOMENTUM, "MK98") => runge_kutta::munthe_kaas(system, start, h);
     /// Buss's augmented method: one turn by an averaged spin, the momentum kept in the world.
     Buss("Buss's augmented", 2, EXPLICIT, MOMENTUM, "Bus00") => averaged::buss(system, start, h);

@@ -174,6 +174,8 @@ proptest! {
 fn an_energy_within_the_range_is_a_number_where_spin_times_momentum_is_none() {
     let motion = FreeMotion::new([1.7e308; 3].try_into().unwrap(), &Vector3::new(1.2, 0.0, 0.0)).unwrap();
     assert!((motion.energy() / 1.224e308 - 1.0).abs() < 1e-15, "{}", motion.energy());
+    let least = FreeMotion::new([5e-324; 3].try_into().unwrap(), &Vector3::new(2e155, 0.0, 0.0)).unwrap();
+    assert!((least.energy() / (2e155 * 5e-324 * 1e155) - 1.0).abs() < 1e-15, "{}", least.energy());
 }
 
 /// The component along the circled axis is greatest a quarter period later, and then beyond `f64`.

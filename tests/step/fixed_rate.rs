@@ -169,6 +169,7 @@ fn a_rod_longer_than_112_diameters_is_stepped_in_double_precision() {
     let split = [112.2, 1e3, 1e4].map(|length| off(length, Some(Method::RotationSplitting4)).unwrap());
     assert!(split[0] < 3e-3 && split[1] > 0.1 && split[2] > 0.5, "{split:?}");
     assert!(off(1e4, Some(Method::Gauss6)).unwrap() < 0.01);
+    assert!(off(100.0, Some(Method::MuntheKaas4)).unwrap() > 1.0);
 }
 
 proptest! {

@@ -109,8 +109,8 @@ impl<'a> Reader<'a> {
     /// A refusal of the library, at the field that it speaks of or at the one that says what the body is.
     fn refused(&self, error: &tumbling::Error) -> Error {
         // A surface that bounds nothing does so in any unit.
-        let fields = if error.kind() == ErrorKind::BadMesh { &[] } else { fields_of(error.subject()) };
-        self.wrong(self.blamed(fields), error)
+        let at = if error.kind() != ErrorKind::BadMesh { fields_of(error.subject()) } else { &["vertices"] };
+        self.wrong(self.blamed(at), error)
     }
 
     fn sizes_of(&self, shape: &str) -> Result<&'static [&'static str], Error> {
