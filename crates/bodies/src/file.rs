@@ -109,7 +109,8 @@ impl<'a> Reader<'a> {
     /// A refusal of the library, at the field that it speaks of or at the one that says what the body is.
     fn refused(&self, error: &tumbling::Error) -> Error {
         // A surface that bounds nothing does so in any unit.
-        let fields = if error.kind() == ErrorKind::BadMesh { &[] } else { fields_of(error.subject()) };
+        let bounds = error.kind() != ErrorKind::BadMesh;
+        let fields = if bounds { fields_of(error.subject()) } else { &["vertices"] };
         self.wrong(self.blamed(fields), error)
     }
 

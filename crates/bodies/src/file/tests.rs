@@ -50,6 +50,7 @@ fn what_is_wrong_is_named_with_its_line_and_its_field() {
         ("moments = [1, 2, 2.5]\nproducts = [0, 0, 0, 1]", "line 2, `products`: 3 numbers are expected"),
         ("points = [[1, 0, 0, 0, 9]]", "line 1, `points`: 4 numbers are expected here, not 5"),
         ("shape = 'tetrahedron'\nvertices = [[0, 0, 0]]", "line 2, `vertices`: 4 lists of 3 numbers"),
+        ("mass=1\nshape='tetrahedron'\nvertices=[[0,0,0],[1,0,0],[0,1,0],[1,1,0]]", "`vertices`: the volume"),
         ("shape = 3", "line 1, `shape`: a string is expected here, not integer `3`"),
         ("[[part]]\nmass = [1]", "line 2, `mass`: a number is expected here, or a text with its unit"),
         ("[[part]]\nmomets = [1]", "line 2, `momets`: no such field. Did you mean `moments`?"),
