@@ -5,11 +5,41 @@ use nalgebra::{Matrix6, Quaternion, UnitQuaternion, Vector3};
 use numpy::{
     AllowTypeChange, IntoPyArray, PyArrayDyn, PyArrayLikeDyn, PyArrayMethods, PyUntypedArrayMethods,
 };
+use pyo3::Borrowed;
 use pyo3::prelude::*;
 use std::borrow::Cow;
+use std::ops::Deref;
 
-/// What NumPy takes for numbers, whatever their type.
-pub type Numbers<'py> = PyArrayLikeDyn<'py, f64, AllowTypeChange>;
+/// Real numbers: an array of any of their types, or what NumPy makes one of.
+pub struct Numbers<'py>(PyArrayLikeDyn<'py, f64, AllowTypeChange>);
+
+impl<'py> Deref for Numbers<'py> {
+    type Target = PyArrayLikeDyn<'py, f64, AllowTypeChange>;
+    fn deref(&self) -> &Self::Target {
+        &self.0
+    }
+}
+
+impl<'a, 'py> FromPyObject<'a, 'py> for Numbers<'py> {
+    type Error = PyErr;
+
+    fn extract(given: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
+        let numpy = given.py().import("numpy")?;
+        // NumPy itself would drop the imaginary parts, the units of time and the mask.
+        let masked = given.is_instance(&numpy.getattr("ma")?.getattr("MaskedArray")?)?;
+        let array = numpy.call_method1("asarray", (given,))?;
+        let dtype = array.getattr("dtype")?;
+        let kind: String = dtype.getattr("kind")?.extract()?;
+        // "O" are numbers of Python's own, of which each says whether it is real.
+        if masked || !"biufO".contains(&kind) {
+            let found = if masked { "a masked array".into() } else { format!("an array of {dtype}") };
+            let sentence = format!("{found} is not taken for numbers: give an array of real ones");
+            return Err(Refused::new("Type", "numbers", sentence).into());
+        }
+        array.extract().map(Self)
+    }
+}
+
 pub type Array<'py> = Bound<'py, PyArrayDyn<f64>>;
 /// Attitudes and spins.
 pub type States<'py> = (Array<'py>, Array<'py>);

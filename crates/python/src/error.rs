@@ -8,7 +8,7 @@ pyo3::create_exception!(
     Error,
     PyValueError,
     "What was refused, and why: a sentence that names the value, the rule and the margin.\n\n\
-     `kind` is a word for programs (such as 'Impossible', 'NotFinite', 'OutOfBounds', 'Unattainable', 'Shape',\n\
+     `kind` is a word for programs (such as 'Impossible', 'NotFinite', 'OutOfBounds', 'Unattainable', 'Shape', 'Type',\n\
      'Record'), `subject` names what was refused.\n\n\
      >>> import tumbling\n\
      >>> try:\n\

@@ -182,6 +182,9 @@ def test_what_is_refused_says_what_and_why():
         (lambda: tumbling.Inertia.cone(np.nan, 1, mass=1), "NotFinite", "", "NaN"),
         (lambda: tumbling.Batch([[3, 0.5, 0], [0.5, 2, 0.1], [0, 0.1, 4]], [0, 9, 1]), "Shape", "inertia", "T[None]"),
         (lambda: tumbling.Inertia.ball(1), "Undefined", "the mass", "either"),
+        (lambda: tumbling.Batch(np.array([1, 2, 2.5 + 1j]), [0, 9, 1]), "Type", "numbers", "complex128"),
+        (lambda: tumbling.Batch([1, 2, 2.5], np.ma.masked_less([0, 9.0, 1], 1)), "Type", "numbers", "masked"),
+        (lambda: tumbling.FreeMotion([1, 2, 2.5], [0, 9, 1]).at(np.arange(3).astype("m8[s]")), "Type", "numbers", "timedelta64"),
     ]:
         with pytest.raises(tumbling.Error) as caught:
             call()
