@@ -274,7 +274,12 @@ tumblingLive.widget("your-body", async (stage, from) => {
     }
 
     const turns = (perRadian) => `once in ${digits(1 / perRadian)} turns`;
-    const digits = (x, count = 3) => (Math.abs(x) >= 0.001 && Math.abs(x) < 1e5 ? String(Number(x.toPrecision(count))) : short(x));
+    /** With its zeros, as those above and below it in a column; `toPrecision` gives a power of ten from 1000 on. */
+    const digits = (x, count = 3) => {
+        const text = x.toPrecision(count);
+        if (Math.abs(x) < 0.001 || Math.abs(x) >= 1e5) return short(x);
+        return text.includes("e") ? String(Number(text)) : text;
+    };
     function tell() {
         const { moments, axes, equal, growth, circles, flips } = found;
         const direction = (axis) => axis.map((x) => x.toFixed(3).replace("-0.000", "0.000").replace("-", "−")).join(", ");
