@@ -143,13 +143,13 @@ tumblingLive.yourBodyShapes = (() => {
         return whole ? [{ kind, numbers: numbers.slice(0, n).map(Number), at: numbers.slice(n).map(Number), turn }] : [];
     }
     /** Where each key of the gaps stands, its words and its look. */
-    const KEY = [[8, "from axis 1 to 3", ""], [156, "1 to 2", "your-body-dashed"], [242, "2 to 3", "your-body-dotted"]];
+    const KEY = [[4, "axis 1 to 3", ""], [118, "1 to 2", "your-body-dashed"], [198, "2 to 3", "your-body-dotted"]];
     /** The gaps against the angle from one axis to another; titles and key stand in the drawing, so that they are saved with it. */
     function gapsDrawn(svg, path, width, height, curves) {
         const { draw } = tumblingLive;
         const most = Math.max(1, ...curves.flat()) * 1.15;
         const at = (x, gap) => [44 + ((width - 60) * x) / 90, height - 44 - ((height - 100) * gap) / most];
-        draw("text", svg, { x: 8, y: 15 }, "gap between spin and momentum, for a spin");
+        draw("text", svg, { x: 4, y: 15 }, "gap between spin and momentum");
         draw("text", svg, { x: at(45, 0)[0], y: height - 6, "text-anchor": "middle" }, "angle from the first axis to the spin");
         for (const x of [0, 30, 60, 90]) {
             path(svg, "live-grid", [at(x, 0), at(x, most)]);
@@ -162,8 +162,8 @@ tumblingLive.yourBodyShapes = (() => {
         }
         curves.forEach((gap, k) => {
             const [x, name, look] = KEY[k];
-            path(svg, `live-curve ${look}`, [[x, 33], [x + 26, 33]]);
-            draw("text", svg, { x: x + 32, y: 38 }, name);
+            path(svg, `live-curve ${look}`, [[x, 33], [x + 22, 33]]);
+            draw("text", svg, { x: x + 28, y: 38 }, name);
             if (gap.length > 0) path(svg, `live-curve ${look}`, gap.map((y, x) => at(x, y)));
         });
     }
