@@ -92,7 +92,8 @@ impl Language {
     }
 
     fn own_numbers(&self, text: &str) -> Vec<String> {
-        let points = with(text, ',', '.');
+        // A decimal point is none of the language's: it parts the number in two.
+        let points = with(&with(text, '.', ';'), ',', '.');
         let lower = text.to_lowercase();
         let words = words_of(&lower).filter_map(|at| {
             let word = &lower[at.clone()];

@@ -16,7 +16,7 @@ export async function yourBody(page, wants) {
   }
   const rate = Math.sqrt((3 * 5) / (13 * 5));
   const growth = await tell("growth");
-  const tenfold = Number((Math.log(10) / (2 * Math.PI * rate)).toPrecision(3));
+  const tenfold = (Math.log(10) / (2 * Math.PI * rate)).toPrecision(3);
   wants(`a push on the box grows tenfold in ${tenfold} turns: ${growth}`, growth.includes(`ten times in ${tenfold} turns`));
   const flips = await page.locator(".your-body-flips td").allTextContents();
   const steps = flips.slice(1).map((text, k) => Number(text) - Number(flips[k]));

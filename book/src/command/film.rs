@@ -1,6 +1,6 @@
 //! Films of a body in free motion.
 
-use crate::command::draw::{body, each_made};
+use crate::command::draw::{body, each_made, folder_name};
 use crate::command::export::{own_folder_refused, theme};
 use crate::language::Language;
 use crate::say;
@@ -114,10 +114,8 @@ impl Arguments {
     }
 
     /// The film's file, without its ending.
-    fn file(&self) -> PathBuf {
-        let file =
-            Path::new(&self.body).file_stem().map_or_else(String::new, |s| s.to_string_lossy().into_owned());
-        let mut name: String = file.chars().map(|c| if c.is_alphanumeric() { c } else { '-' }).collect();
+    fn file(&self, model: &BodyModel) -> PathBuf {
+        let mut name = folder_name(&model.name);
         let axis = AXES.iter().find(|(_, axis)| *axis == self.axis && *axis != Axis::Middle);
         axis.iter().for_each(|(axis, _)| name.push_str(&format!("-{axis}")));
         name.push_str(if self.square { "-square" } else { "" });
@@ -131,15 +129,18 @@ impl Arguments {
 /// # Errors
 /// A body that cannot be read, a spin that it cannot have, a folder that cannot be written.
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    let file = arguments.file();
-    own_folder_refused(file.parent().unwrap_or(&file))?;
     let model = body(&arguments.body)?;
+    let file = arguments.file(&model);
+    own_folder_refused(file.parent().unwrap_or(&file))?;
+    let none = "no ffmpeg was found, which writes an MP4: install it, or leave `--format mp4` out for a GIF";
+    let can = arguments.format != Format::Mp4 || Command::new("ffmpeg").arg("-version").output().is_ok();
+    can.then_some(()).ok_or(none)?;
     let film = Film::new(&model, &arguments.request(&model))?;
     let count = (film.seconds() * RATE).round().clamp(2.0, 12_000.0) as u32;
     say!("{}\nDrawing {count} pictures ...", film.explained()?);
     let shown = |i: u32| picture(&film, f64::from(i) / f64::from(count), arguments);
     let written = match arguments.format {
-        Format::Gif => whole(arguments, &film, count, &shown)?,
+        Format::Gif => whole(&file.with_extension("gif"), arguments, &film, count, &shown)?,
         Format::Mp4 => video(&file.with_extension("mp4"), count, &shown)?,
         Format::Frames => frames(&file, count, &shown)?,
     };
@@ -156,10 +157,11 @@ fn picture(film: &Film, share: f64, arguments: &Arguments) -> Result<Picture, St
     drawing.picture(width).map_err(|e| e.to_string())
 }
 
+type Written = Result<String, Box<dyn Error>>;
 type Shown<'a> = &'a (dyn Fn(u32) -> Result<Picture, String> + Sync);
 
 /// A GIF; returns what was written.
-fn whole(arguments: &Arguments, film: &Film, count: u32, shown: Shown<'_>) -> Result<String, Box<dyn Error>> {
+fn whole(file: &Path, arguments: &Arguments, film: &Film, count: u32, shown: Shown<'_>) -> Written {
     let samples: Vec<Picture> = (0..5).map(|i| shown(i * count / 5)).collect::<Result<_, _>>()?;
     let size = [samples[0].width, samples[0].height];
     let palette = Palette::new(&arguments.theme.inks(), &samples, COLOURS);
@@ -168,17 +170,13 @@ fn whole(arguments: &Arguments, film: &Film, count: u32, shown: Shown<'_>) -> Re
     let add = |_, picture: Result<Picture, String>, _| Ok::<_, Box<dyn Error>>(writer.add(&picture?)?);
     each_made(count as usize, |i| shown(i as u32), add)?;
     let bytes = writer.finish()?;
-    let file = arguments.file().with_extension("gif");
-    write_changed(&file, &bytes)?;
+    write_changed(file, &bytes)?;
     let (at, size, [wide, high]) = (file.display(), bytes.len().div_ceil(1000), size);
     Ok(format!("  {at}  {size} kB, {count} pictures of {wide} × {high}"))
 }
 
 /// A video, three times over, by ffmpeg; returns what was written.
-fn video(file: &Path, count: u32, shown: Shown<'_>) -> Result<String, Box<dyn Error>> {
-    let ffmpeg = || Command::new("ffmpeg");
-    let none = "no ffmpeg was found, which writes an MP4: install it, or leave `--format mp4` out for a GIF";
-    ffmpeg().arg("-version").output().map_err(|_| none)?;
+fn video(file: &Path, count: u32, shown: Shown<'_>) -> Written {
     let folder = tempfile::TempDir::new()?;
     frames(folder.path(), count, shown)?;
     let even = "pad=ceil(iw/2)*2:ceil(ih/2)*2";
@@ -186,7 +184,7 @@ fn video(file: &Path, count: u32, shown: Shown<'_>) -> Result<String, Box<dyn Er
     // What is encoded is repeated as it is.
     for how in [&once, "-stream_loop 2 -i once.mp4 -c copy -movflags +faststart film.mp4"] {
         let how = ["-loglevel", "error"].into_iter().chain(how.split(' '));
-        let made = ffmpeg().current_dir(&folder).args(how).output()?;
+        let made = Command::new("ffmpeg").current_dir(&folder).args(how).output()?;
         if !made.status.success() {
             return Err(format!("ffmpeg: {}", String::from_utf8_lossy(&made.stderr).trim()).into());
         }
@@ -197,7 +195,7 @@ fn video(file: &Path, count: u32, shown: Shown<'_>) -> Result<String, Box<dyn Er
 }
 
 /// A folder of pictures; returns what was written.
-fn frames(folder: &Path, count: u32, shown: Shown<'_>) -> Result<String, Box<dyn Error>> {
+fn frames(folder: &Path, count: u32, shown: Shown<'_>) -> Written {
     let made = |i| shown(i as u32)?.png(&[]).map_err(|e| e.to_string());
     each_made(count as usize, made, |i, png, _| {
         write_changed(&folder.join(format!("{:04}.png", i + 1)), &png?)?;

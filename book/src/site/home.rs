@@ -21,7 +21,8 @@ pub(crate) fn replace(text: &str) -> String {
 
 /// It in one line of Markdown, for the foot of each page.
 pub(crate) fn line() -> String {
-    listed(CITATION).join(" · ") + " · [Licences](about.md#whose-it-is)"
+    let parts = listed(CITATION).join("</span> · <span>"); // each whole, for another language
+    format!("<span>{parts}</span> · [Licences](about.md#whose-it-is)")
 }
 
 /// `, ADDRESS`, once it is set.

@@ -5,7 +5,7 @@ tumblingLive.widget("your-body", async (stage, from) => {
     const { load, module, fixed, short, raised, draw, arrow, drawing, sayer } = tumblingLive;
     const [body, exact] = await Promise.all([...["your-body", "tumble"].map(module), load(`${from}live.bodies.js`), load(`${from}your-body.saves.js`), load(`${from}your-body.shapes.js`)]);
     const { dot, cross, rows, clock } = tumblingLive.bodies;
-    const { typed, refused, exactly, around, within, question, faces, laid, seen, robot, fromText } = tumblingLive.yourBodyShapes;
+    const { typed, refused, exactly, around, within, question, faces, laid, seen, robot, fromText, gapsDrawn } = tumblingLive.yourBodyShapes;
     const field = (id) => stage.querySelector(`#your-body-${id}`);
     const shown = (what) => stage.querySelector(`[data-shows=${what}]`);
     const say = sayer(stage);
@@ -205,27 +205,13 @@ tumblingLive.widget("your-body", async (stage, from) => {
     }));
 
     /** Two axes and the gap between spin and momentum from the easier to the harder. */
-    const PLANES = [[0, 2, ""], [0, 1, "your-body-dashed"], [1, 2, "your-body-dotted"]];
+    const PLANES = [[0, 2], [0, 1], [1, 2]];
     const DEGREES = Array.from({ length: 91 }, (_, k) => k);
     function gaps([easy, hard]) {
         return Array.from(body.answer(2, ...found.moments, easy, hard, DEGREES.length, ...DEGREES.map((x) => Math.tan((x * Math.PI) / 360))) ?? []);
     }
-    redraws.push(drawing(pictures.gap, (width) => Math.round(Math.min(0.5 * width, 224)), (width, height) => {
-        if (!found) return;
-        const svg = pictures.gap;
-        const curves = PLANES.map(gaps);
-        const most = Math.max(1, ...curves.flat()) * 1.15;
-        const at = (x, gap) => [44 + ((width - 60) * x) / 90, height - 24 - ((height - 44) * gap) / most];
-        for (const x of [0, 30, 60, 90]) {
-            path(svg, "live-grid", [at(x, 0), at(x, most)]);
-            draw("text", svg, { x: at(x, 0)[0], y: height - 6, "text-anchor": "middle" }, `${x}°`);
-        }
-        const step = [30, 10, 5, 2, 1, 0.5, 0.2].find((step) => most / step >= 2.5) ?? 0.2;
-        for (let gap = 0; gap < most; gap += step) {
-            path(svg, "live-grid", [at(0, gap), at(90, gap)]);
-            draw("text", svg, { x: 38, y: at(0, gap)[1] + 5, "text-anchor": "end" }, `${Number(gap.toFixed(1))}°`);
-        }
-        curves.forEach((gap, k) => { if (gap.length > 0) path(svg, `live-curve ${PLANES[k][2]}`, gap.map((y, x) => at(x, y))); });
+    redraws.push(drawing(pictures.gap, (width) => Math.round(Math.min(0.5 * width, 224)) + 56, (width, height) => {
+        if (found) gapsDrawn(pictures.gap, path, width, height, PLANES.map(gaps));
     }));
     const redraw = () => {
         for (const slider of [turn, tilt]) slider.setAttribute("aria-valuetext", `${fixed(Number(slider.value), 0)} degrees`);
@@ -288,7 +274,12 @@ tumblingLive.widget("your-body", async (stage, from) => {
     }
 
     const turns = (perRadian) => `once in ${digits(1 / perRadian)} turns`;
-    const digits = (x, count = 3) => (Math.abs(x) >= 0.001 && Math.abs(x) < 1e5 ? String(Number(x.toPrecision(count))) : short(x));
+    /** With its zeros, as those above and below it in a column; `toPrecision` gives a power of ten from 1000 on. */
+    const digits = (x, count = 3) => {
+        const text = x.toPrecision(count);
+        if (Math.abs(x) < 0.001 || Math.abs(x) >= 1e5) return short(x);
+        return text.includes("e") ? String(Number(text)) : text;
+    };
     function tell() {
         const { moments, axes, equal, growth, circles, flips } = found;
         const direction = (axis) => axis.map((x) => x.toFixed(3).replace("-0.000", "0.000").replace("-", "−")).join(", ");

@@ -142,5 +142,30 @@ tumblingLive.yourBodyShapes = (() => {
         const whole = n > 0 && numbers.length === n + 3 && [...numbers, turn[1]].every((x) => x !== "" && Number.isFinite(Number(x))) && [0, 1, 2].includes(turn[0]);
         return whole ? [{ kind, numbers: numbers.slice(0, n).map(Number), at: numbers.slice(n).map(Number), turn }] : [];
     }
-    return { typed, refused, exactly, around: AROUND, within: WITHIN, question, faces, laid, seen, robot, fromText };
+    /** Where each key of the gaps stands, its words and its look. */
+    const KEY = [[4, "axis 1 to 3", ""], [118, "1 to 2", "your-body-dashed"], [198, "2 to 3", "your-body-dotted"]];
+    /** The gaps against the angle from one axis to another; titles and key stand in the drawing, so that they are saved with it. */
+    function gapsDrawn(svg, path, width, height, curves) {
+        const { draw } = tumblingLive;
+        const most = Math.max(1, ...curves.flat()) * 1.15;
+        const at = (x, gap) => [44 + ((width - 60) * x) / 90, height - 44 - ((height - 100) * gap) / most];
+        draw("text", svg, { x: 4, y: 15 }, "gap between spin and momentum");
+        draw("text", svg, { x: at(45, 0)[0], y: height - 6, "text-anchor": "middle" }, "angle from the first axis to the spin");
+        for (const x of [0, 30, 60, 90]) {
+            path(svg, "live-grid", [at(x, 0), at(x, most)]);
+            draw("text", svg, { x: at(x, 0)[0], y: height - 26, "text-anchor": "middle" }, `${x}°`);
+        }
+        const step = [30, 10, 5, 2, 1, 0.5, 0.2].find((step) => most / step >= 2.5) ?? 0.2;
+        for (let gap = 0; gap < most; gap += step) {
+            path(svg, "live-grid", [at(0, gap), at(90, gap)]);
+            draw("text", svg, { x: 38, y: at(0, gap)[1] + 5, "text-anchor": "end" }, `${Number(gap.toFixed(1))}°`);
+        }
+        curves.forEach((gap, k) => {
+            const [x, name, look] = KEY[k];
+            path(svg, `live-curve ${look}`, [[x, 33], [x + 22, 33]]);
+            draw("text", svg, { x: x + 28, y: 38 }, name);
+            if (gap.length > 0) path(svg, `live-curve ${look}`, gap.map((y, x) => at(x, y)));
+        });
+    }
+    return { typed, refused, exactly, around: AROUND, within: WITHIN, question, faces, laid, seen, robot, fromText, gapsDrawn };
 })();

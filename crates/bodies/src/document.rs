@@ -55,8 +55,9 @@ pub(crate) fn decimal_comma(text: &str, at: usize) -> String {
         (pieces.len() > 1 && within && apart && single).then_some(joined)
     };
     let parts = || line.split(['"', '\'']);
-    // Within quotes its unit goes along.
-    let mut quoted = parts().skip(1).step_by(2).filter_map(mended).map(|words| format!("'{words}'"));
+    // Within quotes its unit goes along; without a unit it is a number, which has none.
+    let bare = |w: String| w.parse::<f64>().map_or(format!("'{w}'"), |_| format!("{w}, unquoted"));
+    let mut quoted = parts().skip(1).step_by(2).filter_map(mended).map(bare);
     let is_list = line.contains('[') && !line.contains(", ");
     let words = parts().step_by(2).flat_map(|part| part.split([' ', '=', '[', ']']));
     let found = quoted.next().or_else(|| words.filter(|_| !is_list).find_map(mended));

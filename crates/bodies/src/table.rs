@@ -153,8 +153,7 @@ fn three_sizes<'de, D: Deserializer<'de>>(from: D) -> Field<[f64; 3], D::Error> 
 }
 
 fn whole<T, const N: usize>(items: Vec<T>, of: &str) -> Result<[T; N], String> {
-    let found = items.len();
-    items.try_into().map_err(|_| format!("{N} {of} are expected here, not {found}"))
+    items.try_into().map_err(|items: Vec<T>| format!("{N} {of} are expected here, not {}", items.len()))
 }
 
 /// How fast a body spins, rad/s.

@@ -37,7 +37,8 @@ fn numbers<const N: usize>(node: Node<'_, '_>, name: &str) -> Result<Option<[f64
     let found = found.and_then(|found| <[f64; N]>::try_from(found).ok());
     let plural = if N == 1 { "" } else { "s" };
     found.map(Some).ok_or_else(|| {
-        let hint = decimal_comma(node.document().input_text(), node.range().start);
+        // In XML a number alone has quotes too.
+        let hint = decimal_comma(node.document().input_text(), node.range().start).replace(", unquoted", "");
         let rule = "expected, in m, kg and rad, without a unit, without the ${} of xacro";
         wrong(node, format!("{name}=\"{text}\": {N} finite number{plural} {rule}{hint}"))
     })
@@ -275,7 +276,7 @@ mod tests {
         for (from, to, line, words) in [
             ("'0.04'", "'0.06'", 7, "the triangle inequality"),
             ("value='2'", "value='-2'", 6, "the mass is -2.0"),
-            ("value='2'", "value='2,5'", 6, "expected, in m, kg and rad, without a unit, without the ${}"),
+            ("value='2'", "value='2,5'", 6, "without a unit, without the ${} of xacro; write 2.5"),
             ("robot", "sdf", 1, "line 1, `sdf`: URDF begins with `<robot>`; give others in TOML"),
             ("xyz='0.1 0.2 0.3'", "xyz='0,1 0,2 0,3'", 5, "of xacro; write '0.1 0.2 0.3'"),
             ("xyz='0.1 0.2 0.3'", "xyz='1, 0, 0'", 5, "without the ${} of xacro\n"),

@@ -91,7 +91,7 @@ fn arrows(canvas: &Canvas, omega: &Vector3<f64>, momentum: &Vector3<f64>, gap: f
     let small =
         |at: (f64, f64), text: String| canvas.label((at.0 + 5.0, at.1 + 4.0), &Label::new(text).size(15.5));
     small(polar(centre, 60.0, 0.35), format!("{:.0}°", w_angle.to_degrees()));
-    small(polar(centre, 100.0, 0.4), format!("{:.1}°", l_angle.to_degrees()));
+    small(polar(centre, 108.0, 0.64), format!("{:.1}°", l_angle.to_degrees()));
     let by_the_arc = polar(centre, 226.0, 0.5 * (w_angle + l_angle));
     canvas
         .label((by_the_arc.0 - 24.0, by_the_arc.1 - 4.0), &Label::new(format!("gap {gap:.1}°")).bold().end());

@@ -43,6 +43,7 @@ fn what_is_wrong_is_named_with_its_line_and_its_field() {
         ("sides = ['1 m', '2 g', 3]\nmass = 1", "line 1, `sides`: a number is expected here, or one"),
         ("shape = 'ball'\nradius = 0,07\nmass = 1", "; write 0.07"),
         ("shape = 'ball'\nradius = '7,5 cm'\nmass = 1", "not `7,5 cm`; write '7.5 cm'"),
+        ("shape = 'ball'\nradius = '0,07'\nmass = 1", "not `0,07`; write 0.07, unquoted"),
         ("sides = [7,7, 0.78, 16]\nmass = 1", "3 numbers are expected here, not 4; write 7.7"),
         ("sides = [1, 2, 3]\nmass = 1\nat = [1,2]", "`at`: 3 numbers are expected here, not 2\n"),
         ("[part]\nmass = 1\n[part]\nmass = 2", "line 3: this is there already; each table of a list begins"),
