@@ -152,7 +152,8 @@ fn tensor(text: &str, named: bool, known: bool) -> Result<Option<Parts>, String>
 }
 
 /// Words before the numbers of a torque that is one in the world.
-const OF_TORQUE: &str = "on the body in world axes frame constant external applied N m Nm";
+const OF_TORQUE: &str =
+    "on the body in world space inertial axes frame constant external applied vector N m Nm";
 
 /// Three numbers, constant in the world, behind a remark in brackets, or words that say as much, if there are
 /// any. Behind a colon numbers that are not three are a mistake, and before one they may be prose.
@@ -182,12 +183,11 @@ fn torque(before: &str, text: &str) -> Result<Option<Vector3<f64>>, String> {
     match all[..] {
         [_, ..] if all.iter().all(|x| *x == 0.0) => Ok(Some(Vector3::zeros())),
         _ if (is_said || !all.is_empty()) && is_in_body(before, text) => {
-            Err("the torque is one in body axes: known is one that is constant in the world".into())
+            Err("the torque seems to be one in axes that turn with the body: known is one that is constant in the world, as in `torque: 0 0 0.1`".into())
         }
         [x, y, z] => Ok(Some(Vector3::new(x, y, z))),
         _ if all.len() > 3 || is_said => {
-            let count = all.len();
-            Err(format!("a torque has three numbers, as in `torque: 0 0 0.1`, and {count} can be read here"))
+            Err(format!("a torque has three numbers behind its name, as in `torque: 0 0 0.1`, and {} can be read here", all.len()))
         }
         _ => Ok(None),
     }

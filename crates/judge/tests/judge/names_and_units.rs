@@ -107,7 +107,7 @@ fn a_comment_that_denies_a_torque_makes_none_and_one_that_is_not_understood_is_n
     let with = |comment: &str| judged(&format!("# {comment}\n{}", csv(&good())));
     assert_eq!(with("no torque: 1 2 3").torque, None);
     let given = "(4 runs): 1 2 3|(world, on the body): 1 2 3|1 2 3; body: a|1 2 3 (rigid body)|on the body: 1 2 3|\
-                 in world axes (N m): 1 2 3|1 2 3; moments about principal axes";
+                 in world axes (N m): 1 2 3|vector: 1 2 3|in space axes: 1 2 3|1 2 3; moments about principal axes";
     for said in given.split('|') {
         assert_eq!(with(&format!("torque {said}")).torque, Some(Vector3::new(1.0, 2.0, 3.0)), "{said}");
     }
