@@ -300,14 +300,16 @@ pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &W
     if confidence == Confidence::Near && drifts_from(subject, pairs, &ranked.best, whole) {
         confidence = Confidence::NoneFits;
     }
+    // Friction that overshoots at rest turns the spin round in each step, and is no scatter.
+    let going: Vec<_> = pairs.iter().filter(|x| x.from.omega.dot(&x.to.omega) > 0.0).copied().collect();
     if confidence == Confidence::NoneFits && !sought {
-        (ranked, confidence, error) = unnamed(subject, pairs, &found, ranked, whole.fails, floor);
+        (ranked, confidence, error) = unnamed(subject, &going, &found, ranked, whole.fails, floor);
     }
     if confidence == Confidence::NoneFits {
         jumps = pushes(subject, pairs, &found, floor);
     }
     let shows = confidence == Confidence::NoneFits && jumps.is_empty() && !sought;
-    let hints = if shows { Hints::of(subject, pairs, &ranked.best.rule, floor) } else { Hints::default() };
+    let hints = if shows { Hints::of(subject, &going, &ranked.best.rule, floor) } else { Hints::default() };
     if confidence == Confidence::ToRounding {
         confidence = settled(subject, pairs, &mut ranked, whole, floor);
     } else if confidence == Confidence::MostSteps {

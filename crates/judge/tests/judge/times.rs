@@ -3,6 +3,7 @@
 use crate::common::{Row, SPINS, exact_of, judged, written};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::attitude::{product, rotation_matrix, turn};
+use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::step::{Method, PositionStage, State, System};
 use tumbling_judge::{Alteration, Base, FileMistake, Outcome, Rule, Turn};
 
@@ -187,6 +188,17 @@ fn noise_scatters_and_the_roundings_of_a_fine_run_turned_on_the_wrong_side_do_no
     let noisy = exact.iter().map(|(t, q, w)| (*t, *q, w + Vector3::from_fn(|_, _| noise())));
     let said = judged(&timed(BODIES[0], &noisy.collect::<Vec<_>>(), 1, 1.0)).to_string();
     assert!(said.contains("The rows scatter") && said.contains("noisy sensor"), "{said}");
+    // Friction of one size, which overshoots at rest.
+    let (mut q, mut w) = (Quaternion::identity(), Vector3::new(0.3, 4.0, 0.5));
+    let rubbed = (0..600).map(|i| {
+        let row = (f64::from(i) / 60.0, q, w);
+        w += angular_acceleration(&BODIES[0].into(), &w, &Vector3::zeros()) / 60.0;
+        w -= w.normalize() * (1.2 / 60.0);
+        q = product(&q, &turn(&(w / 60.0)));
+        row
+    });
+    let said = judged(&timed(BODIES[0], &rubbed.collect::<Vec<_>>(), 1, 1.0)).to_string();
+    assert!(said.contains("None of the known rules fits") && !said.contains("come again"), "{said}");
 
     let system = System::free(Vector3::from(BODIES[0]).try_into().unwrap()).unwrap();
     let mut q = Quaternion::identity();
