@@ -95,6 +95,22 @@ fn of_spins_alone_wrong_times_and_a_wrong_term_are_both_said() {
 }
 
 #[test]
+fn of_spins_alone_a_rate_between_round_numbers_names_no_rule() {
+    let moments = [0.99, 0.91, 0.28];
+    let rows = run(moments, Vector3::new(-40.0, 34.0, -33.0), Some(Method::MoserVeselov2));
+    for (digits, times) in [(5, 0.5), (5, 2.0), (7, 0.5), (7, 2.0), (9, 2.0), (15, 0.5)] {
+        let mut text = String::from("# inertia: 0.99 0.91 0.28\nt,wx,wy,wz\n");
+        for (t, _, w) in &rows[..235] {
+            text += &format!("{:?},{:.*e},{:.*e},{:.*e}\n", t * times, digits, w.x, digits, w.y, digits, w.z);
+        }
+        let verdict = judged(&text);
+        assert_eq!(verdict.outcome, Outcome::Failed, "{verdict}");
+        assert!(!verdict.diagnosis.as_ref().unwrap().confidence.names_a_rule(), "{digits} {verdict}");
+        assert!(verdict.to_string().contains("or record the attitude too"), "{verdict}");
+    }
+}
+
+#[test]
 fn an_attitude_that_is_turned_on_the_wrong_side_or_twice_is_named_with_its_remedy() {
     let moments = Vector3::from(BODIES[0]);
     let stage = PositionStage::new(&moments).unwrap();
