@@ -216,8 +216,8 @@ fn settled(subject: &Subject, all: &[Pair], ranked: &mut Ranked, whole: &Whole, 
     // Rules that keep the laws go along the exact motion's curve at rates of their own, and with wrong times
     // at any: a number that is not round is no name.
     let near = NEAR_A_TERM[0].max(FITS_EXACT[0] * floor.size);
-    let apart = |times: f64| (times / simplest(times) - 1.0).abs() > near;
-    let between = matches!(best.alteration, Some(Alteration::TermOrTimes(times)) if best.base == Base::Exact && apart(times));
+    let own = best.alteration.filter(|_| best.base == Base::Exact);
+    let between = matches!(own, Some(Alteration::TermOrTimes(x)) if (x / simplest(x) - 1.0).abs() > near);
     let kept_all = whole.unkept.is_empty();
     match whole.broken.iter().any(kept) {
         _ if between => Confidence::SmallErrors,
