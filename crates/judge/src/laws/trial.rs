@@ -99,8 +99,7 @@ impl Trial {
             }
             let rest = self.resets.first().filter(|reset| reset.to_rest && !self.known.has_spin());
             if let Some(Reset { line, .. }) = rest.filter(|_| state.omega != Vector3::zeros()) {
-                let problem = "the attitude is that of the row before it, and the body goes on later: a spin is made from turns \
-                     from row to row, so write each instant once, with its own attitude";
+                let problem = "the attitude is that of the row before it, and the body goes on later: of attitudes alone that is a row written again, or a rest, and neither can be judged. Write each instant once, or end the record before this line";
                 return Err(Error::Line { line: *line, problem: problem.into() });
             }
             self.pairs += u64::from(self.resets.is_empty());
@@ -159,15 +158,18 @@ impl Trial {
     /// comes to stay is none, nor is, of spins alone, one whose spin stays between pushes: these do not go by
     /// the law.
     pub(crate) fn written_again(&self) -> Option<(u64, usize)> {
+        self.equal.filter(|_| self.ends > 0 && self.goes_on())
+    }
+
+    fn goes_on(&self) -> bool {
         let moving = self.sampled().map(|step| step.0).filter(|pair| pair.from.omega != pair.to.omega);
-        let goes_on = || law(&moving.collect::<Vec<_>>(), &self.known.moments).0 > LAW_AGREES;
-        self.equal.filter(|_| self.ends > 0 && (self.first.attitude.is_some() || goes_on()))
+        self.first.attitude.is_some() || law(&moving.collect::<Vec<_>>(), &self.known.moments).0 > LAW_AGREES
     }
 
     /// The last rows, if they repeat the row before them and the body moved before: a recorder may have
     /// outlived its engine.
     pub(crate) fn tail(&self) -> Option<(u64, usize, f64)> {
-        self.tail.filter(|tail| self.first.attitude.is_some() && tail.0 < self.steps)
+        self.tail.filter(|tail| tail.0 < self.steps && self.goes_on())
     }
 
     /// Whether too many rows are written again, in more than one place, for a rule to be named.

@@ -152,7 +152,12 @@ fn tensor(text: &str, named: bool, known: bool) -> Result<Option<Parts>, String>
 }
 
 /// Words before the numbers of a torque that is one in the world.
-const OF_TORQUE: &str = "on the body in world axes frame constant external applied N m Nm";
+const OF_TORQUE: &str =
+    "on the body in world space inertial axes frame constant external applied vector N m Nm";
+
+/// Words that speak of the body as that which a torque acts on.
+const OF_BODY: &str =
+    "on the body|applied to the body|centre of the body|center of the body|the body is|rigid body";
 
 /// Three numbers, constant in the world, behind a remark in brackets, or words that say as much, if there are
 /// any. Behind a colon numbers that are not three are a mistake, and before one they may be prose.
@@ -182,12 +187,11 @@ fn torque(before: &str, text: &str) -> Result<Option<Vector3<f64>>, String> {
     match all[..] {
         [_, ..] if all.iter().all(|x| *x == 0.0) => Ok(Some(Vector3::zeros())),
         _ if (is_said || !all.is_empty()) && is_in_body(before, text) => {
-            Err("the torque is one in body axes: known is one that is constant in the world".into())
+            Err("the torque seems to be one in axes that turn with the body: known is one that is constant in the world, as in `torque: 0 0 0.1`".into())
         }
         [x, y, z] => Ok(Some(Vector3::new(x, y, z))),
         _ if all.len() > 3 || is_said => {
-            let count = all.len();
-            Err(format!("a torque has three numbers, as in `torque: 0 0 0.1`, and {count} can be read here"))
+            Err(format!("a torque has three numbers behind its name, as in `torque: 0 0 0.1`, and {} can be read here", all.len()))
         }
         _ => Ok(None),
     }
@@ -203,10 +207,11 @@ fn is_in_body(before: &str, text: &str) -> bool {
     let own = text.split(';').next().unwrap_or_default();
     let others = before.rsplit(';').take(1).chain(later).filter(of_torque);
     let said = others.chain([own]).collect::<Vec<_>>().join(" ").to_ascii_lowercase();
-    let plain = said.replace("on the body", "").replace("rigid body", "");
+    let plain = OF_BODY.split('|').fold(said.clone(), |said, words| said.replace(words, ""));
     let has_axes = ["axes", "frame", "fixed", "body's"].into_iter().any(|word| said.contains(word));
     let turns = "body local principal own rotating moving".split(' ').any(|word| has(&said, word));
-    !has(&said, "world") && (has(&plain, "body") || has(own, "local") || turns && has_axes)
+    let in_world = has(&said, "world") || has(&said, "inertial");
+    !in_world && (has(&plain, "body") || has(own, "local") || turns && has_axes)
 }
 
 /// What comes before a semicolon.
@@ -247,7 +252,9 @@ impl Header {
             one(word).into_iter().for_each(|moment| self.take(i, moment, line));
         }
         self.products.extend(OFF_DIAGONAL.into_iter().filter_map(one).map(|product| (product.0, line)));
-        if let Some(text) = after(comment, "torque").filter(|_| self.torque.is_none()) {
+        let tau = after(comment, "tau").filter(|text| named(text) && numbers(text).len() == 3);
+        let said = ["torque", "torques"].into_iter().find_map(|word| after(comment, word)).or(tau);
+        if let Some(text) = said.filter(|_| self.torque.is_none()) {
             self.torque = torque(&comment[..comment.len() - text.len()], text).map_err(wrong)?;
             unread = unread.or(self.torque.is_none().then_some("torque"));
         }

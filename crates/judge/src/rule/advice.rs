@@ -50,8 +50,8 @@ advices! {
     OTHERS: "Most steps are this rule's: find what acts in the others, a limit, damping, a contact or a push.";
     ADDS_UP: "Each step is right to the record's rounding, and over the whole record the laws named here are not kept: \
          errors below that rounding add up. Record all digits, or longer steps, and judge it again.";
-    NAMED_HERE: "To the record's rounding the steps are the motion itself: what fails is named here, and is not the rule.";
-    NOT_THE_RULE: "What fails is named here, and is not the rule.";
+    NAMED_HERE: "To the record's rounding the steps are the motion itself: what fails is listed under Why.";
+    NOT_THE_RULE: "The rule is sound; what fails is listed under Why.";
     OTHER_BODY: "The engine steps a body with other moments, or about other axes, than the record says: look for a wrong \
          order of axes, a principal frame that is left out, or a shape that replaces the moments set. A free body shows \
          their ratios, never their common scale." in AXES;
@@ -125,6 +125,9 @@ impl Advice {
             Confidence::Accurate => Self::DRIFTS_ON,
             Confidence::Repeated | Confidence::FewSteps => Self::EACH_STEP,
             Confidence::Scattered => Self::ALL_DIGITS,
+            Confidence::SmallErrors if matches!(rule.alteration, Some(Alteration::TermOrTimes(_))) => {
+                Self::of_rule(rule, turns)
+            }
             Confidence::SmallErrors => Self::FASTER,
             Confidence::FewDigits if floor.single && is_accurate => Self::SINGLE,
             Confidence::FewDigits if floor.single => Self::FASTER,

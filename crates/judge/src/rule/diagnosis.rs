@@ -2,7 +2,7 @@
 //! row.
 
 use crate::law::LawName;
-use crate::read::{Floor, Known, Pair, Row, angle_between};
+use crate::read::{Floor, Known, Pair, Row, angle_between, simplest};
 use crate::rule::confidence::confidence_in;
 use crate::rule::fitted::some;
 use crate::rule::jumps::{Jump, pushes, without};
@@ -117,7 +117,9 @@ impl Diagnosis {
     /// those known says nothing for it.
     pub(crate) fn is_open(&self) -> bool {
         use Confidence::{Altered, Interpolated, Repeated, Scattered};
-        let nearest = self.best.rule.base == Base::Exact && self.confidence != Altered;
+        let of_rate = matches!(self.best.rule.alteration, Some(Alteration::TermOrTimes(_)));
+        let named = self.confidence == Altered || of_rate && self.confidence == Confidence::SmallErrors;
+        let nearest = self.best.rule.base == Base::Exact && !named;
         let unnamed = !self.confidence.names_a_rule() && self.confidence != Confidence::FewDigits;
         let of_rows = matches!(self.confidence, Interpolated | Repeated | Scattered);
         of_rows || self.fails && nearest && unnamed
@@ -211,8 +213,14 @@ fn settled(subject: &Subject, all: &[Pair], ranked: &mut Ranked, whole: &Whole, 
     };
     // A rule that keeps a law does not make every step of a record that breaks it.
     let kept = |law: &LawName| best == Rule::EXACT || best.keeps(*law);
+    // Rules that keep the laws go along the exact motion's curve at rates of their own, and with wrong times
+    // at any: a number that is not round is no name.
+    let near = NEAR_A_TERM[0].max(FITS_EXACT[0] * floor.size);
+    let own = best.alteration.filter(|_| best.base == Base::Exact);
+    let between = matches!(own, Some(Alteration::TermOrTimes(x)) if (x / simplest(x) - 1.0).abs() > near);
     let kept_all = whole.unkept.is_empty();
     match whole.broken.iter().any(kept) {
+        _ if between => Confidence::SmallErrors,
         true if few => Confidence::FewDigits,
         true => Confidence::MostSteps,
         false if few && !sought && unseen() => Confidence::SmallErrors,
@@ -300,14 +308,16 @@ pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &W
     if confidence == Confidence::Near && drifts_from(subject, pairs, &ranked.best, whole) {
         confidence = Confidence::NoneFits;
     }
+    // Friction that overshoots at rest turns the spin round in each step, and is no scatter.
+    let going: Vec<_> = pairs.iter().filter(|x| x.from.omega.dot(&x.to.omega) > 0.0).copied().collect();
     if confidence == Confidence::NoneFits && !sought {
-        (ranked, confidence, error) = unnamed(subject, pairs, &found, ranked, whole.fails, floor);
+        (ranked, confidence, error) = unnamed(subject, &going, &found, ranked, whole.fails, floor);
     }
     if confidence == Confidence::NoneFits {
         jumps = pushes(subject, pairs, &found, floor);
     }
     let shows = confidence == Confidence::NoneFits && jumps.is_empty() && !sought;
-    let hints = if shows { Hints::of(subject, pairs, &ranked.best.rule, floor) } else { Hints::default() };
+    let hints = if shows { Hints::of(subject, &going, &ranked.best.rule, floor) } else { Hints::default() };
     if confidence == Confidence::ToRounding {
         confidence = settled(subject, pairs, &mut ranked, whole, floor);
     } else if confidence == Confidence::MostSteps {

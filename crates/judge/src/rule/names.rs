@@ -7,14 +7,16 @@ use tumbling::step::Method;
 
 /// A number with five significant digits, as people write it.
 pub(crate) fn significant(x: f64) -> String {
-    let size = x.abs().log10().floor();
+    // Rounded before it is measured: 0.999999 is 1.0000.
+    let short = format!("{x:.4e}");
+    let size = short.rsplit('e').next().and_then(|size| size.parse::<i32>().ok()).unwrap_or_default();
     if x == 0.0 || !x.is_finite() {
         return x.to_string();
     }
-    if !(-4.0..9.0).contains(&size) {
-        return format!("{x:.4e}");
+    if !(-4..9).contains(&size) {
+        return short;
     }
-    let decimals = (4.0 - size).max(0.0) as usize;
+    let decimals = (4 - size).max(0) as usize;
     format!("{x:.decimals$}")
 }
 

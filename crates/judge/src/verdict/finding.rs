@@ -110,7 +110,9 @@ impl Diagnosis {
                     .into(),
             );
         }
-        if let (Some(second), Some(ratio)) = (&self.second, self.ratio()) {
+        // Errors too near to rounding to name a rule rank none.
+        let ranks = self.confidence != Confidence::SmallErrors;
+        if let (Some(second), Some(ratio), true) = (&self.second, self.ratio(), ranks) {
             all.push(format!("next is {}, {} times as far", second.rule.name(), plain_number(ratio)));
         }
         all.extend(self.would_decide().map(|how| format!("what would decide: {how}")));

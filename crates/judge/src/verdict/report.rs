@@ -41,7 +41,7 @@ impl Verdict {
         let mistakes = self.mistakes();
         // The rule is that of the numbers as they are meant.
         let named = head.first_mut().filter(|_| !mistakes.is_empty());
-        named.into_iter().for_each(|line| line.insert_str(0, "With the file put right: "));
+        named.into_iter().for_each(|line| line.insert_str(0, "With the file read so: "));
         if let Some(seen) = self.seen().filter(|_| !head.is_empty()) {
             head.insert(1, sentence(&seen));
         }
@@ -103,7 +103,19 @@ impl Verdict {
             }
             _ => mistake.words(),
         };
-        self.file_mistakes.iter().map(words).collect()
+        let all: Vec<String> = self.file_mistakes.iter().map(words).collect();
+        // The law by which attitudes alone were read otherwise may be what the step has wrong.
+        let alone = self.record.has_attitude && self.record.missing.contains(&LawName::Consistency);
+        let near = |found: &Diagnosis| matches!(found.confidence, Confidence::NoneFits | Confidence::Near);
+        let fits = !self.diagnosis.as_ref().is_some_and(near);
+        if all.is_empty() || !alone || fits {
+            return all;
+        }
+        let file = all.join("; and ");
+        vec![format!(
+            "no known rule fits these attitudes, which alone do not tell a mistake of the file from one of the step. Perhaps \
+             {file}. Or the step has the gyroscopic term with the wrong sign"
+        )]
     }
 
     /// Every reason for the outcome.
@@ -113,7 +125,7 @@ impl Verdict {
         match self.outcome {
             Outcome::Failed => {
                 if !self.file_mistakes.is_empty() {
-                    reasons.push("the file is not what its names say".into());
+                    reasons.push("the file makes sense only if it is read otherwise than its names say".into());
                 }
                 if !self.resets.is_empty() {
                     reasons.push("the motion starts anew on the way".into());
@@ -180,7 +192,7 @@ impl Verdict {
         if !self.laws.is_empty() {
             let worst = self.worst().map(|law| {
                 let (name, how) = (law.name.words(), law.how());
-                format!("Of what the motion keeps, {name} is kept worst: {how}.")
+                format!("The worst of the conserved quantities is {name}: {how}.")
             });
             let table = self.laws.iter().map(|law| law.cells()).collect();
             all.push(Section { table, ..section("Errors relative to the first row", worst) });
@@ -241,7 +253,7 @@ impl Verdict {
         }
         all.extend(record.notes.iter().map(|note| ("Note", note.to_string())));
         if !self.file_mistakes.is_empty() {
-            all.push(("File", "what is judged is the file with its mistakes put right".into()));
+            all.push(("File", "what is judged is the file read so, not as its names say".into()));
         }
         all.extend(self.resets.iter().map(|reset| {
             let Reset { line, time, .. } = reset;

@@ -97,13 +97,21 @@ fn attitudes_written_again_are_refused_or_said_to_be_the_end_and_never_a_rest() 
     };
     for twice in [|i| i / 2, |i| i / 3] {
         let error = judge(attitudes(&at(twice)).as_bytes(), &Options::default()).unwrap_err().to_string();
-        assert!(error.contains("write each instant once"), "{error}");
+        assert!(error.contains("Write each instant once"), "{error}");
     }
     let stopped = at(|i| i.min(200));
     assert!(judged(&attitudes(&stopped)).to_string().contains("also a last row that repeats"));
     let said = judged(&csv(&stopped)).to_string();
     assert!(said.contains("repeat the row before them (39, from line 204 on): the run may have"), "{said}");
     assert!(said.contains("at t = 2.0000 s") && said.contains("rounding, with: the exact motion"), "{said}");
+    // Spins alone go by their law up to there.
+    let (mut spins, body) = (String::from("# inertia: 1 2 2.5\nt,wx,wy,wz\n"), csv(&stopped));
+    for line in body.lines().skip(2) {
+        let numbers: Vec<&str> = line.split(',').collect();
+        spins += &format!("{},{}\n", numbers[0], numbers[5..].join(","));
+    }
+    let said = judged(&spins).to_string();
+    assert!(said.contains("repeat the row before them (39, from line 204 on): the run may have"), "{said}");
 }
 
 #[test]

@@ -106,11 +106,14 @@ fn times_of_few_digits_are_taken_for_the_steps_that_they_are_rounded_from() {
 fn a_comment_that_denies_a_torque_makes_none_and_one_that_is_not_understood_is_noted() {
     let with = |comment: &str| judged(&format!("# {comment}\n{}", csv(&good())));
     assert_eq!(with("no torque: 1 2 3").torque, None);
-    let given = "(4 runs): 1 2 3|(world, on the body): 1 2 3|1 2 3; body: a|1 2 3 (rigid body)|on the body: 1 2 3|\
-                 in world axes (N m): 1 2 3|1 2 3; moments about principal axes";
+    let given = " (4 runs): 1 2 3| (world, on the body): 1 2 3| 1 2 3; body: a| 1 2 3 (rigid body)| on the body: 1 2 3|\
+                 \x20in world axes (N m): 1 2 3| vector: 1 2 3| in space axes: 1 2 3| 1 2 3; moments about principal axes|\
+                 s: 1 2 3|: 1 2 3; the body is a box|: 1 2 3 about the centre of the body|\
+                 : 1 2 3 applied to the body in the inertial frame";
     for said in given.split('|') {
-        assert_eq!(with(&format!("torque {said}")).torque, Some(Vector3::new(1.0, 2.0, 3.0)), "{said}");
+        assert_eq!(with(&format!("torque{said}")).torque, Some(Vector3::new(1.0, 2.0, 3.0)), "{said}");
     }
+    assert_eq!(with("tau: 1 2 3").torque, Some(Vector3::new(1.0, 2.0, 3.0)));
     for said in " unknown|: off (body since 2024)|: none since t=0|: so, v2| 2 on the rigid body".split('|') {
         assert!(with(&format!("torque{said}")).record.notes[0].to_string().contains("speaks of `torque`"));
     }
@@ -154,7 +157,7 @@ fn an_inverse_of_the_common_order_is_named_by_the_common_names() {
     let rows = stepped(Method::ImplicitMidpoint, SPIN, H, 400).into_iter().map(inverse);
     let verdict = judged(&csv(&rows.collect::<Vec<_>>()));
     assert_eq!(verdict.file_mistakes, [FileMistake::Order, FileMistake::Inverse], "{verdict}");
-    assert!(verdict.to_string().contains("What fails is named here, and is not the rule"), "{verdict}");
+    assert!(verdict.to_string().contains("The rule is sound; what fails is listed under Why"), "{verdict}");
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use crate::common::{Row, SPINS, exact_of, judged, written};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::attitude::{product, rotation_matrix, turn};
+use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::step::{Method, PositionStage, State, System};
 use tumbling_judge::{Alteration, Base, FileMistake, Outcome, Rule, Turn};
 
@@ -90,6 +91,22 @@ fn of_spins_alone_wrong_times_and_a_wrong_term_are_both_said() {
                 assert!(said.contains("or record the attitude too"), "{said}");
             }
         }
+    }
+}
+
+#[test]
+fn of_spins_alone_a_rate_between_round_numbers_names_no_rule() {
+    let moments = [0.99, 0.91, 0.28];
+    let rows = run(moments, Vector3::new(-40.0, 34.0, -33.0), Some(Method::MoserVeselov2));
+    for (digits, times) in [(5, 0.5), (5, 2.0), (7, 0.5), (7, 2.0), (9, 2.0), (15, 0.5)] {
+        let mut text = String::from("# inertia: 0.99 0.91 0.28\nt,wx,wy,wz\n");
+        for (t, _, w) in &rows[..235] {
+            text += &format!("{:?},{:.*e},{:.*e},{:.*e}\n", t * times, digits, w.x, digits, w.y, digits, w.z);
+        }
+        let verdict = judged(&text);
+        assert_eq!(verdict.outcome, Outcome::Failed, "{verdict}");
+        assert!(!verdict.diagnosis.as_ref().unwrap().confidence.names_a_rule(), "{digits} {verdict}");
+        assert!(verdict.to_string().contains("or record the attitude too"), "{verdict}");
     }
 }
 
@@ -187,6 +204,17 @@ fn noise_scatters_and_the_roundings_of_a_fine_run_turned_on_the_wrong_side_do_no
     let noisy = exact.iter().map(|(t, q, w)| (*t, *q, w + Vector3::from_fn(|_, _| noise())));
     let said = judged(&timed(BODIES[0], &noisy.collect::<Vec<_>>(), 1, 1.0)).to_string();
     assert!(said.contains("The rows scatter") && said.contains("noisy sensor"), "{said}");
+    // Friction of one size, which overshoots at rest.
+    let (mut q, mut w) = (Quaternion::identity(), Vector3::new(0.3, 4.0, 0.5));
+    let rubbed = (0..600).map(|i| {
+        let row = (f64::from(i) / 60.0, q, w);
+        w += angular_acceleration(&BODIES[0].into(), &w, &Vector3::zeros()) / 60.0;
+        w -= w.normalize() * (1.2 / 60.0);
+        q = product(&q, &turn(&(w / 60.0)));
+        row
+    });
+    let said = judged(&timed(BODIES[0], &rubbed.collect::<Vec<_>>(), 1, 1.0)).to_string();
+    assert!(said.contains("None of the known rules fits") && !said.contains("come again"), "{said}");
 
     let system = System::free(Vector3::from(BODIES[0]).try_into().unwrap()).unwrap();
     let mut q = Quaternion::identity();
