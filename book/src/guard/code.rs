@@ -265,7 +265,7 @@ impl<'a> Reader<'a> {
 }
 
 /// A string with one of these says that something does not happen: dropped from the text, it is missed.
-const DENIALS: [&str; 4] = ["does not", "do not", "it is not", "never"];
+const DENIALS: [&str; 4] = ["does not", "do not", "it is not", "never "];
 /// What an assertion should be.
 const COMPUTED: &str = "a computed value compared with what it must be";
 /// Where a number may come from that is called exact.

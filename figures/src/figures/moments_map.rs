@@ -30,7 +30,7 @@ pub(crate) fn edges(canvas: &Canvas, plot: &Plot) {
         }
     };
     outside(0.335, 0.57, ["flat: plates", "$I_1 + I_2 = I_3$"], true);
-    outside(0.665, 0.57, ["round: wheels, coins", "$I_1 = I_2$"], false);
+    outside(0.645, 0.57, ["round: wheels, coins", "$I_1 = I_2$"], false);
     let corner = plot.at(0.5, 0.5);
     canvas.label((corner.0 + 22.0, corner.1 - 8.0), &Label::new("disk").size(15.5));
     let ball = plot.at(1.0, 1.0);
@@ -122,7 +122,7 @@ pub(crate) fn growth_lines(canvas: &Canvas, plot: &Plot) -> Result<Vec<String>, 
 
 /// What the lines of equal growth are.
 pub(crate) fn growth_key(canvas: &Canvas, plot: &Plot) {
-    let words = plot.at(0.73, 0.70);
+    let words = plot.at(0.72, 0.70);
     for (down, line) in [(0.0, "dashed: $λ/ω$,"), (21.0, "a slip’s growth"), (42.0, "per radian of spin")]
     {
         canvas.label((words.0, words.1 + down), &Label::new(line).ink(Ink::AxisMid).size(15.5));
