@@ -77,7 +77,7 @@ fn no_two_flips_come_at_the_same_instant_however_late() {
 fn a_subnormal_push_flips_when_the_logarithm_says() {
     let motion = motion([1.0, 2.0, 3.0], [0.0, 10.0, 5e-324]);
     let rate = 10.0 / 3_f64.sqrt();
-    // k'² = 2 (3 push²)/(200), see tests/stability.rs; the spin starts in the middle between two flips.
+    // k'² = 2 (3 push²)/(200), see dynamics/stability.rs; the spin starts in the middle between two flips.
     let expected = (4_f64.ln() - 0.5 * 0.03_f64.ln() - f64::ln(5e-324)) / rate;
     let flip = motion.next_flip(0.0).unwrap().unwrap();
     assert!((flip / expected - 1.0).abs() < 1e-14, "{flip} {expected}");

@@ -46,7 +46,7 @@ pub(super) fn print(
         say!("{NO_BROWSER}");
         return Ok(());
     };
-    say!("Printing {} PDFs ...", sheets.len());
+    say!("To print as PDF: {} ...", sheets.len());
     let best = |tried: Vec<Vec<Setting>>| chosen(&browser, &tried, &make);
     let mut found = best(sheets.iter().map(|(_, kind)| widths(kind)).collect())?;
     for step in [5, 1].into_iter().filter(|_| kinds == ["handout"]) {

@@ -20,7 +20,7 @@ pub(crate) use fit::{least, normal, slopes};
 pub(crate) use grid::Grid;
 pub use known::Note;
 pub(crate) use known::{Known, Said};
-pub(crate) use pace::{by_how_much, is_limited, simplest, times_the_turn, to_four_places};
+pub(crate) use pace::{by_how_much, is_limited, rounded, simplest, times_the_turn, to_four_places};
 pub use reading::FileMistake;
 pub(crate) use reading::{Reading, law};
 pub(crate) use rounding::{Floor, last_place, of_attitudes, rounding, significant, significant_bits};

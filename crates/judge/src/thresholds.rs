@@ -339,6 +339,8 @@ pub(crate) const DAMPED_ROUNDINGS: f64 = 16.0;
 pub(crate) const DAMPED_STEPS: [u32; 7] = [2, 3, 4, 5, 6, 8, 10];
 /// How near a rate of damping must be to one of three digits to be that one, as a share.
 pub(crate) const ROUND_RATE: f64 = 1e-5;
+/// The cosine of the angle through which a spin turns at least that turns right round.
+pub(crate) const RIGHT_ROUND: f64 = -0.99;
 /// How near a multiple of the gyroscopic term must be to one that has a name, and how far from 1.
 pub(crate) const NEAR_A_TERM: [f64; 2] = [1e-4, 1e-3];
 /// How far from 1 a multiple of the exact motion's term must be: methods that keep the laws go at other

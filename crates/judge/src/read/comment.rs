@@ -210,7 +210,8 @@ fn is_in_body(before: &str, text: &str) -> bool {
     let plain = OF_BODY.split('|').fold(said.clone(), |said, words| said.replace(words, ""));
     let has_axes = ["axes", "frame", "fixed", "body's"].into_iter().any(|word| said.contains(word));
     let turns = "body local principal own rotating moving".split(' ').any(|word| has(&said, word));
-    let in_world = has(&said, "world") || has(&said, "inertial");
+    let denied = ["not inertial", "non-inertial"].iter().any(|words| said.contains(words));
+    let in_world = has(&said, "world") || (has(&said, "inertial") || has(&said, "space")) && !denied;
     !in_world && (has(&plain, "body") || has(own, "local") || turns && has_axes)
 }
 

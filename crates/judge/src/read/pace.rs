@@ -34,15 +34,20 @@ pub(crate) fn by_how_much(times: f64) -> (f64, [&'static str; 2]) {
     (to_four_places(size), words)
 }
 
-/// The simplest number that a ratio found from rows may be: a whole one, one over it, a fraction, itself.
+/// The simplest number that a ratio found from rows may be: a round one, or itself.
 pub(crate) fn simplest(ratio: f64) -> f64 {
+    rounded(ratio).unwrap_or(ratio)
+}
+
+/// The whole number, one over one, or fraction that a ratio found from rows is next to.
+pub(crate) fn rounded(ratio: f64) -> Option<f64> {
     let [count, whole] = whole(ratio);
     let near = |x: &f64, share: f64| (ratio / x - 1.0).abs() < share;
     if near(&whole, WHOLE_NEAR) && count <= WHOLE_MOST {
-        return whole;
+        return Some(whole);
     }
     let fractions = (2..=10).map(f64::from).map(|under| (ratio * under).round() / under);
-    fractions.into_iter().find(|x| near(x, FRACTION_NEAR)).unwrap_or(ratio)
+    fractions.into_iter().find(|x| near(x, FRACTION_NEAR))
 }
 
 /// How many times as far as the spin says the attitude turns about it, in the middle step.

@@ -2,7 +2,7 @@
 //! row.
 
 use crate::law::LawName;
-use crate::read::{Floor, Known, Pair, Row, angle_between, simplest};
+use crate::read::{Floor, Known, Pair, Row, angle_between, rounded};
 use crate::rule::confidence::confidence_in;
 use crate::rule::fitted::some;
 use crate::rule::jumps::{Jump, pushes, without};
@@ -217,7 +217,8 @@ fn settled(subject: &Subject, all: &[Pair], ranked: &mut Ranked, whole: &Whole, 
     // at any: a number that is not round is no name.
     let near = NEAR_A_TERM[0].max(FITS_EXACT[0] * floor.size);
     let own = best.alteration.filter(|_| best.base == Base::Exact);
-    let between = matches!(own, Some(Alteration::TermOrTimes(x)) if (x / simplest(x) - 1.0).abs() > near);
+    let is_round = |x: f64| rounded(x).is_some_and(|round| (x / round - 1.0).abs() <= near);
+    let between = matches!(own, Some(Alteration::TermOrTimes(x)) if !is_round(x));
     let kept_all = whole.unkept.is_empty();
     match whole.broken.iter().any(kept) {
         _ if between => Confidence::SmallErrors,
@@ -308,16 +309,19 @@ pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &W
     if confidence == Confidence::Near && drifts_from(subject, pairs, &ranked.best, whole) {
         confidence = Confidence::NoneFits;
     }
-    // Friction that overshoots at rest turns the spin round in each step, and is no scatter.
-    let going: Vec<_> = pairs.iter().filter(|x| x.from.omega.dot(&x.to.omega) > 0.0).copied().collect();
+    // Friction that overshoots at rest turns the spin right round in each step, and is no scatter.
+    let is_back =
+        |x: &Pair| x.from.omega.dot(&x.to.omega) <= RIGHT_ROUND * x.from.omega.norm() * x.to.omega.norm();
+    let going: Vec<_> = pairs.iter().filter(|x| !is_back(x)).copied().collect();
+    let going = if going.is_empty() { pairs } else { &going };
     if confidence == Confidence::NoneFits && !sought {
-        (ranked, confidence, error) = unnamed(subject, &going, &found, ranked, whole.fails, floor);
+        (ranked, confidence, error) = unnamed(subject, going, &found, ranked, whole.fails, floor);
     }
     if confidence == Confidence::NoneFits {
         jumps = pushes(subject, pairs, &found, floor);
     }
     let shows = confidence == Confidence::NoneFits && jumps.is_empty() && !sought;
-    let hints = if shows { Hints::of(subject, &going, &ranked.best.rule, floor) } else { Hints::default() };
+    let hints = if shows { Hints::of(subject, going, &ranked.best.rule, floor) } else { Hints::default() };
     if confidence == Confidence::ToRounding {
         confidence = settled(subject, pairs, &mut ranked, whole, floor);
     } else if confidence == Confidence::MostSteps {

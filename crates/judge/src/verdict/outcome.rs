@@ -90,7 +90,7 @@ pub struct Verdict {
     pub moments: Vector3<f64>,
     /// A torque constant in the world, N m, that the record names.
     pub torque: Option<Vector3<f64>>,
-    /// Mistakes of the file. What follows is of the file with these put right.
+    /// Mistakes of the file, or what may be one. What follows is of the file read so.
     pub file_mistakes: Vec<FileMistake>,
     /// Where the motion starts anew; the laws are followed up to the first.
     pub resets: Vec<Reset>,

@@ -114,7 +114,7 @@ impl Verdict {
         let file = all.join("; and ");
         vec![format!(
             "no known rule fits these attitudes, which alone do not tell a mistake of the file from one of the step. Perhaps \
-             {file}. Or the step has the gyroscopic term with the wrong sign"
+             {file}; or perhaps the step has the gyroscopic term with the wrong sign"
         )]
     }
 
@@ -125,7 +125,7 @@ impl Verdict {
         match self.outcome {
             Outcome::Failed => {
                 if !self.file_mistakes.is_empty() {
-                    reasons.push("the file makes sense only if it is read otherwise than its names say".into());
+                    reasons.push("read as its names say, the file is no motion of this body".into());
                 }
                 if !self.resets.is_empty() {
                     reasons.push("the motion starts anew on the way".into());
@@ -253,7 +253,10 @@ impl Verdict {
         }
         all.extend(record.notes.iter().map(|note| ("Note", note.to_string())));
         if !self.file_mistakes.is_empty() {
-            all.push(("File", "what is judged is the file read so, not as its names say".into()));
+            all.push((
+                "File",
+                "what is judged is the file as the first lines read it, not as its names say".into(),
+            ));
         }
         all.extend(self.resets.iter().map(|reset| {
             let Reset { line, time, .. } = reset;

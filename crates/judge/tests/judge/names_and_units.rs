@@ -106,7 +106,7 @@ fn times_of_few_digits_are_taken_for_the_steps_that_they_are_rounded_from() {
 fn a_comment_that_denies_a_torque_makes_none_and_one_that_is_not_understood_is_noted() {
     let with = |comment: &str| judged(&format!("# {comment}\n{}", csv(&good())));
     assert_eq!(with("no torque: 1 2 3").torque, None);
-    let given = " (4 runs): 1 2 3| (world, on the body): 1 2 3| 1 2 3; body: a| 1 2 3 (rigid body)| on the body: 1 2 3|\
+    let given = " (4 runs): 1 2 3| (world, on the body): 1 2 3| 1 2 3; body: a| 1 2 3 (rigid body)| on the body: 1 2 3| on the body in space axes: 1 2 3|\
                  \x20in world axes (N m): 1 2 3| vector: 1 2 3| in space axes: 1 2 3| 1 2 3; moments about principal axes|\
                  s: 1 2 3|: 1 2 3; the body is a box|: 1 2 3 about the centre of the body|\
                  : 1 2 3 applied to the body in the inertial frame";

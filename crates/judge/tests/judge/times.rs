@@ -97,8 +97,11 @@ fn of_spins_alone_wrong_times_and_a_wrong_term_are_both_said() {
 #[test]
 fn of_spins_alone_a_rate_between_round_numbers_names_no_rule() {
     let moments = [0.99, 0.91, 0.28];
-    let rows = run(moments, Vector3::new(-40.0, 34.0, -33.0), Some(Method::MoserVeselov2));
-    for (digits, times) in [(5, 0.5), (5, 2.0), (7, 0.5), (7, 2.0), (9, 2.0), (15, 0.5)] {
+    let spin = Vector3::new(-40.0, 34.0, -33.0);
+    for (digits, times, share) in
+        [(5, 0.5, 1.0), (5, 2.0, 1.0), (9, 2.0, 1.0), (15, 0.5, 1.0), (12, 2.0, 0.5)]
+    {
+        let rows = run(moments, share * spin, Some(Method::MoserVeselov2));
         let mut text = String::from("# inertia: 0.99 0.91 0.28\nt,wx,wy,wz\n");
         for (t, _, w) in &rows[..235] {
             text += &format!("{:?},{:.*e},{:.*e},{:.*e}\n", t * times, digits, w.x, digits, w.y, digits, w.z);

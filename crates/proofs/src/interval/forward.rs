@@ -6,8 +6,8 @@
 //! cosine, arctangent and length of two numbers are right to a unit in the last place, which tests sample;
 //! and the rests of the series. Those of the theta sums, and of exponential, sine and cosine at an instant,
 //! are argued next to each in the library's code and compared with sums of many more terms, at samples in
-//! exact fractions (`tests/rests.rs`). Those of the mean and of Carlson's series are argued there alone. All
-//! else follows from IEEE 754.
+//! exact fractions (`tests/proofs/rests.rs`). Those of the mean and of Carlson's series are argued
+//! there alone. All else follows from IEEE 754.
 
 use super::Interval;
 use super::motion::{self, Open};
