@@ -188,7 +188,8 @@ mod tests {
         }
     }
 
-    /// In every order of its axes, both ways round, at every size, some of them turned.
+    /// Motions of every kind: with their axes in every order, spun both ways, at every size, half of them
+    /// starting turned.
     fn every_kind() -> Vec<FreeMotion> {
         let kinds: [([f64; 3], [f64; 3]); 12] = [
             ([2.0, 2.0, 2.0], [0.3, -1.0, 0.7]),
