@@ -22,7 +22,7 @@ fn flown(k: usize) -> Result<(bool, f64), Error> {
     let turn = UnitQuaternion::from_scaled_axis(turn);
     let body = Body::spinning(Inertia::from_moments(m.x, m.y, m.z)?, turn, &spin)?;
     let gradient = Torque::gravity_gradient(&Vector3::x(), &orbit);
-    let mut stepper = Stepper::<f64>::adaptive(&body, 1e-9, 10_000)?.with_torques([gradient])?;
+    let mut stepper = Stepper::adaptive(&body, 1e-9, 10_000)?.with_torques([gradient])?;
     stepper.step_to(86_400.0)?; // 16 orbits: the earth is where it was
     // Jacobi's integral, in units of half the square of the orbit's rate: what a circular orbit keeps.
     let jacobi = |body: &Body| {

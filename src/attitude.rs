@@ -101,10 +101,6 @@ pub fn turn<T: Analytic>(vector: &Vector3<T>) -> Quaternion<T> {
     Quaternion::new(cosine, x, y, z)
 }
 
-pub(crate) fn conjugate<T: Ring>(q: &Quaternion<T>) -> Quaternion<T> {
-    Quaternion::new(q.coords.w.clone(), -q.coords.x.clone(), -q.coords.y.clone(), -q.coords.z.clone())
-}
-
 /// `vector` rotated by the inverse of the unit quaternion `q`: from world to body axes, if `q` is an
 /// attitude.
 pub(crate) fn rotate_inverse<T: Ring>(q: &Quaternion<T>, vector: &Vector3<T>) -> Vector3<T> {

@@ -1,6 +1,6 @@
 //! Where a body's principal axes lie in its own.
 
-use crate::attitude::{conjugate, product, rotate_inverse, rotation_matrix, unit};
+use crate::attitude::{product, rotate_inverse, rotation_matrix, unit};
 use crate::number::{Gather, Ring, Rounding};
 use alloc::vec::Vec;
 use nalgebra::{Matrix3, Quaternion, Scalar, UnitQuaternion, Vector3};
@@ -26,39 +26,19 @@ impl<T: Scalar> Frame<T> {
     pub(crate) fn is_body(&self) -> bool {
         self.to_principal.is_none()
     }
-
-    /// In another number type.
-    pub(crate) fn map<U: Scalar>(&self, number: impl FnMut(T) -> U) -> Frame<U> {
-        Frame { to_principal: self.to_principal.as_ref().map(|q| Quaternion::from(q.coords.map(number))) }
-    }
 }
 
 impl<T: Ring> Frame<T> {
-    /// A vector in body axes along the principal axes.
-    pub(crate) fn along(&self, v: &Vector3<T>) -> Vector3<T> {
-        self.to_principal.as_ref().map_or_else(|| v.clone(), |q| rotate_inverse(&conjugate(q), v))
-    }
-
     /// A vector along the principal axes in body axes.
     #[inline(always)]
     pub(crate) fn in_body(&self, v: Vector3<T>) -> Vector3<T> {
         if let Some(q) = &self.to_principal { rotate_inverse(q, &v) } else { v }
     }
 
-    /// The attitude of the principal axes, from that of the body.
-    pub(crate) fn attitude_of_axes(&self, body: Quaternion<T>) -> Quaternion<T> {
-        if let Some(q) = &self.to_principal { product(&body, &conjugate(q)) } else { body }
-    }
-
     /// The attitude of the body, from that of the principal axes: as long as this.
     #[inline(always)]
     pub(crate) fn attitude_as_long(&self, axes: Quaternion<T>) -> Quaternion<T> {
         if let Some(q) = &self.to_principal { product(&axes, q) } else { axes }
-    }
-
-    /// Takes vectors in body axes to those along the principal axes, where these differ.
-    pub(crate) fn matrix(&self) -> Option<Matrix3<T>> {
-        self.to_principal.as_ref().map(rotation_matrix)
     }
 }
 
@@ -73,6 +53,21 @@ impl Frame {
     pub(crate) fn to_body(self) -> UnitQuaternion<f64> {
         let to_body = self.to_principal.map_or_else(Quaternion::identity, |q| q.conjugate());
         UnitQuaternion::new_unchecked(to_body)
+    }
+
+    /// A vector in body axes along the principal axes.
+    pub(crate) fn along(&self, v: &Vector3<f64>) -> Vector3<f64> {
+        self.to_principal.map_or(*v, |q| rotate_inverse(&q.conjugate(), v))
+    }
+
+    /// The attitude of the principal axes, from that of the body.
+    pub(crate) fn attitude_of_axes(&self, body: Quaternion<f64>) -> Quaternion<f64> {
+        self.to_principal.map_or(body, |q| product(&body, &q.conjugate()))
+    }
+
+    /// Takes vectors in body axes to those along the principal axes, where these differ.
+    pub(crate) fn matrix(&self) -> Option<Matrix3<f64>> {
+        self.to_principal.as_ref().map(rotation_matrix)
     }
 
     /// A turn along the principal axes as one along the body's.

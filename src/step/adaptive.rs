@@ -15,21 +15,21 @@ use crate::body::State;
 use crate::error::{Error, Refusal, Subject, positive};
 use crate::number::{Analytic, exponent, times_power_of_two};
 use crate::step::system::System;
-use crate::step::torque::before_or_at;
 use alloc::boxed::Box;
 use alloc::sync::Arc;
 use core::f64::consts::{LN_2, SQRT_2};
 use flips::Flips;
 use nalgebra::{Quaternion, Vector3};
-use num_traits::FromPrimitive;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 use series::Variation;
 
 pub(super) use dense::{AdaptiveRun, Tracked};
 
 /// That the tolerance of a step is above rounding.
-pub(super) fn check_tolerance<T: Analytic>(tolerance: f64) -> Result<(), Error> {
+pub(super) fn check_tolerance(tolerance: f64) -> Result<(), Error> {
     positive(Subject::Tolerance, tolerance)?;
-    let least = 4.0 * T::rounding();
+    let least = 4.0 * f64::EPSILON;
     let (what, meaning) = (Subject::Tolerance, "rounding in a step");
     Refusal::TooSmall { what, value: tolerance, least, meaning }.when(tolerance < least)
 }
@@ -46,8 +46,8 @@ const STIFF_STEPS: u32 = 15;
 
 /// A run, or a piece of one, under torques that act in all of it.
 #[derive(Debug, Clone)]
-struct Run<T: nalgebra::Scalar> {
-    system: Arc<System<T>>,
+struct Run {
+    system: Arc<System<f64>>,
     /// When it begins, s after the start of the whole of which it is a piece.
     from: f64,
     /// How long it lasts, s; infinite where nothing ends it.
@@ -57,11 +57,11 @@ struct Run<T: nalgebra::Scalar> {
     tolerance: f64,
     /// Seconds since its start.
     time: f64,
-    state: State<T>,
+    state: State<f64>,
     /// The last step taken, s.
     last: f64,
     /// The length of the momentum of a free body, which does not change; zero with torques.
-    momentum: T,
+    momentum: f64,
     steps: usize,
     rejected: usize,
     /// The number of stiff steps without six others between them.
@@ -71,16 +71,21 @@ struct Run<T: nalgebra::Scalar> {
     /// Where flips are looked for.
     flips: Option<Flips>,
     /// That of the state by the state at the start of the whole, its spin in rad/s, if it is tracked.
-    variation: Option<Box<Variation<T>>>,
+    variation: Option<Box<Variation>>,
 }
 
-impl<T: Analytic + Copy + FromPrimitive> Run<T> {
-    fn new(system: Arc<System<T>>, start: &State<T>, duration: f64, tolerance: f64) -> Result<Self, Error> {
+impl Run {
+    fn new(
+        system: Arc<System<f64>>,
+        start: &State<f64>,
+        duration: f64,
+        tolerance: f64,
+    ) -> Result<Self, Error> {
         let mut state = *start;
         if normalize(&mut state.attitude) == 0.0 {
             positive(Subject::AttitudeLength, 0.0)?;
         }
-        let momentum = if system.is_free() { Self::length(&state.momentum) } else { T::zero() };
+        let momentum = if system.is_free() { Self::length(&state.momentum) } else { 0.0 };
         Ok(Self {
             system,
             from: 0.0,
@@ -98,10 +103,6 @@ impl<T: Analytic + Copy + FromPrimitive> Run<T> {
             flips: None,
             variation: None,
         })
-    }
-
-    fn number(x: f64) -> T {
-        T::from_f64(x).unwrap_or_else(T::zero)
     }
 
     /// How long a step is that nothing limits: to the time requested.
@@ -122,7 +123,7 @@ impl<T: Analytic + Copy + FromPrimitive> Run<T> {
     }
 
     /// Takes a step of `h` seconds.
-    fn take(&mut self, end: State<T>, h: f64, last: bool) {
+    fn take(&mut self, end: State<f64>, h: f64, last: bool) {
         (self.state, self.last) = (end, h);
         self.steps += 1;
         self.time = if last { self.duration } else { self.time + h };
@@ -130,20 +131,20 @@ impl<T: Analytic + Copy + FromPrimitive> Run<T> {
 
     /// Brings attitude and momentum back to the lengths that do not change; returns how far off they were,
     /// relative to these.
-    fn project(&self, end: &mut State<T>) -> f64 {
+    fn project(&self, end: &mut State<f64>) -> f64 {
         let attitude = normalize(&mut end.attitude) - 1.0;
-        if self.momentum.is_zero() {
+        if self.momentum == 0.0 {
             return attitude.abs();
         }
         let scale = self.momentum / Self::length(&end.momentum);
         end.momentum.apply(|x| *x *= scale);
-        largest(&[attitude, (scale - T::one()).size()])
+        largest(&[attitude, (scale - 1.0).abs()])
     }
 
-    /// The length of a momentum whose squares may leave the range of `T`.
-    fn length(momentum: &Vector3<T>) -> T {
-        let size = Self::number(largest(momentum.as_slice()));
-        if size.is_zero() {
+    /// The length of a momentum whose squares may leave the range of `f64`.
+    fn length(momentum: &Vector3<f64>) -> f64 {
+        let size = largest(momentum.as_slice());
+        if size == 0.0 {
             return size;
         }
         let part = momentum.map(|x| x / size);
@@ -181,11 +182,6 @@ impl<T: Analytic + Copy + FromPrimitive> Run<T> {
     }
 }
 
-/// Below this a momentum has too few digits left to decay, and is zero.
-fn smallest<T: Analytic>() -> f64 {
-    if T::rounding() > f64::EPSILON { f64::from(f32::MIN_POSITIVE) } else { f64::MIN_POSITIVE }
-}
-
 /// Brings the attitude to length 1; returns its length before.
 pub(super) fn normalize<T: Analytic>(attitude: &mut Quaternion<T>) -> f64 {
     let square = attitude.coords.dot(&attitude.coords);
@@ -216,18 +212,13 @@ fn normalize_extreme<T: Analytic>(attitude: &mut Quaternion<T>) -> f64 {
 
 /// The size of the largest number, without a square, which would leave the range before the number does; NaN
 /// if one is.
-fn largest<T: Analytic>(parts: &[T]) -> f64 {
-    parts.iter().map(Analytic::size).fold(0.0, |most, x| if x > most || x.is_nan() { x } else { most })
+fn largest(parts: &[f64]) -> f64 {
+    parts.iter().map(|x| x.abs()).fold(0.0, |most, x| if x > most || x.is_nan() { x } else { most })
 }
 
 /// A share, of which zero is zero of anything.
 fn ratio(part: f64, whole: f64) -> f64 {
     if part == 0.0 { 0.0 } else { part / whole }
-}
-
-/// The number with its sign.
-fn signed<T: Analytic + Copy>(x: T) -> f64 {
-    if before_or_at(&T::zero(), &x) { x.size() } else { -x.size() }
 }
 
 /// The natural logarithm of a number not below zero, to 1e-5; of zero minus infinity. For choosing steps: by

@@ -2,20 +2,18 @@
 //! step, and flips.
 
 use super::adaptive::{AdaptiveRun, Tracked, check_tolerance, normalize};
-use super::stepper::{Rule, Stepper, number};
+use super::stepper::{Rule, Stepper};
 use super::system::System;
 use crate::body::{Body, State};
 use crate::error::{Error, Refusal, Subject, finite, positive};
 use crate::inertia::{Frame, Inertia, PrincipalMoments};
-use crate::number::Analytic;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 use nalgebra::{UnitQuaternion, Vector3};
-use num_traits::{FromPrimitive, ToPrimitive};
 
-impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> {
+impl Stepper {
     /// A free body, to be stepped by a run that keeps the estimated error of each of its own steps, relative
-    /// to the attitude's length and the momentum's size, below `tolerance` or below 32 roundings of `T`,
+    /// to the attitude's length and the momentum's size, below `tolerance` or below 32 roundings,
     /// whichever is larger. The tolerance is of a step of the run, not of the whole: errors add up, and
     /// [`expected_error`](Stepper::expected_error) estimates how far.
     ///
@@ -37,7 +35,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// use tumbling::{Body, Inertia, exact::FreeMotion};
     /// let inertia = Inertia::try_from(Matrix3::new(3.0, 0.5, 0.0, 0.5, 2.0, 0.0, 0.0, 0.0, 4.0))?;
     /// let handle = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(6.0, 2.0, 0.01))?;
-    /// let mut stepper = Stepper::<f64>::adaptive(&handle, 1e-12, 100)?;
+    /// let mut stepper = Stepper::adaptive(&handle, 1e-12, 100)?;
     /// // 120 frames at 60 Hz, in a few steps of the run.
     /// for state in stepper.run(1.0 / 60.0, 120) {
     ///     let attitude = state?.attitude; // draw it
@@ -49,9 +47,9 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// ```
     ///
     /// # Errors
-    /// As [`new`](Self::new), or a tolerance below four roundings of `T`.
+    /// As [`new`](Self::new), or a tolerance below four roundings.
     pub fn adaptive(body: &Body, tolerance: f64, budget: usize) -> Result<Self, Error> {
-        check_tolerance::<T>(tolerance)?;
+        check_tolerance(tolerance)?;
         Self::by(body, Rule::Adaptive { tolerance, budget })
     }
 
@@ -75,17 +73,17 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// # Errors
     /// As [`adaptive`](Self::adaptive), or an attitude of no length.
     pub fn of_system(
-        system: System<T>,
-        start: &State<T>,
+        system: System<f64>,
+        start: &State<f64>,
         tolerance: f64,
         budget: usize,
     ) -> Result<Self, Error> {
-        check_tolerance::<T>(tolerance)?;
+        check_tolerance(tolerance)?;
         let mut unit = (*start).checked()?;
         if normalize(&mut unit.attitude) == 0.0 {
             positive(Subject::AttitudeLength, 0.0)?;
         }
-        let inertia = Inertia::from(PrincipalMoments::try_from(system.moments().map(number))?);
+        let inertia = Inertia::from(PrincipalMoments::try_from(*system.moments())?);
         let body = Body::new(inertia, UnitQuaternion::identity(), &Vector3::zeros())?;
         let rule = Rule::Adaptive { tolerance, budget };
         let (time, frame, run) = (0.0, Frame::BODY, None);
@@ -101,8 +99,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         tolerance: f64,
         budget: &mut usize,
         flips: bool,
-    ) -> Result<State<T>, Error> {
-        let usable = |run: &AdaptiveRun<T>, began: f64| {
+    ) -> Result<State<f64>, Error> {
+        let usable = |run: &AdaptiveRun, began: f64| {
             run.holds(end - began) && (!flips || run.flips_after(self.time - began, end - began))
         };
         let (mut run, began) = match self.run.take() {
@@ -147,7 +145,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// let inertia = Inertia::from_moments(1.0, 2.0, 2.5)?;
     /// let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(0.1, 2.0, 0.3))?;
     /// let top = Torque::gravity(&Vector3::new(0.1, 0.2, 0.3), 4.0);
-    /// let mut stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000)?.with_torques([top])?;
+    /// let mut stepper = Stepper::adaptive(&body, 1e-12, 1000)?.with_torques([top])?;
     /// let _ = stepper.step(0.1)?;
     /// let within = stepper.at(0.07)?;
     /// assert_eq!(stepper.step_to(0.07)?, within);
@@ -156,7 +154,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     ///
     /// # Errors
     /// A stepper by a method of fixed steps, or a time outside the last step of the run.
-    pub fn at(&self, time: f64) -> Result<State<T>, Error> {
+    pub fn at(&self, time: f64) -> Result<State<f64>, Error> {
         self.tolerance(Subject::MotionWithinStep)?;
         finite(Subject::Time, time)?;
         if time == self.time {
@@ -191,7 +189,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     ///     &Vector3::new(0.5, 2.0, 0.3),
     /// )?;
     /// let drag = Torque::Damping(moments * c);
-    /// let mut stepper = Stepper::<f64>::adaptive(&body, 1e-13, 1000)?.with_torques([drag])?;
+    /// let mut stepper = Stepper::adaptive(&body, 1e-13, 1000)?.with_torques([drag])?;
     /// let flips = stepper.flips(60.0)?;
     /// let free: Vec<f64> = FreeMotion::of(&body)?.flips(0.0, (1.0 - f64::exp(-c * 60.0)) / c)?.collect();
     /// assert!(flips.len() == free.len() && flips.len() > 3);

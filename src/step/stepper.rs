@@ -3,25 +3,22 @@
 use super::adaptive::AdaptiveRun;
 use super::fixed_rate::fixed_rate;
 use crate::body::{Body, State};
-use crate::error::{Error, Refusal, Subject, finite, positive, representable};
+use crate::error::{Error, Subject, finite, finite_vector, positive, representable};
 use crate::inertia::Frame;
-use crate::number::Analytic;
 use crate::step::method::Method;
 use crate::step::system::System;
 use crate::step::torque::Torque;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
-use nalgebra::{Quaternion, Vector3};
-use num_traits::{FromPrimitive, ToPrimitive};
+use nalgebra::Vector3;
 
 /// Steps a body through time under any torques: by a method, at a fixed rate, or within a tolerance.
 ///
 /// The body may have any tensor, products of inertia too. All that goes in and comes out is along the body's
 /// own axes and the world's. The principal axes are found once; what is stepped is never turned back and
 /// forth, so that a reversible method stays reversible. A step by a method or at a fixed rate allocates
-/// nothing; an adaptive one allocates the series of its run. In `f32` the body is converted once and all
-/// steps are taken in `f32`: rounding moves the energy of a T-handle by some 1e-5 in a minute at
-/// 60 Hz. The type is named where a stepper is made, `Stepper::<f64>::new` or `Stepper::<f32>::new`.
+/// nothing; an adaptive one allocates the series of its run. In `f32`, [`PositionStage`](super::PositionStage)
+/// steps a free body, and [`Method::step`] and [`fixed_rate`] step a [`System`] of such numbers.
 ///
 /// ```
 /// use nalgebra::{Matrix3, UnitQuaternion, Vector3};
@@ -30,10 +27,10 @@ use num_traits::{FromPrimitive, ToPrimitive};
 /// // A T-handle whose stem leans in its axes, spun about the axis that flips.
 /// let inertia = Inertia::try_from(Matrix3::new(3.0, 0.5, 0.0, 0.5, 2.0, 0.0, 0.0, 0.0, 4.0))?;
 /// let handle = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(6.0, 2.0, 0.01))?;
-/// let mut stepper = Stepper::<f32>::new(&handle, Method::RotationSplitting4)?;
+/// let mut stepper = Stepper::new(&handle, Method::RotationSplitting4)?;
 /// for state in stepper.run(1.0 / 60.0, 600) {
 ///     let attitude = state?.attitude; // draw it
-///     assert!((attitude.norm() - 1.0).abs() < 1e-4);
+///     assert!((attitude.norm() - 1.0).abs() < 1e-12);
 /// }
 /// assert!((stepper.body()?.energy() / handle.energy() - 1.0).abs() < 1e-3);
 /// # Ok::<(), tumbling::Error>(())
@@ -51,7 +48,7 @@ use num_traits::{FromPrimitive, ToPrimitive};
 ///     let inertia = Inertia::from_moments(10.0, 14.0, 17.0)?;
 ///     let start = UnitQuaternion::from_euler_angles(0.1, 0.2, 0.01 * k as f64);
 ///     let body = Body::spinning(inertia, start, &Vector3::new(0.0, 1e-4, 1.1e-3))?;
-///     let stepper = Stepper::<f64>::adaptive(&body, 1e-10, 10_000)?;
+///     let stepper = Stepper::adaptive(&body, 1e-10, 10_000)?;
 ///     stepper.with_torques([Torque::gravity_gradient(&Vector3::x(), &rate)])
 /// };
 /// let mut fleet: Vec<Stepper> = (0..50).map(satellite).collect::<Result<_, Error>>()?;
@@ -67,19 +64,19 @@ use num_traits::{FromPrimitive, ToPrimitive};
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 #[derive(Debug, Clone)]
-pub struct Stepper<T: nalgebra::Scalar = f64> {
+pub struct Stepper {
     /// The body at the start.
     pub(super) body: Body,
     pub(super) rule: Rule,
     /// Along the principal axes.
-    pub(super) system: System<T>,
+    pub(super) system: System<f64>,
     /// Along the principal axes.
-    pub(super) state: State<T>,
-    pub(super) frame: Frame<T>,
+    pub(super) state: State<f64>,
+    pub(super) frame: Frame,
     /// Seconds since the start.
     pub(super) time: f64,
     /// The run of an adaptive stepper, and the time at which it began.
-    pub(super) run: Option<(Box<AdaptiveRun<T>>, f64)>,
+    pub(super) run: Option<(Box<AdaptiveRun>, f64)>,
     /// The sign of the spin about the middle axis before now, if flips were looked for until now.
     pub(super) sign: f64,
     /// The number of steps that the runs have taken or rejected.
@@ -93,11 +90,11 @@ pub(super) enum Rule {
     Adaptive { tolerance: f64, budget: usize },
 }
 
-impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> {
+impl Stepper {
     /// A free body, to be stepped by `method`.
     ///
     /// # Errors
-    /// A moment of zero, a number that `T` does not hold to its own rounding, or a spin beyond `T`.
+    /// A moment of zero or one whose inverse `f64` does not hold in full.
     pub fn new(body: &Body, method: Method) -> Result<Self, Error> {
         Self::by(body, Rule::Method(method))
     }
@@ -114,18 +111,12 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     pub(super) fn by(body: &Body, rule: Rule) -> Result<Self, Error> {
         let (moments, to_body) = body.inertia().along_principal_axes()?;
         let frame = to_body.map_or(Frame::BODY, |to_body| Frame::new(to_body.into_inner()));
-        let moments = cast_exactly(Subject::PrincipalMoment, &moments.vector())?;
-        let inverse = moments.map(|moment| (T::one() / moment).size());
-        for value in inverse.iter().copied() {
-            Refusal::OutOfRange { what: Subject::InverseMoment, value }.when(!value.is_normal())?;
-        }
+        let system = System::free(moments)?;
         let start = body.state();
         let state = State {
-            attitude: Quaternion::from(frame.attitude_of_axes(start.attitude).coords.map(rounded)),
-            momentum: cast(Subject::AngularMomentum, &frame.along(&start.momentum))?,
+            attitude: frame.attitude_of_axes(start.attitude),
+            momentum: frame.along(&start.momentum),
         };
-        let frame = frame.map(rounded);
-        let system = System::of_numbers(moments, Vec::new());
         let stepper =
             Self { body: *body, rule, system, state, frame, time: 0.0, run: None, sign: 0.0, count: 0 };
         stepper.checked()?;
@@ -139,7 +130,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// A torque whose numbers are not finite, a coefficient of damping or dissipation below zero, a
     /// direction of the gravity gradient whose length is not 1, or damping that differs from axis to axis of
     /// a body with products of inertia.
-    pub fn with_torques(mut self, torques: impl IntoIterator<Item = Torque<T>>) -> Result<Self, Error> {
+    pub fn with_torques(mut self, torques: impl IntoIterator<Item = Torque<f64>>) -> Result<Self, Error> {
         let mut all = self.system.torques().to_vec();
         for torque in torques {
             torque.validate()?;
@@ -160,20 +151,19 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// short the step, and one of kind [`TooMany`](crate::ErrorKind::TooMany) after its budget of steps, or
     /// as soon as stiff damping would need more; a torque, such as that of a [`Torque::Function`], that is
     /// not finite at the start or the end; a spin or a time beyond its numbers.
-    pub fn step(&mut self, h: T) -> Result<State<T>, Error> {
-        self.go(self.time + finite(Subject::Step, number(h))?, h)
+    pub fn step(&mut self, h: f64) -> Result<State<f64>, Error> {
+        self.go(self.time + finite(Subject::Step, h)?, h)
     }
 
     /// One step to the time `end` (s), forth or back, and the state there.
     ///
     /// # Errors
     /// As [`step`](Self::step).
-    pub fn step_to(&mut self, end: f64) -> Result<State<T>, Error> {
-        let h = finite(Subject::EndTime, end)? - self.time;
-        self.go(end, T::from_f64(h).unwrap_or_else(T::zero))
+    pub fn step_to(&mut self, end: f64) -> Result<State<f64>, Error> {
+        self.go(end, finite(Subject::EndTime, end)? - self.time)
     }
 
-    fn go(&mut self, after: f64, h: T) -> Result<State<T>, Error> {
+    fn go(&mut self, after: f64, h: f64) -> Result<State<f64>, Error> {
         representable(Subject::TimeAfterStep, &[after])?;
         let end = match self.rule {
             Rule::Method(method) => method.step(&self.system, &self.state, h),
@@ -185,7 +175,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     }
 
     /// Takes up a state at a time, if it and its spin are finite.
-    pub(super) fn arrive(&mut self, end: State<T>, after: f64) -> Result<State<T>, Error> {
+    pub(super) fn arrive(&mut self, end: State<f64>, after: f64) -> Result<State<f64>, Error> {
         let start = core::mem::replace(&mut self.state, end);
         match self.checked() {
             Ok(state) => {
@@ -201,8 +191,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     }
 
     /// The state, if it and the spin are finite along the body's axes.
-    pub(super) fn checked(&self) -> Result<State<T>, Error> {
-        let value = self.omega().iter().map(Analytic::size).sum::<f64>();
+    pub(super) fn checked(&self) -> Result<State<f64>, Error> {
+        let value = self.omega().abs().sum();
         representable(Subject::Spin, &[value])?;
         self.state().checked()
     }
@@ -211,14 +201,13 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// would have ended.
     fn torque_not_finite(&self, after: f64) -> Option<Error> {
         [0.0, after - self.time].into_iter().find_map(|later| {
-            let torque = self.system.torque_after(&self.state, &T::from_f64(later)?);
-            torque.iter().find_map(|x| finite(Subject::Torque, number(*x)).err())
+            finite_vector(Subject::Torque, &self.system.torque_after(&self.state, &later)).err()
         })
     }
 
     pub(super) fn set_time(&mut self, time: f64) {
         self.time = time;
-        self.system.set_time(rounded(time));
+        self.system.set_time(time);
     }
 
     /// `count` steps of `h` seconds: the state after each. Nothing moves before the iterator is used; it ends
@@ -226,7 +215,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     ///
     /// # Errors
     /// Of each as [`step`](Self::step).
-    pub fn run(&mut self, h: T, count: usize) -> impl Iterator<Item = Result<State<T>, Error>> + use<'_, T> {
+    pub fn run(&mut self, h: f64, count: usize) -> impl Iterator<Item = Result<State<f64>, Error>> {
         let mut failed = false;
         (0..count).map_while(move |_| {
             let state = (!failed).then(|| self.step(h))?;
@@ -245,12 +234,12 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// Attitude (body to world) and angular momentum along the body's axes. A method that does not keep the
     /// attitude's length shows it here.
     #[must_use]
-    pub fn state(&self) -> State<T> {
+    pub fn state(&self) -> State<f64> {
         self.along_body(&self.state)
     }
 
     /// A state along the body's axes, from one along the principal axes.
-    pub(super) fn along_body(&self, state: &State<T>) -> State<T> {
+    pub(super) fn along_body(&self, state: &State<f64>) -> State<f64> {
         State {
             attitude: self.frame.attitude_as_long(state.attitude),
             momentum: self.frame.in_body(state.momentum),
@@ -259,7 +248,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
 
     /// The spin along the body's axes, rad/s.
     #[must_use]
-    pub fn omega(&self) -> Vector3<T> {
+    pub fn omega(&self) -> Vector3<f64> {
         self.frame.in_body(self.system.omega(&self.state.momentum))
     }
 
@@ -269,32 +258,7 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
     /// A spin beyond `f64`, or an attitude of no length.
     pub fn body(&self) -> Result<Body, Error> {
         let state = self.state();
-        let attitude = Quaternion::from_vector(state.attitude.coords.map(number));
-        let norm = attitude.norm();
-        let attitude = positive(Subject::AttitudeLength, norm).map(|_| attitude / norm)?;
-        self.body.with_state(&State { attitude, momentum: state.momentum.map(number) })
+        let norm = positive(Subject::AttitudeLength, state.attitude.norm())?;
+        self.body.with_state(&State { attitude: state.attitude / norm, ..state })
     }
-}
-
-pub(super) fn number<T: ToPrimitive>(x: T) -> f64 {
-    x.to_f64().unwrap_or(f64::NAN)
-}
-
-/// In another number type, in which the smallest may become zero.
-fn rounded<T: Analytic + FromPrimitive>(x: f64) -> T {
-    T::from_f64(x).unwrap_or_else(T::zero)
-}
-
-/// The vector in another number type, its largest component to that type's rounding.
-fn cast<T: Analytic + FromPrimitive>(what: Subject, v: &Vector3<f64>) -> Result<Vector3<T>, Error> {
-    let cast = v.map(rounded::<T>);
-    let (before, after) = (v.amax(), cast.iter().map(Analytic::size).fold(0.0, f64::max));
-    let held = (after - before).abs() <= T::rounding() * before;
-    Refusal::OutOfRange { what, value: after }.when(!held).map(|()| cast)
-}
-
-/// The vector in another number type, each component to that type's rounding.
-fn cast_exactly<T: Analytic + FromPrimitive>(what: Subject, v: &Vector3<f64>) -> Result<Vector3<T>, Error> {
-    v.iter().try_for_each(|&x| cast::<T>(what, &Vector3::repeat(x)).map(drop))?;
-    cast(what, v)
 }

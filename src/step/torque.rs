@@ -9,7 +9,6 @@ use alloc::boxed::Box;
 use alloc::sync::Arc;
 use core::fmt;
 use nalgebra::{Matrix3, Vector3};
-use num_traits::ToPrimitive;
 
 /// A torque on a rigid body about its centre of mass, or about the fixed point of a top.
 #[derive(Debug, Clone, PartialEq)]
@@ -56,7 +55,7 @@ pub enum Torque<T: nalgebra::Scalar> {
     /// let inertia = Inertia::from_moments(2.0, 3.0, 4.0)?;
     /// let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::zeros())?;
     /// let motor = Torque::Periodic { amplitude: Vector3::z() * 2.0, rate: 3.0, phase: 0.0 };
-    /// let mut stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000)?.with_torques([motor])?;
+    /// let mut stepper = Stepper::adaptive(&body, 1e-12, 1000)?.with_torques([motor])?;
     /// stepper.step(5.0)?;
     /// assert!((stepper.omega().z - 2.0 / 4.0 * 15.0_f64.sin() / 3.0).abs() < 1e-11);
     /// # Ok::<(), tumbling::Error>(())
@@ -134,7 +133,7 @@ impl<T: nalgebra::Scalar> Torque<T> {
     /// let inertia = Inertia::from_moments(2.0, 3.0, 4.0)?;
     /// let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(0.0, 0.0, 10.0))?;
     /// let drag = Torque::function(|_, _, omega: &Vector3<f64>| omega * (-0.06 * omega.norm()));
-    /// let mut stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000)?.with_torques([drag])?;
+    /// let mut stepper = Stepper::adaptive(&body, 1e-12, 1000)?.with_torques([drag])?;
     /// stepper.step(20.0)?;
     /// assert!((stepper.omega().z - 10.0 / (1.0 + 0.06 * 10.0 * 20.0 / 4.0)).abs() < 1e-10);
     /// # Ok::<(), tumbling::Error>(())
@@ -184,41 +183,36 @@ impl<T: Analytic> TorqueFunction<T> {
 /// How far the length of a direction may be from 1: several roundings of `f32`.
 const UNIT_TOLERANCE: f64 = 1e-6;
 
-impl<T: nalgebra::Scalar + ToPrimitive> Torque<T> {
+impl Torque<f64> {
     /// That its numbers are finite, its coefficients of damping and dissipation not below zero, and its
     /// directions of length 1.
     pub(crate) fn validate(&self) -> Result<(), Error> {
-        let number = |x: &T| x.to_f64().unwrap_or(f64::NAN);
-        let vector = |v: &Vector3<T>| Vector3::from_fn(|i, _| number(&v[i]));
         match self {
-            Self::InBody(torque) | Self::InWorld(torque) => finite_vector(Subject::Torque, &vector(torque)),
+            Self::InBody(torque) | Self::InWorld(torque) => finite_vector(Subject::Torque, torque),
             Self::Aligning { arm, field } => {
-                finite_vector(Subject::Arm, &vector(arm))?;
-                finite_vector(Subject::Field, &vector(field))
+                finite_vector(Subject::Arm, arm)?;
+                finite_vector(Subject::Field, field)
             }
             Self::Damping(coefficients) => {
-                let coefficients = vector(coefficients);
                 coefficients.iter().try_for_each(|&c| not_negative(Subject::DampingCoefficient, c).map(drop))
             }
-            Self::Dissipation(strength) => {
-                not_negative(Subject::DissipationStrength, number(strength)).map(drop)
-            }
+            Self::Dissipation(strength) => not_negative(Subject::DissipationStrength, *strength).map(drop),
             Self::GravityGradient { strength, direction, orbit } => {
-                not_negative(Subject::GradientStrength, number(strength))?;
-                finite_vector(Subject::OrbitRate, &vector(orbit))?;
-                let (what, direction) = (Subject::GradientDirection, vector(direction));
-                finite_vector(what, &direction)?;
+                not_negative(Subject::GradientStrength, *strength)?;
+                finite_vector(Subject::OrbitRate, orbit)?;
+                let what = Subject::GradientDirection;
+                finite_vector(what, direction)?;
                 let length = direction.norm();
                 let off = (length - 1.0).abs();
                 Refusal::NotUnit { what, length, tolerance: UNIT_TOLERANCE }.when(off > UNIT_TOLERANCE)
             }
             Self::Periodic { amplitude, rate, phase } => {
-                finite_vector(Subject::Torque, &vector(amplitude))?;
-                finite(Subject::PeriodicRate, number(rate))?;
-                finite(Subject::PeriodicPhase, number(phase)).map(drop)
+                finite_vector(Subject::Torque, amplitude)?;
+                finite(Subject::PeriodicRate, *rate)?;
+                finite(Subject::PeriodicPhase, *phase).map(drop)
             }
             Self::During { start, end, torque } => {
-                let [start, end] = [start, end].map(number);
+                let (start, end) = (*start, *end);
                 for (what, time) in [(Subject::TorqueStart, start), (Subject::TorqueEnd, end)] {
                     Refusal::Undefined { what, why: "its time is not a number" }.when(time.is_nan())?;
                 }
@@ -229,14 +223,12 @@ impl<T: nalgebra::Scalar + ToPrimitive> Torque<T> {
             Self::Function(_) => Ok(()),
         }
     }
-}
 
-impl<T: Analytic + Send + Sync> Torque<T> {
     /// The torque along a body's principal axes.
     ///
     /// # Errors
     /// Damping that differs from axis to axis, where these are others: it is given along the principal axes.
-    pub(crate) fn along(self, frame: &Frame<T>) -> Result<Self, Error> {
+    pub(crate) fn along(self, frame: &Frame) -> Result<Self, Error> {
         let Some(to_principal) = frame.matrix() else { return Ok(self) };
         Ok(match self {
             Self::Damping(c) if c.x != c.y || c.y != c.z => {

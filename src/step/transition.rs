@@ -10,7 +10,7 @@ use nalgebra::{Matrix6, Vector3, Vector6};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
-impl Stepper<f64> {
+impl Stepper {
     /// One step of `h` seconds of an [adaptive](Self::adaptive) stepper, as [`step`](Self::step), and its
     /// state transition matrix: of attitude error (rad) and spin error (rad/s) along the body's axes, in the
     /// convention of [`FreeMotion::state_transition`](crate::exact::FreeMotion::state_transition). The
@@ -30,7 +30,7 @@ impl Stepper<f64> {
     ///     let spin = Vector3::new(0.1, 2.0, 0.3) + w;
     ///     let body = Body::spinning(inertia, UnitQuaternion::from_scaled_axis(e), &spin)?;
     ///     let top = Torque::gravity(&Vector3::new(0.1, 0.2, 0.3), 4.0);
-    ///     let mut stepper = Stepper::<f64>::adaptive(&body, 1e-13, 1000)?.with_torques([top])?;
+    ///     let mut stepper = Stepper::adaptive(&body, 1e-13, 1000)?.with_torques([top])?;
     ///     let transition = stepper.step_with_transition(3.0)?;
     ///     Ok::<_, tumbling::Error>((stepper.body()?, transition))
     /// };
@@ -74,7 +74,7 @@ impl Stepper<f64> {
     ///     let inertia = Inertia::from_moments(2.0, 1.5, 1.0)?;
     ///     let leaning = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), angle);
     ///     let body = Body::spinning(inertia, leaning, &Vector3::zeros())?;
-    ///     let stepper = Stepper::<f64>::adaptive(&body, 1e-14, 100_000)?;
+    ///     let stepper = Stepper::adaptive(&body, 1e-14, 100_000)?;
     ///     stepper.with_torques([Torque::gravity(&Vector3::z(), 9.8)])?.expected_error(60.0)
     /// };
     /// assert!(expected(2.5)? < 1e-10);

@@ -86,13 +86,7 @@ fn the_attitude_of_an_adaptive_run_stays_a_unit_quaternion_and_its_error_within_
     let omega = Vector3::new(0.3, 1.4, 0.2);
     // Its length fell to 0.8 in 500 s; in 1e5 s the momentum grew until no step was short enough.
     let body = Body::spinning(moments.into(), UnitQuaternion::identity(), &omega).unwrap();
-    let mut single = Stepper::<f32>::adaptive(&body, 1e-3, 1_000_000).unwrap();
-    let mut double = Stepper::<f64>::adaptive(&body, 1e-3, 1_000_000).unwrap();
-    for _ in 0..5 {
-        let length = single.step(100.0).unwrap().attitude.norm();
-        assert!((length - 1.0).abs() < 4.0 * f32::EPSILON, "{length}");
-    }
-    let end = double.step(1e5).unwrap();
+    let end = Stepper::adaptive(&body, 1e-3, 1_000_000).unwrap().step(1e5).unwrap();
     let (length, momentum) = (end.attitude.norm(), end.momentum.norm() / body.momentum_world().norm());
     assert!((length - 1.0).abs() < 4.0 * f64::EPSILON, "{length}");
     assert!((momentum - 1.0).abs() < 1e-12, "{momentum}");

@@ -118,7 +118,7 @@ fn a_periodic_push_about_the_middle_axis_swings_the_spin_to_and_fro() {
     // known: cos(2 t) integrates to zero at each half turn.
     let push = Torque::Periodic { amplitude: Vector3::y() * 3.0, rate: 2.0, phase: 0.0 };
     let body = Body::spinning(moments.into(), UnitQuaternion::identity(), &Vector3::zeros()).unwrap();
-    let mut stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000).unwrap().with_torques([push]).unwrap();
+    let mut stepper = Stepper::adaptive(&body, 1e-12, 1000).unwrap().with_torques([push]).unwrap();
     let flips = stepper.flips(5.0).unwrap();
     assert!((stepper.omega().y - 1.5 / 1.7 * 10.0_f64.sin()).abs() < 1e-11);
     assert_eq!(flips.len(), 3);
@@ -138,7 +138,7 @@ fn a_run_forth_and_back_under_lossless_torques_returns_to_its_start() {
     let system = under([1.0, 1.5, 0.75], torques);
     let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.25, 0.75, 6.0) };
     let body = spinning([1.0, 1.5, 0.75], &system.omega(&start.momentum));
-    let mut stepper = Stepper::<f64>::adaptive(&body, 1e-13, 1000).unwrap();
+    let mut stepper = Stepper::adaptive(&body, 1e-13, 1000).unwrap();
     stepper = stepper.with_torques(system.torques().to_vec()).unwrap();
     let there = stepper.step(4.0).unwrap();
     let back = stepper.step(-4.0).unwrap();
@@ -200,7 +200,7 @@ fn a_torque_within_a_torque_acts_while_both_of_them_do() {
     ] {
         let inner = Torque::during(inner[0], inner[1], push());
         let nested = Torque::during(first[0], first[1], inner);
-        let stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000).unwrap();
+        let stepper = Stepper::adaptive(&body, 1e-12, 1000).unwrap();
         let mut stepper = stepper.with_torques([nested]).unwrap();
         let _ = stepper.step(10.0).unwrap();
         assert!((stepper.omega().z - expected).abs() < 1e-12, "{first:?}: {}", stepper.omega());
@@ -212,7 +212,7 @@ fn a_torque_within_a_torque_acts_while_both_of_them_do() {
 #[test]
 fn a_refused_adaptive_run_says_what_is_in_the_way() {
     let moments = PrincipalMoments::new(1.0, 2.0, 2.5).unwrap();
-    let drag = Stepper::<f64>::adaptive(&tilted(), 1e-9, 1000).unwrap();
+    let drag = Stepper::adaptive(&tilted(), 1e-9, 1000).unwrap();
     let mut drag = drag.with_torques([Torque::function(|_, _, omega| -omega)]).unwrap();
     refused(drag.flips(1.0), ErrorKind::Undefined, "no series");
     refused(drag.step_with_transition(1.0), ErrorKind::Undefined, "no derivatives");
@@ -254,7 +254,7 @@ pub(super) fn tilted() -> Body {
 fn the_state_transition_of_a_free_body_in_steps_is_that_of_the_closed_form() {
     let body = tilted();
     let exact = FreeMotion::of(&body).unwrap();
-    let mut stepper = Stepper::<f64>::adaptive(&body, 1e-13, 10_000).unwrap();
+    let mut stepper = Stepper::adaptive(&body, 1e-13, 10_000).unwrap();
     let mut whole = Matrix6::identity();
     for h in [1.7, 6.3, 4.0] {
         whole = stepper.step_with_transition(h).unwrap() * whole;
@@ -298,7 +298,7 @@ fn a_run_that_was_refused_on_its_way_stays_where_its_last_step_took_it() {
 fn a_torque_added_on_the_way_acts_by_the_time_of_the_stepper() {
     let resting = spinning([1.0, 2.0, 2.5], &Vector3::zeros());
     let push = Torque::InBody(Vector3::new(0.0, 0.0, 4.0));
-    let mut stepper = Stepper::<f64>::adaptive(&resting, 1e-12, 1000).unwrap();
+    let mut stepper = Stepper::adaptive(&resting, 1e-12, 1000).unwrap();
     let _ = stepper.step(3.0).unwrap();
     let mut later = stepper.clone().with_torques([Torque::during(4.0, 5.0, push.clone())]).unwrap();
     let _ = later.step(3.0).unwrap();

@@ -11,8 +11,8 @@ fn body() -> Body {
     Body::spinning(inertia, attitude, &Vector3::new(0.4, 1.8, -0.3)).unwrap()
 }
 
-fn driven(torques: impl IntoIterator<Item = Torque<f64>>) -> Stepper<f64> {
-    Stepper::<f64>::adaptive(&body(), 1e-12, 10_000).unwrap().with_torques(torques).unwrap()
+fn driven(torques: impl IntoIterator<Item = Torque<f64>>) -> Stepper {
+    Stepper::adaptive(&body(), 1e-12, 10_000).unwrap().with_torques(torques).unwrap()
 }
 
 /// Weight times height, or what a field and a gravity gradient take for it, J, by the textbook's formulas.
@@ -44,7 +44,7 @@ fn kinetic_and_potential_energy_together_stay_where_each_torque_has_a_potential(
     for count in 1..=torques.len() {
         let acting = &torques[..count];
         let mut stepper = driven(acting.to_vec());
-        let whole = |stepper: &Stepper<f64>| {
+        let whole = |stepper: &Stepper| {
             let body = stepper.body().unwrap();
             [body.energy(), potential(acting, &body)]
         };
@@ -59,9 +59,9 @@ fn kinetic_and_potential_energy_together_stay_where_each_torque_has_a_potential(
 }
 
 /// A spin about the middle axis that a torque has brought to exactly zero at 1 s.
-fn at_rest() -> Stepper<f64> {
+fn at_rest() -> Stepper {
     let body = spinning([1.0, 2.0, 3.0], &Vector3::y());
-    let stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000).unwrap();
+    let stepper = Stepper::adaptive(&body, 1e-12, 1000).unwrap();
     let mut stepper = stepper.with_torques([Torque::InBody(Vector3::y() * -2.0)]).unwrap();
     assert!(stepper.flips(1.0).unwrap().is_empty());
     assert_eq!(stepper.omega(), Vector3::zeros());

@@ -9,12 +9,12 @@ use tumbling::exact::FreeMotion;
 use tumbling::step::{Stepper, Torque};
 use tumbling::{Body, ErrorKind, Inertia};
 
-fn stepper(body: &Body, tolerance: f64, torques: Vec<Torque<f64>>) -> Stepper<f64> {
-    Stepper::<f64>::adaptive(body, tolerance, 100_000).unwrap().with_torques(torques).unwrap()
+fn stepper(body: &Body, tolerance: f64, torques: Vec<Torque<f64>>) -> Stepper {
+    Stepper::adaptive(body, tolerance, 100_000).unwrap().with_torques(torques).unwrap()
 }
 
 /// The angle by which a step of this time is off, and the one expected.
-fn off_and_expected(stepper: &Stepper<f64>, time: f64, truth: &UnitQuaternion<f64>) -> [f64; 2] {
+fn off_and_expected(stepper: &Stepper, time: f64, truth: &UnitQuaternion<f64>) -> [f64; 2] {
     let expected = stepper.expected_error(time).unwrap();
     let mut stepper = stepper.clone();
     let _ = stepper.step(time).unwrap();
@@ -66,7 +66,7 @@ fn damping_far_faster_than_the_motion_adds_no_error_and_is_named_where_it_takes_
     for tolerance in [1e-6, 1e-10] {
         let [off, expected] = off_and_expected(&run(tolerance), 300.0, &truth);
         assert!(off < 10.0 * expected && expected < 50.0 * tolerance, "{off:e} {expected:e}");
-        let few = Stepper::<f64>::adaptive(&body, tolerance, 20_000).unwrap().with_torques(torques.to_vec());
+        let few = Stepper::adaptive(&body, tolerance, 20_000).unwrap().with_torques(torques.to_vec());
         refused(few.unwrap().expected_error(1e4), ErrorKind::TooMany, "damping");
     }
 }
@@ -95,7 +95,7 @@ fn an_error_is_expected_of_adaptive_runs_alone_and_is_at_most_half_a_turn() {
     let loose = stepper(&body, 1e-5, vec![]);
     assert_eq!(loose.expected_error(200.0).unwrap(), PI);
     assert!(loose.expected_error(0.0).unwrap() < 1e-15 && loose.time() == 0.0);
-    let fixed = Stepper::<f64>::fixed_rate(&body).unwrap();
+    let fixed = Stepper::fixed_rate(&body).unwrap();
     assert_eq!(fixed.expected_error(1.0).unwrap_err().kind(), ErrorKind::Undefined);
     assert!(loose.expected_error(f64::NAN).is_err() && loose.expected_error(f64::INFINITY).is_err());
     // As `step`, where the square of the spin has no digits.

@@ -12,7 +12,7 @@ fn flips_of_a_free_body_in_steps_are_those_of_the_closed_form_forth_and_back() {
     let body = tilted();
     let exact = FreeMotion::of(&body).unwrap();
     for end in [40.0, -40.0] {
-        let mut stepper = Stepper::<f64>::adaptive(&body, 1e-13, 10_000).unwrap();
+        let mut stepper = Stepper::adaptive(&body, 1e-13, 10_000).unwrap();
         let flips = stepper.flips(end).unwrap();
         let mut expected: Vec<f64> = exact.flips(f64::min(end, 0.0), f64::max(end, 0.0)).unwrap().collect();
         if end < 0.0 {
@@ -24,7 +24,7 @@ fn flips_of_a_free_body_in_steps_are_those_of_the_closed_form_forth_and_back() {
         }
         assert_eq!(stepper.time(), end);
     }
-    let mut fixed = Stepper::<f64>::new(&body, Method::Gauss6).unwrap();
+    let mut fixed = Stepper::new(&body, Method::Gauss6).unwrap();
     assert_eq!(fixed.flips(1.0).unwrap_err().kind(), ErrorKind::Undefined);
     assert_eq!(fixed.at(0.0).unwrap_err().kind(), ErrorKind::Undefined);
 }
@@ -44,7 +44,7 @@ fn a_driven_swing_through_the_middle_axis_flips_where_its_pendulum_stands_still(
         (a, g) = (0.5 * (a + g), (a * g).sqrt());
     }
     let period = std::f64::consts::TAU * (moment / pull).sqrt() / a;
-    let mut stepper = Stepper::<f64>::adaptive(&body, 1e-14, 1000).unwrap();
+    let mut stepper = Stepper::adaptive(&body, 1e-14, 1000).unwrap();
     stepper =
         stepper.with_torques([Torque::Aligning { arm: Vector3::x(), field: Vector3::x() * pull }]).unwrap();
     let flips = stepper.flips(2.0 * period).unwrap();
@@ -59,7 +59,7 @@ fn a_driven_swing_through_the_middle_axis_flips_where_its_pendulum_stands_still(
 fn flips_by_pushes(times: &[[f64; 2]]) -> Vec<f64> {
     let body = spinning([1.0, 2.0, 3.0], &Vector3::y());
     let push = |&[start, end]: &[f64; 2]| Torque::during(start, end, Torque::InBody(Vector3::y() * -2.0));
-    let stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000).unwrap();
+    let stepper = Stepper::adaptive(&body, 1e-12, 1000).unwrap();
     stepper.with_torques(times.iter().map(push)).unwrap().flips(4.0).unwrap()
 }
 

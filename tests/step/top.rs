@@ -17,8 +17,7 @@ fn a_top_released_next_to_the_vertical_falls_as_its_closed_form_at_every_toleran
         let body = Body::spinning(inertia, leaning, &Vector3::new(lean, lean / 2.0, 0.0)).unwrap();
         let top = LagrangeTop::of(&body, &ARM, 2.0).unwrap();
         let torques = [Torque::gravity(&ARM, 2.0)];
-        let mut stepper =
-            Stepper::<f64>::adaptive(&body, tolerance, 1000).unwrap().with_torques(torques).unwrap();
+        let mut stepper = Stepper::adaptive(&body, tolerance, 1000).unwrap().with_torques(torques).unwrap();
         stepper.step(25.0).unwrap();
         let off = apart(&stepper.body().unwrap().attitude(), &top.at(25.0).unwrap().attitude);
         assert!(off < tolerance, "lean {lean:e} to {tolerance:e}: {off:e}");
@@ -35,8 +34,7 @@ fn a_body_that_hangs_at_rest_takes_few_steps() {
         for tolerance in [1e-8, 1e-12, 1e-14] {
             let body = Body::spinning(inertia, hanging, &Vector3::new(spin, spin, spin / 2.0)).unwrap();
             let torques = [Torque::gravity(&arm, 10.0)];
-            let mut stepper =
-                Stepper::<f64>::adaptive(&body, tolerance, 50).unwrap().with_torques(torques).unwrap();
+            let mut stepper = Stepper::adaptive(&body, tolerance, 50).unwrap().with_torques(torques).unwrap();
             stepper.step(1.0).unwrap();
             let off = apart(&stepper.body().unwrap().attitude(), &hanging);
             assert!(off < 2.0 * spin + 1e-12, "spin {spin:e} to {tolerance:e}: {off:e}");

@@ -15,7 +15,7 @@ fn a_torque_that_takes_over_from_another_is_the_other_one_for_longer() {
     let end = |method, times: &[[f64; 2]]| {
         let torques = times.iter().map(|&[start, end]| Torque::during(start, end, Torque::InBody(push)));
         let body = super::spinning(moments.vector().into(), &Vector3::new(0.4, 1.5, -0.3));
-        let mut stepper = Stepper::<f64>::new(&body, method).unwrap().with_torques(torques).unwrap();
+        let mut stepper = Stepper::new(&body, method).unwrap().with_torques(torques).unwrap();
         stepper.run(0.25, 8).last().unwrap().unwrap()
     };
     for method in [Method::RungeKutta4, Method::RotationSplitting2, Method::MoserVeselov8] {

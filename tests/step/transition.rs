@@ -8,12 +8,12 @@ use tumbling::{Body, Inertia};
 const MOMENTS: [f64; 3] = [1.0, 2.0, 2.5];
 
 /// A stepper from this spin, with errors of attitude and spin added.
-fn stepper(omega: Vector3<f64>, torques: &[Torque<f64>], off: Vector6<f64>) -> Stepper<f64> {
+fn stepper(omega: Vector3<f64>, torques: &[Torque<f64>], off: Vector6<f64>) -> Stepper {
     let [a, b, c] = MOMENTS;
     let attitude = UnitQuaternion::from_scaled_axis(off.fixed_rows::<3>(0).into_owned());
     let omega = omega + off.fixed_rows::<3>(3);
     let body = Body::spinning(Inertia::from_moments(a, b, c).unwrap(), attitude, &omega).unwrap();
-    let free = Stepper::<f64>::adaptive(&body, 1e-12, 10_000).unwrap();
+    let free = Stepper::adaptive(&body, 1e-12, 10_000).unwrap();
     free.with_torques(torques.to_vec()).unwrap()
 }
 

@@ -25,7 +25,7 @@ use tumbling::Body;
 /// >>> assert abs(spin[1, 2] - 3 * math.exp(-1)) < 1e-11
 #[pyclass(module = "tumbling")]
 pub struct Stepper {
-    stepper: tumbling::step::Stepper<f64>,
+    stepper: tumbling::step::Stepper,
     order: Order,
 }
 

@@ -30,7 +30,7 @@ fn free(body: &Body) -> Result<Vec<f64>, Error> {
 
 fn stepped(body: &Body) -> Result<Vec<f64>, Error> {
     let gravity = Torque::gravity(&Vector3::new(0.1, 0.2, 0.3), 4.0);
-    let mut stepper = Stepper::<f64>::adaptive(body, 1e-12, 100_000)?.with_torques([gravity])?;
+    let mut stepper = Stepper::adaptive(body, 1e-12, 100_000)?.with_torques([gravity])?;
     let mut at = Vec::new();
     for t in &TIMES[..3] {
         let state = stepper.step_to(*t)?;

@@ -3,17 +3,17 @@
 //!
 //! The rule's weights integrate a polynomial that is given at the nodes ([HW96](crate::references), IV.5).
 
-use super::{Run, TRIES, largest, logarithm, ratio, smallest};
+use super::{Run, TRIES, largest, logarithm, ratio};
 use crate::body::{Rate, State};
 use crate::error::Error;
-use crate::number::Analytic;
-use crate::number::functions::exp;
+use crate::number::functions::{exp, sin_cos};
 use crate::number::quadrature::legendre;
 use crate::step::methods::implicit::eliminate;
 use alloc::vec;
 use alloc::vec::Vec;
 use nalgebra::{Quaternion, Vector3, Vector4};
-use num_traits::FromPrimitive;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// How often the states at the nodes are made better before a shorter step is tried.
 const ROUNDS: usize = 40;
@@ -26,12 +26,12 @@ const SLOW: f64 = 0.1;
 
 /// The polynomial of the last step: its states at the nodes.
 #[derive(Debug, Clone)]
-pub(super) struct Collocation<T: nalgebra::Scalar> {
+pub(super) struct Collocation {
     radau: Radau,
     /// The rates at which damping takes the momentum's components, 1/s.
-    decay: Vector3<T>,
-    states: Vec<State<T>>,
-    rates: Vec<Rate<T>>,
+    decay: Vector3<f64>,
+    states: Vec<State<f64>>,
+    rates: Vec<Rate<f64>>,
     /// The last step, s.
     length: f64,
     /// The next, s.
@@ -40,49 +40,44 @@ pub(super) struct Collocation<T: nalgebra::Scalar> {
 
 /// What makes the states at the nodes of a step: of the momentum's components one by one, with the damping
 /// that is solved for, and of the attitude.
-struct Weights<T> {
+struct Weights {
     /// 1/s; zero where the damping is iterated with all else.
-    decay: [T; 3],
+    decay: [f64; 3],
     /// What is left at each node of the momentum at the start.
-    left: Vec<[T; 3]>,
+    left: Vec<[f64; 3]>,
     /// At each node, for the rates at all of them, s.
-    rates: Vec<[T; 4]>,
+    rates: Vec<[f64; 4]>,
 }
 
-impl<T: Analytic + Copy + FromPrimitive> Weights<T> {
-    fn new(radau: &Radau, decay: &Vector3<T>, h: f64) -> Self {
+impl Weights {
+    fn new(radau: &Radau, decay: &Vector3<f64>, h: f64) -> Self {
         let count = radau.nodes.len();
         let mut weights = Self {
-            decay: [T::zero(); 3],
-            left: vec![[T::one(); 3]; count],
-            rates: radau
-                .integrals
-                .iter()
-                .flat_map(|row| &row[..count])
-                .map(|w| [Run::number(w * h); 4])
-                .collect(),
+            decay: [0.0; 3],
+            left: vec![[1.0; 3]; count],
+            rates: radau.integrals.iter().flat_map(|row| &row[..count]).map(|w| [w * h; 4]).collect(),
         };
         for axis in 0..3 {
-            let rate = decay[axis].size() * h;
+            let rate = decay[axis].abs() * h;
             if rate < SLOW {
                 continue;
             }
             weights.decay[axis] = decay[axis];
             let integrals = radau.decaying(rate);
             for (left, row) in weights.left.iter_mut().zip(&integrals) {
-                left[axis] = Run::number(1.0 - rate * row[..count].iter().sum::<f64>());
+                left[axis] = 1.0 - rate * row[..count].iter().sum::<f64>();
             }
             for (weight, w) in weights.rates.iter_mut().zip(integrals.iter().flat_map(|row| &row[..count])) {
-                weight[axis] = Run::number(w * h);
+                weight[axis] = w * h;
             }
         }
         weights
     }
 
     /// At a node, by the rates at all.
-    fn state(&self, start: &State<T>, node: usize, rates: &[Rate<T>]) -> State<T> {
-        let mut momentum: [T; 3] = core::array::from_fn(|i| start.momentum[i] * self.left[node][i]);
-        let mut attitude: [T; 4] = start.attitude.coords.into();
+    fn state(&self, start: &State<f64>, node: usize, rates: &[Rate<f64>]) -> State<f64> {
+        let mut momentum: [f64; 3] = core::array::from_fn(|i| start.momentum[i] * self.left[node][i]);
+        let mut attitude: [f64; 4] = start.attitude.coords.into();
         for (weight, rate) in self.rates[node * rates.len()..].iter().zip(rates) {
             for i in 0..3 {
                 momentum[i] += weight[i] * rate.momentum[i];
@@ -95,27 +90,27 @@ impl<T: Analytic + Copy + FromPrimitive> Weights<T> {
     }
 }
 
-impl<T: Analytic + Copy + FromPrimitive> Collocation<T> {
+impl Collocation {
     /// On from where a run is, first by steps twice as long as its last.
-    pub(super) fn new(run: &Run<T>) -> Self {
+    pub(super) fn new(run: &Run) -> Self {
         let radau = Radau::new(nodes(run.tolerance));
         let decay = run.system.sum.damping.component_mul(&run.system.inverse);
-        let rate = run.system.rate_after(&run.state, &Run::number(run.time));
+        let rate = run.system.rate_after(&run.state, &run.time);
         let (states, rates) = (vec![run.state; radau.nodes.len()], vec![rate; radau.nodes.len()]);
         Self { radau, decay, states, rates, length: run.last, next: 2.0 * run.last }
     }
 
     /// One step tried, shorter until its error is below the tolerance.
-    pub(super) fn advance(&mut self, run: &mut Run<T>) -> Result<(), Error> {
+    pub(super) fn advance(&mut self, run: &mut Run) -> Result<(), Error> {
         let order = self.radau.nodes.len() as f64 + 1.0;
-        let tolerance = run.tolerance.max(32.0 * T::rounding());
+        let tolerance = run.tolerance.max(32.0 * f64::EPSILON);
         for _ in 0..TRIES {
             let (h, last) = run.fitted(self.next)?;
             let error = if self.solve(run, h) { self.error(run) } else { f64::NAN };
             let mut end = self.states[0];
             end.momentum.apply(|x| {
-                if x.size() < smallest::<T>() {
-                    *x = T::zero();
+                if x.abs() < f64::MIN_POSITIVE {
+                    *x = 0.0;
                 }
             });
             let error = largest(&[error, run.project(&mut end)]) / tolerance;
@@ -134,17 +129,17 @@ impl<T: Analytic + Copy + FromPrimitive> Collocation<T> {
     }
 
     /// The states at the nodes of a step of `h` seconds; whether they were found.
-    fn solve(&mut self, run: &Run<T>, h: f64) -> bool {
+    fn solve(&mut self, run: &Run, h: f64) -> bool {
         let start = run.state;
         let weights = Weights::new(&self.radau, &self.decay, h);
         self.states.fill(start);
-        let unit = largest(start.momentum.as_slice()).max(smallest::<T>() / run.tolerance);
+        let unit = largest(start.momentum.as_slice()).max(f64::MIN_POSITIVE / run.tolerance);
         let goal = 0.01 * run.tolerance;
         // Of the last rounds, the last first: attitude and momentum may move in turns.
         let mut before = [0.0; 2];
         for round in 0..ROUNDS {
             for ((rate, state), node) in self.rates.iter_mut().zip(&self.states).zip(&self.radau.nodes) {
-                *rate = run.system.rate_after(state, &Run::number(run.time + node * h));
+                *rate = run.system.rate_after(state, &(run.time + node * h));
                 for (i, decay) in weights.decay.iter().enumerate() {
                     rate.momentum[i] += *decay * state.momentum[i];
                 }
@@ -160,7 +155,7 @@ impl<T: Analytic + Copy + FromPrimitive> Collocation<T> {
             }
             // The contraction over two rounds bounds what is still to come.
             let share = ratio(moved, before[1]).min(0.9);
-            if moved <= 4.0 * T::rounding() || (moved + before[0]) * share <= (1.0 - share) * goal {
+            if moved <= 4.0 * f64::EPSILON || (moved + before[0]) * share <= (1.0 - share) * goal {
                 return true;
             }
             if moved.is_nan() || (round > 3 && moved > before[1]) {
@@ -172,17 +167,17 @@ impl<T: Analytic + Copy + FromPrimitive> Collocation<T> {
     }
 
     /// The error of the polynomial, by how its last coefficients of Legendre's polynomials fall.
-    fn error(&self, run: &Run<T>) -> f64 {
+    fn error(&self, run: &Run) -> f64 {
         let unit = largest(run.state.momentum.as_slice())
             .max(largest(self.states[0].momentum.as_slice()))
-            .max(smallest::<T>() / run.tolerance);
+            .max(f64::MIN_POSITIVE / run.tolerance);
         let size = |order: usize| {
             let none =
                 Rate { attitude: Quaternion::from_vector(Vector4::zeros()), momentum: Vector3::zeros() };
             let sum =
                 self.radau.coefficients[order].iter().zip(&self.states).fold(none, |sum, (c, state)| {
                     let state = Rate { attitude: state.attitude, momentum: state.momentum };
-                    sum.plus(&state, Run::number(*c))
+                    sum.plus(&state, *c)
                 });
             largest(&[largest(sum.attitude.coords.as_slice()), largest(sum.momentum.as_slice()) / unit])
         };
@@ -194,15 +189,14 @@ impl<T: Analytic + Copy + FromPrimitive> Collocation<T> {
     }
 
     /// The state `time` seconds after the start of the last step, where the body was in the state `start`.
-    pub(super) fn within(&self, run: &Run<T>, start: &State<T>, time: f64) -> State<T> {
+    pub(super) fn within(&self, run: &Run, start: &State<f64>, time: f64) -> State<f64> {
         let (first, others) = self.radau.shares(time / self.length);
         let mut there = *start;
-        there.attitude.coords *= Run::<T>::number(first);
-        there.momentum *= Run::<T>::number(first);
+        there.attitude.coords *= first;
+        there.momentum *= first;
         for (share, state) in others.iter().zip(&self.states) {
-            let share = Run::<T>::number(*share);
-            there.attitude.coords += state.attitude.coords * share;
-            there.momentum += state.momentum * share;
+            there.attitude.coords += state.attitude.coords * *share;
+            there.momentum += state.momentum * *share;
         }
         run.project(&mut there);
         there
@@ -301,7 +295,7 @@ fn node(count: usize, i: usize) -> f64 {
         return 1.0;
     }
     let n = count as f64;
-    let (_, mut x) = Analytic::sin_cos(&(core::f64::consts::TAU * i as f64 / (2.0 * n - 1.0)));
+    let (_, mut x) = sin_cos(core::f64::consts::TAU * i as f64 / (2.0 * n - 1.0));
     for _ in 0..5 {
         let at: [f64; MOST + 1] = legendre(x);
         let [before, one, two] = [at[count - 2], at[count - 1], at[count]];

@@ -9,10 +9,9 @@ use super::flips::Flips;
 use super::pair::Pair;
 use super::series::identity;
 use super::taylor::Taylor;
-use super::{Run, STIFF, STIFF_STEPS, check_tolerance, largest, ratio, signed};
+use super::{Run, STIFF, STIFF_STEPS, check_tolerance, largest, ratio};
 use crate::body::State;
 use crate::error::{Error, Refusal, Subject, finite};
-use crate::number::Analytic;
 use crate::step::method::check_square_underflow;
 use crate::step::system::System;
 use crate::step::torque::Torque;
@@ -20,7 +19,6 @@ use alloc::boxed::Box;
 use alloc::sync::Arc;
 use alloc::vec::Vec;
 use nalgebra::Matrix6;
-use num_traits::FromPrimitive;
 
 /// What a run keeps track of besides the state.
 #[derive(Debug, Clone, Copy)]
@@ -35,28 +33,28 @@ pub(in crate::step) enum Tracked {
 
 /// A state that is requested changes nothing of what follows.
 #[derive(Debug, Clone)]
-pub(in crate::step) struct AdaptiveRun<T: nalgebra::Scalar> {
-    system: Arc<System<T>>,
+pub(in crate::step) struct AdaptiveRun {
+    system: Arc<System<f64>>,
     /// The piece under way: to where a torque begins or ends.
-    run: Run<T>,
+    run: Run,
     /// When the piece ends and when the run does, s after the start.
     until: f64,
     end: f64,
-    steps: Steps<T>,
+    steps: Steps,
     /// Where the last step began, s after the start of the piece.
-    before: (State<T>, f64),
+    before: (State<f64>, f64),
 }
 
-impl<T: Analytic + Copy + FromPrimitive> AdaptiveRun<T> {
+impl AdaptiveRun {
     /// From `start` to the time `end` (s after the start; before it, if negative), which may be infinite.
     pub(in crate::step) fn new(
-        system: System<T>,
-        start: &State<T>,
+        system: System<f64>,
+        start: &State<f64>,
         end: f64,
         tolerance: f64,
         tracked: Tracked,
     ) -> Result<Self, Error> {
-        check_tolerance::<T>(tolerance)?;
+        check_tolerance(tolerance)?;
         (*start).checked()?;
         let system = Arc::new(system);
         let (acting, until) = piece(&system, 0.0, end);
@@ -78,10 +76,10 @@ impl<T: Analytic + Copy + FromPrimitive> AdaptiveRun<T> {
 
     /// The state at a time (s after the start) that the run [holds](Self::holds). The steps on the way, taken
     /// or rejected, are subtracted from `budget`. After an error the run is where its last step took it.
-    pub(in crate::step) fn at(&mut self, time: f64, budget: &mut usize) -> Result<State<T>, Error> {
+    pub(in crate::step) fn at(&mut self, time: f64, budget: &mut usize) -> Result<State<f64>, Error> {
         finite(Subject::Duration, time)?;
         if !self.reached(time) {
-            check_square_underflow(&self.run.system.omega(&self.run.state.momentum), &Run::number(time))?;
+            check_square_underflow(&self.run.system.omega(&self.run.state.momentum), &time)?;
         }
         while !self.reached(time) {
             self.advance(time, budget)?;
@@ -90,7 +88,7 @@ impl<T: Analytic + Copy + FromPrimitive> AdaptiveRun<T> {
     }
 
     /// The state at a time that the steps have [reached](Self::reached).
-    pub(in crate::step) fn read(&self, time: f64) -> Result<State<T>, Error> {
+    pub(in crate::step) fn read(&self, time: f64) -> Result<State<f64>, Error> {
         let (run, (start, began)) = (&self.run, &self.before);
         let time = if time == self.until { run.duration } else { time - run.from };
         if time == run.time {
@@ -147,13 +145,13 @@ impl<T: Analytic + Copy + FromPrimitive> AdaptiveRun<T> {
     }
 
     /// The state that the steps have led to.
-    pub(in crate::step) fn state(&self) -> &State<T> {
+    pub(in crate::step) fn state(&self) -> &State<f64> {
         &self.run.state
     }
 
     /// The derivatives of attitude and spin (rad/s) where the steps have led to, by those at the start or
     /// where they [began anew](Self::vary_anew); the identity of a run that does not track them.
-    pub(in crate::step) fn variation(&self) -> Matrix6<T> {
+    pub(in crate::step) fn variation(&self) -> Matrix6<f64> {
         let variation = self.run.variation.as_deref().copied().unwrap_or_else(identity);
         Matrix6::from_fn(|i, j| variation[i / 3][i % 3][j])
     }
@@ -183,11 +181,7 @@ impl<T: Analytic + Copy + FromPrimitive> AdaptiveRun<T> {
 
 /// The system under the torques that act from the time `from` to the next switch on the way to `end`, s after
 /// the start of a run; and the time of this switch, or the end.
-fn piece<T: Analytic + Copy + FromPrimitive>(
-    system: &Arc<System<T>>,
-    from: f64,
-    end: f64,
-) -> (Arc<System<T>>, f64) {
+fn piece(system: &Arc<System<f64>>, from: f64, end: f64) -> (Arc<System<f64>>, f64) {
     if !system.torques().iter().any(|torque| matches!(torque, Torque::During { .. })) {
         return (Arc::clone(system), end);
     }
@@ -196,17 +190,17 @@ fn piece<T: Analytic + Copy + FromPrimitive>(
 }
 
 /// A torque without its times, and when all of them allow it to act: from and to, s after the system's time.
-fn window<'a, T: Analytic + Copy>(system: &System<T>, torque: &'a Torque<T>) -> (&'a Torque<T>, [f64; 2]) {
+fn window<'a>(system: &System<f64>, torque: &'a Torque<f64>) -> (&'a Torque<f64>, [f64; 2]) {
     let (mut torque, mut first, mut last) = (torque, f64::NEG_INFINITY, f64::INFINITY);
     while let Torque::During { start, end, torque: inner } = torque {
-        let [start, end] = [*start, *end].map(|time| signed(time - system.time));
-        (torque, first, last) = (&**inner, first.max(start), last.min(end));
+        (first, last) = (first.max(start - system.time), last.min(end - system.time));
+        torque = inner;
     }
     (torque, [first, last])
 }
 
 /// The first switch after `from` on the way to `duration`, or this.
-fn next_switch<T: Analytic + Copy>(system: &System<T>, from: f64, duration: f64) -> f64 {
+fn next_switch(system: &System<f64>, from: f64, duration: f64) -> f64 {
     let ahead = |time: &f64| {
         if duration < 0.0 { *time < from && *time > duration } else { *time > from && *time < duration }
     };
@@ -215,7 +209,7 @@ fn next_switch<T: Analytic + Copy>(system: &System<T>, from: f64, duration: f64)
 }
 
 /// The system under the torques that act all the way from one time to the other.
-fn acting<T: Analytic + Copy + FromPrimitive>(system: &System<T>, from: f64, until: f64) -> System<T> {
+fn acting(system: &System<f64>, from: f64, until: f64) -> System<f64> {
     let (first, last) = if from < until { (from, until) } else { (until, from) };
     let torques: Vec<_> = system
         .torques()
@@ -226,7 +220,7 @@ fn acting<T: Analytic + Copy + FromPrimitive>(system: &System<T>, from: f64, unt
         })
         .collect();
     let mut piece = System::of_numbers(*system.moments(), torques);
-    piece.set_time(system.time + T::from_f64(from).unwrap_or_else(T::zero));
+    piece.set_time(system.time + from);
     piece
 }
 
@@ -247,15 +241,15 @@ const FADED: f64 = 800.0;
 
 /// What takes the steps of a run under torques that act in all of it.
 #[derive(Debug, Clone)]
-enum Steps<T: nalgebra::Scalar> {
-    Series(Taylor<T>),
-    Pair(Pair<T>),
-    Collocation(Collocation<T>),
+enum Steps {
+    Series(Taylor),
+    Pair(Pair),
+    Collocation(Collocation),
 }
 
-impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
+impl Steps {
     /// Explicit ones.
-    fn new(run: &Run<T>) -> Result<Self, Error> {
+    fn new(run: &Run) -> Result<Self, Error> {
         if let Some(series) = Taylor::new(run) {
             return Ok(Self::Series(series));
         }
@@ -271,7 +265,7 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
     }
 
     /// What takes the next step: it may be another than took the last.
-    fn choose(&mut self, run: &mut Run<T>, budget: usize) -> Result<(), Error> {
+    fn choose(&mut self, run: &mut Run, budget: usize) -> Result<(), Error> {
         let solves = matches!(self, Self::Collocation(_));
         // A piece without a step tells nothing of its damping.
         let due = run.time != 0.0 && run.steps % CHECKED_STEPS == CHECKED_STEPS - 1;
@@ -284,7 +278,7 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
     }
 
     /// One step further.
-    fn advance(&mut self, run: &mut Run<T>, budget: &mut usize) -> Result<(), Error> {
+    fn advance(&mut self, run: &mut Run, budget: &mut usize) -> Result<(), Error> {
         if *budget == 0 {
             return Err(run.unfinished("all its steps are taken"));
         }
@@ -299,7 +293,7 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
     }
 
     /// After some steps that stiffness keeps short: solves for damping, once the motion is slow.
-    fn solve_damping(&mut self, run: &mut Run<T>, budget: usize) -> Result<(), Error> {
+    fn solve_damping(&mut self, run: &mut Run, budget: usize) -> Result<(), Error> {
         let (system, state) = (&run.system, &run.state);
         let sum = &system.sum;
         let decay = largest(sum.damping.component_mul(&system.inverse).as_slice());
@@ -308,8 +302,8 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
         }
         let change = change(run);
         let tracked = run.flips.is_some() || run.variation.is_some();
-        if !tracked && sum.dissipation.is_zero() && decay * run.last > LONG {
-            let rate = sum.periodic.iter().map(|torque| torque.rate.size()).fold(change, f64::max);
+        if !tracked && sum.dissipation == 0.0 && decay * run.last > LONG {
+            let rate = sum.periodic.iter().map(|torque| torque.rate.abs()).fold(change, f64::max);
             if decay > FASTER * largest(system.omega(&state.momentum).as_slice()).max(rate) {
                 *self = Self::Collocation(Collocation::new(run));
                 run.stiff = DAMPED_STEPS;
@@ -331,7 +325,7 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
 
     /// The state `time` seconds after the start of the last step, where the body was in the state `start` at
     /// the time `began`.
-    fn within(&self, run: &Run<T>, start: &State<T>, began: f64, time: f64) -> Result<State<T>, Error> {
+    fn within(&self, run: &Run, start: &State<f64>, began: f64, time: f64) -> Result<State<f64>, Error> {
         match self {
             Self::Series(series) => Ok(series.within(run, start, time)),
             Self::Collocation(steps) => Ok(steps.within(run, start, time)),
@@ -341,7 +335,7 @@ impl<T: Analytic + Copy + FromPrimitive> Steps<T> {
 }
 
 /// The rate at which the momentum changes, relative to its size, 1/s.
-fn change<T: Analytic + Copy + FromPrimitive>(run: &Run<T>) -> f64 {
-    let rate = run.system.rate_after(&run.state, &Run::number(run.time)).momentum;
+fn change(run: &Run) -> f64 {
+    let rate = run.system.rate_after(&run.state, &run.time).momentum;
     ratio(largest(rate.as_slice()), largest(run.state.momentum.as_slice()))
 }

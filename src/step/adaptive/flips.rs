@@ -1,10 +1,8 @@
 //! Changes of sign of the spin about the middle axis, from the series of each step.
 
 use super::series::MOST;
-use super::signed;
 use crate::body::State;
 use crate::inertia::ascending;
-use crate::number::Analytic;
 use crate::step::system::System;
 use alloc::vec::Vec;
 
@@ -30,9 +28,9 @@ pub(super) struct Flips {
 
 impl Flips {
     /// `before` is the sign before the start, or zero where none is known.
-    pub(super) fn new<T: Analytic + Copy>(system: &System<T>, start: &State<T>, before: f64) -> Self {
-        let [_, axis, _] = ascending(&system.moments().map(|x| x.size()));
-        let sign = if before == 0.0 { sign(signed(start.momentum[axis])) } else { before };
+    pub(super) fn new(system: &System<f64>, start: &State<f64>, before: f64) -> Self {
+        let [_, axis, _] = ascending(system.moments());
+        let sign = if before == 0.0 { sign(start.momentum[axis]) } else { before };
         Self { axis, sign, from: 0.0, last: None, found: Vec::new() }
     }
 

@@ -2,7 +2,7 @@
 
 use super::largest;
 use super::sums::{Lanes, lanes};
-use crate::number::Analytic;
+use crate::number::functions::sin_cos;
 use crate::step::system::System;
 use crate::step::torques::{Gradient, Periodic, WorldVector};
 use alloc::vec::Vec;
@@ -11,37 +11,37 @@ use nalgebra::Vector3;
 /// Angular acceleration by spin, attitude and time, in a unit of time, all of it polynomial or periodic; in
 /// rows as the series are.
 #[derive(Debug, Clone)]
-pub(super) struct Law<T: nalgebra::Scalar> {
+pub(super) struct Law {
     /// `(I2 - I3) / I1` and so on round.
-    pub(super) coupling: Lanes<T>,
+    pub(super) coupling: Lanes,
     /// By torques that are constant in the body.
-    pub(super) constant: Lanes<T>,
+    pub(super) constant: Lanes,
     /// The rates at which damping takes the spin's components, if it takes any.
-    pub(super) decay: Option<Lanes<T>>,
-    pub(super) dissipation: Option<DissipationLaw<T>>,
-    pub(super) gradients: Vec<GradientLaw<T>>,
-    pub(super) world: Vec<WorldLaw<T>>,
+    pub(super) decay: Option<Lanes>,
+    pub(super) dissipation: Option<DissipationLaw>,
+    pub(super) gradients: Vec<GradientLaw>,
+    pub(super) world: Vec<WorldLaw>,
     /// One of each rate.
-    pub(super) periodic: Vec<PeriodicLaw<T>>,
+    pub(super) periodic: Vec<PeriodicLaw>,
 }
 
-impl<T: Analytic + Copy> Law<T> {
+impl Law {
     /// That of a system in units of this number of seconds, if none of its torques is a function.
-    pub(super) fn of(system: &System<T>, unit: T) -> Option<Self> {
+    pub(super) fn of(system: &System<f64>, unit: f64) -> Option<Self> {
         let (inverse, sum) = (&system.inverse, &system.sum);
         if !sum.functions.is_empty() || !sum.timed.is_empty() {
             return None;
         }
         // In units of time, from what is per second squared.
-        let squared = |x: T| x * unit * unit;
+        let squared = |x: f64| x * unit * unit;
         let [x, y, z] = (*system.moments()).into();
         let coupling = [(y - z) / x, (z - x) / y, (x - y) / z];
         let damping = sum.damping.component_mul(inverse).map(|x| x * unit);
         let mut law = Self {
             coupling: lanes(coupling),
             constant: lanes(sum.constant.component_mul(inverse).map(squared).into()),
-            decay: damping.iter().any(|x| !x.is_zero()).then(|| lanes(damping.into())),
-            dissipation: (!sum.dissipation.is_zero()).then(|| {
+            decay: damping.iter().any(|x| *x != 0.0).then(|| lanes(damping.into())),
+            dissipation: (sum.dissipation != 0.0).then(|| {
                 let strength = sum.dissipation / unit;
                 DissipationLaw {
                     moments: lanes((*system.moments()).into()),
@@ -74,8 +74,8 @@ impl<T: Analytic + Copy> Law<T> {
         Some(law)
     }
 
-    fn add_periodic(&mut self, torque: &Periodic<T>, acceleration: &Lanes<T>, unit: T) {
-        let (sine, cosine) = Analytic::sin_cos(&torque.phase);
+    fn add_periodic(&mut self, torque: &Periodic<f64>, acceleration: &Lanes, unit: f64) {
+        let (sine, cosine) = sin_cos(torque.phase);
         let (cosine, sine) = (acceleration.map(|x| x * cosine), acceleration.map(|x| -(x * sine)));
         if let Some(one) = self.periodic.iter_mut().find(|one| one.rate == torque.rate) {
             for i in 0..4 {
@@ -106,7 +106,7 @@ pub(super) struct Rates {
 
 impl Rates {
     /// Those of a system with a law in seconds.
-    pub(super) fn of<T: Analytic + Copy>(system: &System<T>, law: &Law<T>) -> Self {
+    pub(super) fn of(system: &System<f64>, law: &Law) -> Self {
         let sum = &system.sum;
         let world = law.world.iter().map(|one| {
             // Any axis may turn onto the vector, which is shorter than twice its largest component.
@@ -116,20 +116,20 @@ impl Rates {
         let acceleration = largest(&law.constant)
             + periodic.clone().map(|one| largest(&one.cosine) + largest(&one.sine)).sum::<f64>()
             + world.sum::<f64>()
-            + sum.gradients.iter().map(|gradient| gradient.strength.size()).sum::<f64>();
+            + sum.gradients.iter().map(|gradient| gradient.strength.abs()).sum::<f64>();
         let orbits = sum.gradients.iter().map(|gradient| largest(gradient.orbit.as_slice()));
-        let inverse = system.inverse.map(|x| x.size());
+        let inverse = system.inverse.map(|x| x.abs());
         Self {
             acceleration,
             torque: acceleration * largest(system.moments().as_slice()),
-            driving: periodic.map(|one| one.rate.size()).chain(orbits).fold(0.0, f64::max),
+            driving: periodic.map(|one| one.rate.abs()).chain(orbits).fold(0.0, f64::max),
             damping: law.decay.map_or(0.0, |decay| largest(&decay)),
-            dissipation: sum.dissipation.size() * (inverse.max() - inverse.min()),
+            dissipation: sum.dissipation.abs() * (inverse.max() - inverse.min()),
         }
     }
 
     /// The fastest rate at which damping and dissipation alone would have the momentum decay, 1/s.
-    pub(super) fn fastest_decay<T: Analytic>(&self, momentum: &Vector3<T>) -> f64 {
+    pub(super) fn fastest_decay(&self, momentum: &Vector3<f64>) -> f64 {
         if self.dissipation == 0.0 {
             return self.damping;
         }
@@ -138,63 +138,62 @@ impl Rates {
     }
 
     /// How fast the motion changes, 1/s.
-    pub(super) fn fastest<T: Analytic>(&self, omega: &Vector3<T>, decay: f64) -> f64 {
+    pub(super) fn fastest(&self, omega: &Vector3<f64>, decay: f64) -> f64 {
         largest(&[largest(omega.as_slice()), self.acceleration.sqrt(), decay, self.driving])
     }
 }
 
 /// What a world vector does: the angular acceleration for each of its components in body axes.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct WorldLaw<T> {
+pub(super) struct WorldLaw {
     /// In world axes.
-    pub(super) vector: Vector3<T>,
-    pub(super) acceleration: [Lanes<T>; 3],
+    pub(super) vector: Vector3<f64>,
+    pub(super) acceleration: [Lanes; 3],
 }
 
 /// What periodic torques of one rate do: the angular acceleration by the cosine and by the sine of rate times
 /// time.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct PeriodicLaw<T> {
+pub(super) struct PeriodicLaw {
     /// rad/s.
-    pub(super) rate: T,
-    pub(super) rate_in_units: T,
-    pub(super) cosine: Lanes<T>,
-    pub(super) sine: Lanes<T>,
+    pub(super) rate: f64,
+    pub(super) rate_in_units: f64,
+    pub(super) cosine: Lanes,
+    pub(super) sine: Lanes,
 }
 
 /// What the dissipation does.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct DissipationLaw<T> {
+pub(super) struct DissipationLaw {
     /// kg m².
-    pub(super) moments: Lanes<T>,
+    pub(super) moments: Lanes,
     /// For each component of `L x (L x w)`.
-    pub(super) acceleration: Lanes<T>,
+    pub(super) acceleration: Lanes,
 }
 
 /// What the gravity gradient does. The direction to the attracting body turns in the world at a fixed rate.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct GradientLaw<T> {
+pub(super) struct GradientLaw {
     /// For each product of two components of the direction, with the opposite sign.
-    pub(super) acceleration: Lanes<T>,
+    pub(super) acceleration: Lanes,
     /// In world axes.
-    pub(super) orbit: Vector3<T>,
+    pub(super) orbit: Vector3<f64>,
     /// Its length, or less, rad/s.
-    rate: T,
+    rate: f64,
     /// The direction's part along the orbit's axis, in world axes.
-    along: Vector3<T>,
+    along: Vector3<f64>,
     /// The rest of it, at time zero and a quarter of a turn on.
-    across: [Vector3<T>; 2],
+    across: [Vector3<f64>; 2],
 }
 
-impl<T: Analytic + Copy> GradientLaw<T> {
-    fn new(gradient: &Gradient<T>, acceleration: Lanes<T>, unit: T) -> Self {
+impl GradientLaw {
+    fn new(gradient: &Gradient<f64>, acceleration: Lanes, unit: f64) -> Self {
         let Gradient { direction, orbit, .. } = gradient;
         let in_units = orbit.map(|x| x * unit);
-        let largest = orbit[orbit.map(|x| x.size()).imax()];
-        let none = Vector3::repeat(T::zero());
-        let fixed =
-            Self { acceleration, orbit: in_units, rate: largest, along: *direction, across: [none; 2] };
-        if largest.is_zero() {
+        let largest = orbit[orbit.map(|x| x.abs()).imax()];
+        let (along, across) = (*direction, [Vector3::zeros(); 2]);
+        let fixed = Self { acceleration, orbit: in_units, rate: largest, along, across };
+        if largest == 0.0 {
             return fixed;
         }
         // By the largest component, so that no square leaves the range.
@@ -207,9 +206,9 @@ impl<T: Analytic + Copy> GradientLaw<T> {
     }
 
     /// The direction at a time (s), in world axes.
-    pub(super) fn direction_at(&self, time: T) -> Vector3<T> {
+    pub(super) fn direction_at(&self, time: f64) -> Vector3<f64> {
         let Self { rate, along, across: [across, ahead], .. } = self;
-        let (sine, cosine) = Analytic::sin_cos(&(*rate * time));
+        let (sine, cosine) = sin_cos(*rate * time);
         Vector3::from_fn(|i, _| along[i] + across[i] * cosine + ahead[i] * sine)
     }
 }

@@ -5,17 +5,18 @@ use super::dop853_coefficients::{FIFTH, STAGES, STEP, THIRD, Weights};
 use super::{Run, largest, ratio};
 use crate::body::{Rate, State};
 use crate::error::{Error, Subject, representable};
-use crate::number::{Analytic, exponent, times_power_of_two};
+use crate::number::{exponent, times_power_of_two};
 use alloc::sync::Arc;
 use nalgebra::{Quaternion, Vector3};
-use num_traits::FromPrimitive;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// The rates at the stages of a step, and where the last one began.
 #[derive(Debug, Clone)]
-pub(super) struct Pair<T: nalgebra::Scalar> {
-    rates: [Rate<T>; 12],
+pub(super) struct Pair {
+    rates: [Rate<f64>; 12],
     /// The rate at the start of the last step that was taken.
-    first: Rate<T>,
+    first: Rate<f64>,
     /// The next step, s.
     h: f64,
 }
@@ -31,32 +32,27 @@ const JUMP_TRIES: usize = 40;
 const DECAYED: f64 = 5.0;
 
 /// `start + h (sum of weights times rates)`.
-fn combined<T: Analytic + Copy + FromPrimitive>(
-    start: &State<T>,
-    rates: &[Rate<T>],
-    weights: Weights,
-    h: T,
-) -> State<T> {
+fn combined(start: &State<f64>, rates: &[Rate<f64>], weights: Weights, h: f64) -> State<f64> {
     let mut sum = *start;
     for &(k, weight) in weights {
-        sum = sum.plus(&rates[k], h * Run::<T>::number(weight));
+        sum = sum.plus(&rates[k], h * weight);
     }
     sum
 }
 
-fn difference<T: Analytic + Copy>(a: &State<T>, b: &State<T>) -> State<T> {
+fn difference(a: &State<f64>, b: &State<f64>) -> State<f64> {
     let attitude = Quaternion::from_vector(a.attitude.coords - b.attitude.coords);
     State { attitude, momentum: a.momentum - b.momentum }
 }
 
-impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
-    pub(super) fn new(run: &Run<T>) -> Result<Self, Error> {
-        let rate = run.system.rate_after(&run.state, &Run::number(run.time));
+impl Pair {
+    pub(super) fn new(run: &Run) -> Result<Self, Error> {
+        let rate = run.system.rate_after(&run.state, &run.time);
         let size = largest(&[largest(rate.attitude.coords.as_slice()), largest(rate.momentum.as_slice())]);
         representable(Subject::RateAtStart, &[size])?;
         // How fast it turns, and how fast a torque would have it turn. Should the guess be too long, its
         // error will say so.
-        let torque = largest(run.system.torque_after(&run.state, &Run::number(run.time)).as_slice());
+        let torque = largest(run.system.torque_after(&run.state, &run.time).as_slice());
         let turning =
             ratio(largest(rate.attitude.coords.as_slice()), largest(run.state.attitude.coords.as_slice()));
         let turning_rate = (2.0 * turning).max((torque * largest(run.system.inverse.as_slice())).sqrt());
@@ -69,11 +65,9 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
 
     /// The estimated error of a step, the larger of attitude's and momentum's, each relative to its own size:
     /// of the differences from a step of order 5 and one of order 3, as [HNW93](crate::references), II.10.
-    fn error(&self, run: &Run<T>, end: &State<T>, h: f64) -> f64 {
-        let zero = T::zero();
-        let nothing =
-            State { attitude: Quaternion::new(zero, zero, zero, zero), momentum: Vector3::repeat(zero) };
-        let by = |weights: Weights| combined(&nothing, &self.rates, weights, Run::number(h));
+    fn error(&self, run: &Run, end: &State<f64>, h: f64) -> f64 {
+        let nothing = State { attitude: Quaternion::new(0.0, 0.0, 0.0, 0.0), momentum: Vector3::zeros() };
+        let by = |weights: Weights| combined(&nothing, &self.rates, weights, h);
         let (fifth, whole, third) = (by(FIFTH), by(STEP), by(THIRD));
         let third = difference(&whole, &third);
         let [fifth, third] = [&fifth, &third].map(|off| self.relative(run, off, end, h));
@@ -83,7 +77,7 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
         ratio(one, (one * one + 0.01 * other * other).sqrt()) * fifth
     }
 
-    fn relative(&self, run: &Run<T>, off: &State<T>, end: &State<T>, h: f64) -> f64 {
+    fn relative(&self, run: &Run, off: &State<f64>, end: &State<f64>, h: f64) -> f64 {
         // A body that drag brought to rest has no digits of its momentum to the tolerance below the least.
         let least = f64::MIN_POSITIVE / run.tolerance;
         let held = largest(run.state.momentum.as_slice());
@@ -101,24 +95,23 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
     }
 
     /// The step in decay times: of two states near its end, how much faster the rates differ than the states.
-    fn decay(&self, near: &State<T>, end: &State<T>, end_rate: &Rate<T>, h: f64) -> f64 {
-        let apart = |a: &Vector3<T>, b: &Vector3<T>| largest((a - b).as_slice());
+    fn decay(&self, near: &State<f64>, end: &State<f64>, end_rate: &Rate<f64>, h: f64) -> f64 {
+        let apart = |a: &Vector3<f64>, b: &Vector3<f64>| largest((a - b).as_slice());
         let rates = apart(&end_rate.momentum, &self.rates[11].momentum);
         h.abs() * ratio(rates, apart(&end.momentum, &near.momentum))
     }
 
     /// One step tried, and taken if its error is below the tolerance.
-    pub(super) fn advance(&mut self, run: &mut Run<T>) -> Result<(), Error> {
+    pub(super) fn advance(&mut self, run: &mut Run) -> Result<(), Error> {
         let (h, last) = run.fitted(self.h)?;
-        let step = Run::number(h);
         let mut near = run.state;
         for (k, (node, weights)) in STAGES.iter().enumerate() {
-            near = combined(&run.state, &self.rates, weights, step);
-            self.rates[k + 1] = run.system.rate_after(&near, &Run::number(run.time + node * h));
+            near = combined(&run.state, &self.rates, weights, h);
+            self.rates[k + 1] = run.system.rate_after(&near, &(run.time + node * h));
         }
-        let mut end = combined(&run.state, &self.rates, STEP, step);
+        let mut end = combined(&run.state, &self.rates, STEP, h);
         let stretched = run.project(&mut end);
-        let end_rate = run.system.rate_after(&end, &Run::number(run.time + h));
+        let end_rate = run.system.rate_after(&end, &(run.time + h));
         let size =
             largest(&[largest(end_rate.attitude.coords.as_slice()), largest(end_rate.momentum.as_slice())]);
         let mut error = largest(&[self.error(run, &end, h), stretched]) / run.tolerance;
@@ -145,11 +138,11 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
     /// at the time `began`: by a shorter step from there, or several if its error is not below the tolerance.
     pub(super) fn within(
         &self,
-        run: &Run<T>,
-        start: &State<T>,
+        run: &Run,
+        start: &State<f64>,
         began: f64,
         duration: f64,
-    ) -> Result<State<T>, Error> {
+    ) -> Result<State<f64>, Error> {
         let mut pair = Self { rates: [self.first; 12], first: self.first, h: duration };
         let end = began + duration;
         let system = Arc::clone(&run.system);

@@ -12,7 +12,7 @@ use super::sums::{
     Coefficients, Lanes, across, across_sums, add_scaled, lanes, own_sums, pairs, scaled, sums, turn,
 };
 use crate::attitude::rotate_inverse;
-use crate::number::Analytic;
+use crate::number::functions::sin_cos;
 use alloc::boxed::Box;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -27,49 +27,49 @@ pub(super) const LENGTH: usize = MOST + 1;
 
 /// What the dissipation needs.
 #[derive(Debug, Clone)]
-struct DissipationSeries<T, const N: usize> {
-    momentum: [Lanes<T>; N],
+struct DissipationSeries<const N: usize> {
+    momentum: [Lanes; N],
     /// What the spin changes by without a torque, times the moments.
-    coupling: Coefficients<T, N>,
+    coupling: Coefficients<N>,
 }
 
 /// What the gravity gradient needs, all in body axes.
 #[derive(Debug, Clone)]
-struct GradientSeries<T, const N: usize> {
-    direction: Coefficients<T, N>,
-    orbit: [Lanes<T>; N],
+struct GradientSeries<const N: usize> {
+    direction: Coefficients<N>,
+    orbit: [Lanes; N],
     /// Spin minus orbit: how the direction turns.
-    turning: Coefficients<T, N>,
+    turning: Coefficients<N>,
 }
 
 /// Coefficients of powers of the time in units; `N` of each.
 #[derive(Debug, Clone)]
-pub(super) struct Series<T: nalgebra::Scalar, const N: usize> {
+pub(super) struct Series<const N: usize> {
     /// The highest power.
     pub(super) order: usize,
-    attitude: [Lanes<T>; N],
-    spin: Coefficients<T, N>,
+    attitude: [Lanes; N],
+    spin: Coefficients<N>,
     /// Cosine and sine of each periodic torque: the last coefficient alone.
-    periodic: Vec<[T; 2]>,
+    periodic: Vec<[f64; 2]>,
     // Few laws have them, and all runs are moved.
     /// World vectors in body axes.
-    world: Vec<[Lanes<T>; N]>,
-    dissipation: Option<Box<DissipationSeries<T, N>>>,
-    gradients: Vec<GradientSeries<T, N>>,
+    world: Vec<[Lanes; N]>,
+    dissipation: Option<Box<DissipationSeries<N>>>,
+    gradients: Vec<GradientSeries<N>>,
     /// Those of the motion's variations, if these are tracked.
-    pub(super) variations: Option<Box<Variations<T, N>>>,
+    pub(super) variations: Option<Box<Variations<N>>>,
 }
 
-impl<T: Analytic + Copy, const N: usize> Series<T, N> {
+impl<const N: usize> Series<N> {
     /// What a law of these torques needs, with variations or without.
-    pub(super) fn new(law: &Law<T>, varied: bool) -> Self {
-        let rows = [[T::zero(); 4]; N];
-        let none = || Coefficients { up: rows, down: [[[T::zero(); 2]; 3]; N] };
+    pub(super) fn new(law: &Law, varied: bool) -> Self {
+        let rows = [[0.0; 4]; N];
+        let none = || Coefficients { up: rows, down: [[[0.0; 2]; 3]; N] };
         Self {
             order: 0,
             attitude: rows,
             spin: none(),
-            periodic: vec![[T::zero(); 2]; law.periodic.len()],
+            periodic: vec![[0.0; 2]; law.periodic.len()],
             world: vec![rows; law.world.len()],
             dissipation: law
                 .dissipation
@@ -84,8 +84,8 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     }
 
     /// The first coefficients at a time (s): the state itself, with its spin in units.
-    pub(super) fn begin(&mut self, law: &Law<T>, attitude: &Quaternion<T>, spin: [T; 3], time: T) {
-        let in_body = |v: &Vector3<T>| lanes(rotate_inverse(attitude, v).into());
+    pub(super) fn begin(&mut self, law: &Law, attitude: &Quaternion<f64>, spin: [f64; 3], time: f64) {
+        let in_body = |v: &Vector3<f64>| lanes(rotate_inverse(attitude, v).into());
         self.order = 0;
         let q = &attitude.coords;
         self.attitude[0] = [q.x, q.y, q.z, q.w];
@@ -94,7 +94,7 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
             rows[0] = in_body(&one.vector);
         }
         for (now, one) in self.periodic.iter_mut().zip(&law.periodic) {
-            let (sine, cosine) = Analytic::sin_cos(&(one.rate * time));
+            let (sine, cosine) = sin_cos(one.rate * time);
             *now = [cosine, sine];
         }
         for (own, gradient) in self.gradients.iter_mut().zip(&law.gradients) {
@@ -105,7 +105,7 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
 
     /// Begins as another series does.
     #[inline(always)]
-    pub(super) fn begin_as<const M: usize>(&mut self, other: &Series<T, M>) {
+    pub(super) fn begin_as<const M: usize>(&mut self, other: &Series<M>) {
         self.order = other.order;
         for (own, other) in self.periodic.iter_mut().zip(&other.periodic) {
             *own = *other;
@@ -132,7 +132,7 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     }
 
     /// The coefficients of everything up to a power.
-    pub(super) fn extend_to(&mut self, order: usize, law: &Law<T>) {
+    pub(super) fn extend_to(&mut self, order: usize, law: &Law) {
         if law.world.is_empty() && law.gradients.is_empty() {
             self.extend_with::<false>(order, law);
         } else {
@@ -144,7 +144,7 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     }
 
     #[inline(never)]
-    fn extend_variations(&mut self, law: &Law<T>) {
+    fn extend_variations(&mut self, law: &Law) {
         if let Some(mut variations) = self.variations.take() {
             while variations.order < self.order.min(N - 1) {
                 variations.extend(self, law);
@@ -157,19 +157,19 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     /// or without.
     // Not inlined: alone it has the registers to itself.
     #[inline(never)]
-    fn extend_with<const ACROSS: bool>(&mut self, order: usize, law: &Law<T>) {
+    fn extend_with<const ACROSS: bool>(&mut self, order: usize, law: &Law) {
         // What is constant is in the first rate alone.
-        let mut rate = if self.order == 0 { law.constant } else { [T::zero(); 4] };
+        let mut rate = if self.order == 0 { law.constant } else { [0.0; 4] };
         while self.order < order.min(N - 1) {
-            self.extend::<ACROSS>(law, core::mem::replace(&mut rate, [T::zero(); 4]));
+            self.extend::<ACROSS>(law, core::mem::replace(&mut rate, [0.0; 4]));
         }
     }
 
     /// The next coefficient of everything, given the part of the spin's rate that is constant.
     #[inline(always)]
-    fn extend<const ACROSS: bool>(&mut self, law: &Law<T>, mut rate: Lanes<T>) {
+    fn extend<const ACROSS: bool>(&mut self, law: &Law, mut rate: Lanes) {
         let n = self.order.min(N - 2);
-        let inverse = T::one() / T::integer(n as u32 + 1);
+        let inverse = 1.0 / (n + 1) as f64;
         let (attitude, spin, alone) = (&self.attitude, &self.spin, law.world.is_empty());
         // The sums last: all else is at hand before they are.
         if let Some(decay) = &law.decay {
@@ -190,7 +190,7 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
             (_, [own, ..]) if ACROSS => &own.orbit,
             _ => attitude,
         };
-        let sums = sums::<T, N, ACROSS>(n + 1, attitude, vector, spin);
+        let sums = sums::<N, ACROSS>(n + 1, attitude, vector, spin);
         if ACROSS && let ([rows, more @ ..], [first, others @ ..]) = (&mut *self.world, &*law.world) {
             first.add_acceleration(&rows[n], &mut rate);
             rows[n + 1] = scaled(&across(&sums.across), inverse);
@@ -202,9 +202,9 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
                 }
             }
         }
-        self.attitude[n + 1] = scaled(&turn(&sums.turn), inverse / T::integer(2));
+        self.attitude[n + 1] = scaled(&turn(&sums.turn), inverse / 2.0);
         let pairs = pairs(&sums.pairs);
-        let free: Lanes<T> = core::array::from_fn(|i| law.coupling[i] * pairs[i]);
+        let free: Lanes = core::array::from_fn(|i| law.coupling[i] * pairs[i]);
         if let (Some(own), Some(dissipation)) = (&mut self.dissipation, &law.dissipation) {
             own.add(dissipation, &spin.up[n], &free, n, &mut rate);
         }
@@ -224,12 +224,12 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     }
 
     /// The rates of attitude and spin at the start.
-    pub(super) fn rate(&self) -> [Lanes<T>; 2] {
+    pub(super) fn rate(&self) -> [Lanes; 2] {
         [self.attitude[1], self.spin.up[1]]
     }
 
     /// The angular acceleration by the torques at the start.
-    pub(super) fn torque(&self, law: &Law<T>) -> [T; 3] {
+    pub(super) fn torque(&self, law: &Law) -> [f64; 3] {
         let ([x, y, z, _], rate) = (self.spin.up[0], &self.spin.up[1]);
         let pairs = [y * z, z * x, x * y];
         core::array::from_fn(|i| rate[i] - law.coupling[i] * pairs[i])
@@ -240,7 +240,7 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     #[inline(always)]
     pub(super) fn size(&self, power: usize, weights: &[f64; 3]) -> f64 {
         let spin = &self.spin.up[power];
-        let momentum = [0, 1, 2].map(|i| spin[i].size() * weights[i]);
+        let momentum = [0, 1, 2].map(|i| spin[i].abs() * weights[i]);
         let attitude = &self.attitude[power];
         let size = super::largest(&[super::largest(attitude), super::largest(&momentum)]);
         self.variations.as_ref().map_or(size, |variations| super::largest(&[size, variations.size(power)]))
@@ -248,12 +248,12 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
 
     /// The coefficients of a component of the spin.
     pub(super) fn spin(&self, axis: usize) -> [f64; N] {
-        core::array::from_fn(|power| super::signed(self.spin.up[power][axis % 3]))
+        core::array::from_fn(|power| self.spin.up[power][axis % 3])
     }
 
     /// What attitude (vector part first) and spin have changed by at `x` units of time.
-    pub(super) fn value(&self, x: T) -> [Lanes<T>; 2] {
-        let [mut q, mut w] = [[T::zero(); 4]; 2];
+    pub(super) fn value(&self, x: f64) -> [Lanes; 2] {
+        let [mut q, mut w] = [[0.0; 4]; 2];
         let powers = 1..=self.order;
         for (attitude, spin) in self.attitude[powers.clone()].iter().zip(&self.spin.up[powers]).rev() {
             for i in 0..4 {
@@ -267,9 +267,8 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
     /// What attitude (vector part first) and spin have changed by, and at which rate they change, at `x`
     /// units of time.
     #[inline]
-    pub(super) fn at(&self, x: T) -> [Lanes<T>; 4] {
-        let zero = [T::zero(); 4];
-        let [mut q, mut w, mut dq, mut dw] = [zero; 4];
+    pub(super) fn at(&self, x: f64) -> [Lanes; 4] {
+        let [mut q, mut w, mut dq, mut dw] = [[0.0; 4]; 4];
         let powers = 1..=self.order;
         for (attitude, spin) in self.attitude[powers.clone()].iter().zip(&self.spin.up[powers]).rev() {
             for i in 0..4 {
@@ -279,32 +278,24 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
                 w[i] = w[i] * x + spin[i];
             }
         }
-        let rate =
-            |value: &Lanes<T>, derivative: &Lanes<T>| core::array::from_fn(|i| value[i] + derivative[i] * x);
+        let rate = |value: &Lanes, derivative: &Lanes| core::array::from_fn(|i| value[i] + derivative[i] * x);
         [q.map(|y| y * x), w.map(|y| y * x), rate(&q, &dq), rate(&w, &dw)]
     }
 }
 
-impl<T: Analytic + Copy> WorldLaw<T> {
+impl WorldLaw {
     /// Adds the angular acceleration by the vector in body axes.
     #[inline(always)]
-    fn add_acceleration(&self, vector: &Lanes<T>, rate: &mut Lanes<T>) {
+    fn add_acceleration(&self, vector: &Lanes, rate: &mut Lanes) {
         for (acceleration, &x) in self.acceleration.iter().zip(vector) {
             add_scaled(rate, acceleration, x);
         }
     }
 }
 
-impl<T: Analytic + Copy, const N: usize> DissipationSeries<T, N> {
+impl<const N: usize> DissipationSeries<N> {
     /// Adds the angular acceleration `J k L x (L x w)`, given that without a torque.
-    fn add(
-        &mut self,
-        law: &DissipationLaw<T>,
-        spin: &Lanes<T>,
-        free: &Lanes<T>,
-        n: usize,
-        rate: &mut Lanes<T>,
-    ) {
+    fn add(&mut self, law: &DissipationLaw, spin: &Lanes, free: &Lanes, n: usize, rate: &mut Lanes) {
         let m = &law.moments;
         self.coupling.set(n, core::array::from_fn(|i| m[i] * free[i]));
         self.momentum[n] = core::array::from_fn(|i| m[i] * spin[i]);
@@ -315,18 +306,18 @@ impl<T: Analytic + Copy, const N: usize> DissipationSeries<T, N> {
     }
 }
 
-impl<T: Analytic + Copy, const N: usize> GradientSeries<T, N> {
+impl<const N: usize> GradientSeries<N> {
     /// Adds the angular acceleration by the gravity gradient, and makes the next coefficients of orbit, given
     /// its products with the spin, and direction.
     #[inline(always)]
     fn add(
         &mut self,
-        law: &GradientLaw<T>,
-        turned: Lanes<T>,
-        spin: &Lanes<T>,
+        law: &GradientLaw,
+        turned: Lanes,
+        spin: &Lanes,
         n: usize,
-        inverse: T,
-        rate: &mut Lanes<T>,
+        inverse: f64,
+        rate: &mut Lanes,
     ) {
         self.turning.set(n, core::array::from_fn(|i| spin[i] - self.orbit[n][i]));
         self.orbit[n + 1] = scaled(&turned, inverse);
@@ -342,12 +333,12 @@ impl<T: Analytic + Copy, const N: usize> GradientSeries<T, N> {
     #[inline(never)]
     fn add_all(
         all: &mut [Self],
-        laws: &[GradientLaw<T>],
-        spin: &Coefficients<T, N>,
+        laws: &[GradientLaw],
+        spin: &Coefficients<N>,
         n: usize,
-        inverse: T,
-        mut rate: Lanes<T>,
-    ) -> Lanes<T> {
+        inverse: f64,
+        mut rate: Lanes,
+    ) -> Lanes {
         for (own, law) in all.iter_mut().zip(laws) {
             let turned = across(&across_sums(n + 1, &own.orbit, spin));
             own.add(law, turned, &spin.up[n], n, inverse, &mut rate);

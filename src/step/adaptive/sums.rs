@@ -7,29 +7,27 @@
 //! number of products, so what needs that comes last in each sum. What was just stored is quick to load only
 //! as it was stored, so nothing new is loaded in other pairs.
 
-use crate::number::Analytic;
-
 /// A quaternion's vector part, then its scalar part; or a vector, of which the fourth repeats the first.
-pub(super) type Lanes<T> = [T; 4];
+pub(super) type Lanes = [f64; 4];
 
-pub(super) fn lanes<T: Copy>([x, y, z]: [T; 3]) -> Lanes<T> {
+pub(super) fn lanes([x, y, z]: [f64; 3]) -> Lanes {
     [x, y, z, x]
 }
 
 #[inline(always)]
-pub(super) fn scaled<T: Analytic + Copy>(a: &Lanes<T>, by: T) -> Lanes<T> {
+pub(super) fn scaled(a: &Lanes, by: f64) -> Lanes {
     core::array::from_fn(|i| a[i] * by)
 }
 
 #[inline(always)]
-pub(super) fn add_scaled<T: Analytic + Copy>(sum: &mut Lanes<T>, a: &Lanes<T>, by: T) {
+pub(super) fn add_scaled(sum: &mut Lanes, a: &Lanes, by: f64) {
     for i in 0..4 {
         sum[i] += a[i] * by;
     }
 }
 
 #[inline(always)]
-fn add_two<T: Analytic + Copy>(sum: &mut [T; 2], a: [T; 2], b: [T; 2]) {
+fn add_two(sum: &mut [f64; 2], a: [f64; 2], b: [f64; 2]) {
     for i in 0..2 {
         sum[i] += a[i] * b[i];
     }
@@ -37,29 +35,29 @@ fn add_two<T: Analytic + Copy>(sum: &mut [T; 2], a: [T; 2], b: [T; 2]) {
 
 /// The second component of a vector, its first and its third, each twice: the first two stand together in the
 /// middle.
-pub(super) type Pairs<T> = [[T; 2]; 3];
+pub(super) type Pairs = [[f64; 2]; 3];
 
 #[inline(always)]
-fn pairs_of<T: Copy>(&[x, y, z, _]: &Lanes<T>) -> Pairs<T> {
+fn pairs_of(&[x, y, z, _]: &Lanes) -> Pairs {
     [[y; 2], [x; 2], [z; 2]]
 }
 
 /// The sums of an order, as they are made: the compiler keeps numbers together that are stored together.
-pub(super) struct Sums<T> {
+pub(super) struct Sums {
     /// Of the attitude's halves times each component of the spin.
-    pub(super) turn: [[T; 2]; 6],
+    pub(super) turn: [[f64; 2]; 6],
     /// Of the spin's first two components times the third and the second.
-    pub(super) pairs: [[T; 2]; 2],
+    pub(super) pairs: [[f64; 2]; 2],
     /// Of a vector with the spin.
-    pub(super) across: AcrossSums<T>,
+    pub(super) across: AcrossSums,
 }
 
 /// The sums of a cross product `g x w`: of `g`'s first two components times `w`'s third, of its third times
 /// the second and the first of `w`, and of its first two times these.
-pub(super) type AcrossSums<T> = [[T; 2]; 3];
+pub(super) type AcrossSums = [[f64; 2]; 3];
 
 #[inline(always)]
-fn add_across<T: Analytic + Copy>(sums: &mut AcrossSums<T>, g: &Lanes<T>, [y, x, z]: Pairs<T>) {
+fn add_across(sums: &mut AcrossSums, g: &Lanes, [y, x, z]: Pairs) {
     let other = [y[1], x[0]];
     add_two(&mut sums[0], [g[0], g[1]], z);
     add_two(&mut sums[1], [g[2]; 2], other);
@@ -67,15 +65,15 @@ fn add_across<T: Analytic + Copy>(sums: &mut AcrossSums<T>, g: &Lanes<T>, [y, x,
 }
 
 #[inline(always)]
-fn add_pairs<T: Analytic + Copy>(sums: &mut [[T; 2]; 2], v: &Lanes<T>, [y, _, z]: Pairs<T>) {
+fn add_pairs(sums: &mut [[f64; 2]; 2], v: &Lanes, [y, _, z]: Pairs) {
     add_two(&mut sums[0], [v[0], v[1]], z);
     add_two(&mut sums[1], [v[0], v[1]], y);
 }
 
-impl<T: Analytic + Copy> Sums<T> {
+impl Sums {
     // In this order: each number is loaded once, and no sum leaves its register.
     #[inline(always)]
-    fn add<const ACROSS: bool>(&mut self, q: &Lanes<T>, v: &Lanes<T>, g: &Lanes<T>, w: Pairs<T>) {
+    fn add<const ACROSS: bool>(&mut self, q: &Lanes, v: &Lanes, g: &Lanes, w: Pairs) {
         let ([y, x, z], one, two) = (w, [q[0], q[1]], [q[2], q[3]]);
         add_two(&mut self.turn[4], one, z);
         add_two(&mut self.turn[5], two, z);
@@ -100,15 +98,15 @@ impl<T: Analytic + Copy> Sums<T> {
 /// with the spin from the highest power down to the lowest.
 // Not inlined, as the others: see `Sums`.
 #[inline(never)]
-pub(super) fn sums<T: Analytic + Copy, const N: usize, const ACROSS: bool>(
+pub(super) fn sums<const N: usize, const ACROSS: bool>(
     n: usize,
-    q: &[Lanes<T>; N],
-    g: &[Lanes<T>; N],
-    Coefficients { up: v, down }: &Coefficients<T, N>,
-) -> Sums<T> {
+    q: &[Lanes; N],
+    g: &[Lanes; N],
+    Coefficients { up: v, down }: &Coefficients<N>,
+) -> Sums {
     let n = n.clamp(1, N);
     let w = &down[N - n..];
-    let none = [T::zero(); 2];
+    let none = [0.0; 2];
     let mut sums = Sums { turn: [none; 6], pairs: [none; 2], across: [none; 3] };
     // The highest power of the spin last: it is still being made while the others are added.
     for k in 1..n {
@@ -120,14 +118,14 @@ pub(super) fn sums<T: Analytic + Copy, const N: usize, const ACROSS: bool>(
 
 /// The first `n` products of `g` with `w` as above.
 #[inline(never)]
-pub(super) fn across_sums<T: Analytic + Copy, const N: usize>(
+pub(super) fn across_sums<const N: usize>(
     n: usize,
-    g: &[Lanes<T>; N],
-    Coefficients { up, down }: &Coefficients<T, N>,
-) -> AcrossSums<T> {
+    g: &[Lanes; N],
+    Coefficients { up, down }: &Coefficients<N>,
+) -> AcrossSums {
     let n = n.clamp(1, N);
     let w = &down[N - n..];
-    let mut sums = [[T::zero(); 2]; 3];
+    let mut sums = [[0.0; 2]; 3];
     for k in 1..n {
         add_across(&mut sums, &g[k], w[k]);
     }
@@ -137,14 +135,14 @@ pub(super) fn across_sums<T: Analytic + Copy, const N: usize>(
 
 /// The sums of [`across_sums`], and the first `n` products of `g` with its own third and second components.
 #[inline(never)]
-pub(super) fn own_sums<T: Analytic + Copy, const N: usize>(
+pub(super) fn own_sums<const N: usize>(
     n: usize,
-    Coefficients { up: g, down: own }: &Coefficients<T, N>,
-    Coefficients { up, down }: &Coefficients<T, N>,
-) -> (AcrossSums<T>, [[T; 2]; 2]) {
+    Coefficients { up: g, down: own }: &Coefficients<N>,
+    Coefficients { up, down }: &Coefficients<N>,
+) -> (AcrossSums, [[f64; 2]; 2]) {
     let n = n.clamp(1, N);
     let (w, own) = (&down[N - n..], &own[N - n..]);
-    let none = [T::zero(); 2];
+    let none = [0.0; 2];
     let (mut across, mut pairs) = ([none; 3], [none; 2]);
     for k in 1..n {
         add_across(&mut across, &g[k], w[k]);
@@ -157,32 +155,32 @@ pub(super) fn own_sums<T: Analytic + Copy, const N: usize>(
 
 /// Twice the rate of the attitude.
 #[inline(always)]
-pub(super) fn turn<T: Analytic + Copy>([a, b, c, d, e, f]: &[[T; 2]; 6]) -> Lanes<T> {
+pub(super) fn turn([a, b, c, d, e, f]: &[[f64; 2]; 6]) -> Lanes {
     [b[1] + e[1] - d[0], d[1] + b[0] - e[0], f[1] + c[0] - a[1], -(a[0] + c[1] + f[0])]
 }
 
 /// `g x w`.
 #[inline(always)]
-pub(super) fn across<T: Analytic + Copy>([s, t, u]: &AcrossSums<T>) -> Lanes<T> {
+pub(super) fn across([s, t, u]: &AcrossSums) -> Lanes {
     lanes([s[1] - t[0], t[1] - s[0], u[0] - u[1]])
 }
 
 /// The products `w2 w3`, `w3 w1`, `w1 w2`.
 #[inline(always)]
-pub(super) fn pairs<T: Analytic + Copy>([first, second]: &[[T; 2]; 2]) -> Lanes<T> {
+pub(super) fn pairs([first, second]: &[[f64; 2]; 2]) -> Lanes {
     lanes([first[1], first[0], second[0]])
 }
 
 /// Coefficients of a vector, from the lowest power up and from the highest down.
 #[derive(Debug, Clone)]
-pub(super) struct Coefficients<T, const N: usize> {
-    pub(super) up: [Lanes<T>; N],
-    pub(super) down: [Pairs<T>; N],
+pub(super) struct Coefficients<const N: usize> {
+    pub(super) up: [Lanes; N],
+    pub(super) down: [Pairs; N],
 }
 
-impl<T: Copy, const N: usize> Coefficients<T, N> {
+impl<const N: usize> Coefficients<N> {
     #[inline(always)]
-    pub(super) fn set(&mut self, power: usize, value: Lanes<T>) {
+    pub(super) fn set(&mut self, power: usize, value: Lanes) {
         self.up[power] = value;
         self.down[N - 1 - power] = pairs_of(&value);
     }

@@ -2,35 +2,34 @@
 
 use super::law::{Law, Rates};
 use super::series::{LENGTH, MOST, Series, Variation, in_units};
-use super::{Run, TRIES, largest, logarithm, ratio, smallest};
+use super::{Run, TRIES, largest, logarithm, ratio};
 use crate::body::State;
 use crate::error::Error;
 use crate::number::functions::exp;
-use crate::number::{Analytic, exponent, times_power_of_two};
+use crate::number::{exponent, times_power_of_two};
 use alloc::boxed::Box;
 use nalgebra::{Quaternion, Vector3};
-use num_traits::FromPrimitive;
 
 /// The series about the start of the last step, and about its end.
 #[derive(Debug, Clone)]
-pub(super) struct Taylor<T: nalgebra::Scalar> {
+pub(super) struct Taylor {
     /// In units of time of this number of seconds, a power of two.
-    law: Law<T>,
+    law: Law,
     unit: f64,
     rates: Rates,
-    series: Box<Series<T, LENGTH>>,
+    series: Box<Series<LENGTH>>,
     /// That of the first order about the end of a step: it tells the step's error, and begins the next.
-    next: Series<T, 2>,
+    next: Series<2>,
     /// Whether it is about the run's state.
     pub(super) ready: bool,
     /// The highest power that a step takes.
     most: usize,
 }
 
-impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
+impl Taylor {
     /// None where the law is no polynomial.
-    pub(super) fn new(run: &Run<T>) -> Option<Self> {
-        let law = Law::of(&run.system, T::one())?;
+    pub(super) fn new(run: &Run) -> Option<Self> {
+        let law = Law::of(&run.system, 1.0)?;
         let varied = run.variation.is_some();
         let (series, next) = (Box::new(Series::new(&law, varied)), Series::new(&law, varied));
         let rates = Rates::of(&run.system, &law);
@@ -38,15 +37,14 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     }
 
     /// Begins the next series at a state and a time, s after the start of the run.
-    fn begin(&mut self, run: &Run<T>, state: &State<T>, time: f64) {
-        let unit = Run::number(self.unit);
-        let spin = run.system.omega(&state.momentum).map(|x| x * unit).into();
-        self.next.begin(&self.law, &state.attitude, spin, run.system.time + Run::number(time));
+    fn begin(&mut self, run: &Run, state: &State<f64>, time: f64) {
+        let spin = run.system.omega(&state.momentum).map(|x| x * self.unit).into();
+        self.next.begin(&self.law, &state.attitude, spin, run.system.time + time);
         self.next.extend_to(1, &self.law);
     }
 
     /// Begins the next series' variations, in units, where it has begun itself.
-    fn begin_variations(&mut self, start: &Variation<T>) {
+    fn begin_variations(&mut self, start: &Variation) {
         if let Some(variations) = &mut self.next.variations {
             variations.begin(start);
         }
@@ -56,7 +54,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     /// Begins the variations at the end of a step of `x` units; returns how far the series' rates are from
     /// those of the law there.
     #[inline(never)]
-    fn end_variations(&mut self, x: T) -> f64 {
+    fn end_variations(&mut self, x: f64) -> f64 {
         let Some([value, rate]) = self.series.variations.as_ref().map(|own| own.at(x)) else { return 0.0 };
         self.begin_variations(&value);
         let both = self.series.variations.as_ref().zip(self.next.variations.as_ref());
@@ -64,7 +62,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     }
 
     /// What the torques change the momentum by in a unit of time, times the unit.
-    fn gained(&self, run: &Run<T>) -> [T; 3] {
+    fn gained(&self, run: &Run) -> [f64; 3] {
         let torque = self.next.torque(&self.law);
         core::array::from_fn(|i| torque[i] * run.system.moments()[i])
     }
@@ -101,30 +99,30 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
 
     /// The end of a step of `x` units at a time (s after the start of the run), and its error: how left the
     /// series is from the law there.
-    fn end(&mut self, run: &Run<T>, x: T, time: f64, scale: f64) -> (State<T>, f64) {
+    fn end(&mut self, run: &Run, x: f64, time: f64, scale: f64) -> (State<f64>, f64) {
         let [q, w, dq, dw] = self.series.at(x);
         let mut end = self.moved(run, &run.state, &q, &w);
         end.momentum.apply(|x| {
-            if x.size() > 0.0 && x.size() < smallest::<T>() {
-                *x = T::zero();
+            if x.abs() > 0.0 && x.abs() < f64::MIN_POSITIVE {
+                *x = 0.0;
             }
         });
         let stretched = run.project(&mut end);
-        let per = Run::number(1.0 / self.unit);
+        let per = 1.0 / self.unit;
         self.begin(run, &end, time);
         let [turned, spun] = self.next.rate();
-        let turned: [T; 4] = core::array::from_fn(|i| turned[i] - dq[i]);
-        let spun: [T; 3] = core::array::from_fn(|i| spun[i] - dw[i]);
-        let pushed: [T; 3] = core::array::from_fn(|i| spun[i] * run.system.moments()[i] * per);
-        let share = x.size() / (self.series.order as f64 + 1.0);
+        let turned: [f64; 4] = core::array::from_fn(|i| turned[i] - dq[i]);
+        let spun: [f64; 3] = core::array::from_fn(|i| spun[i] - dw[i]);
+        let pushed: [f64; 3] = core::array::from_fn(|i| spun[i] * run.system.moments()[i] * per);
+        let share = x.abs() / (self.series.order as f64 + 1.0);
         let error = share * largest(&[largest(&turned), ratio(largest(&pushed), scale)]);
         let varied = if run.variation.is_some() { share * self.end_variations(x) } else { 0.0 };
         (end, largest(&[error, stretched, varied]))
     }
 
     /// A state after these changes of attitude and spin in units.
-    fn moved(&self, run: &Run<T>, start: &State<T>, q: &[T; 4], w: &[T; 4]) -> State<T> {
-        let (s, per) = (&start.attitude.coords, Run::number(1.0 / self.unit));
+    fn moved(&self, run: &Run, start: &State<f64>, q: &[f64; 4], w: &[f64; 4]) -> State<f64> {
+        let (s, per) = (&start.attitude.coords, 1.0 / self.unit);
         State {
             attitude: Quaternion::new(s.w + q[3], s.x + q[0], s.y + q[1], s.z + q[2]),
             momentum: Vector3::from_fn(|i, _| start.momentum[i] + run.system.moments()[i] * w[i] * per),
@@ -132,8 +130,8 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     }
 
     /// The state `time` seconds after the start of the last step, where the body was in the state `start`.
-    pub(super) fn within(&self, run: &Run<T>, start: &State<T>, time: f64) -> State<T> {
-        let [q, w] = self.series.value(Run::number(time / self.unit));
+    pub(super) fn within(&self, run: &Run, start: &State<f64>, time: f64) -> State<f64> {
+        let [q, w] = self.series.value(time / self.unit);
         let mut there = self.moved(run, start, &q, &w);
         run.project(&mut there);
         there
@@ -142,15 +140,15 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     /// Whether the momentum has digits, and what it is measured by. A body at rest has none, so that which a
     /// torque gives it counts; one that drag brought to rest has no digits below the least. Where torques
     /// cancel, as in a body that hangs at rest, what is left of them is their rounding.
-    fn scale(&self, run: &Run<T>, unit: f64) -> (bool, f64) {
-        let least = smallest::<T>() / run.tolerance;
+    fn scale(&self, run: &Run, unit: f64) -> (bool, f64) {
+        let least = f64::MIN_POSITIVE / run.tolerance;
         let held = largest(run.state.momentum.as_slice()) + largest(&self.gained(run)) / unit;
-        let rounding = self.rates.torque * unit * 8.0 * T::rounding() / run.tolerance;
+        let rounding = self.rates.torque * unit * 8.0 * f64::EPSILON / run.tolerance;
         (held > least, held.max(least).max(rounding))
     }
 
     /// One step tried, shorter until its error is below the tolerance.
-    pub(super) fn advance(&mut self, run: &mut Run<T>) -> Result<(), Error> {
+    pub(super) fn advance(&mut self, run: &mut Run) -> Result<(), Error> {
         let remaining = run.duration - run.time;
         let omega = run.system.omega(&run.state.momentum);
         let decay = self.rates.fastest_decay(&run.state.momentum);
@@ -165,21 +163,21 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
             run.ahead().abs()
         };
         // Accelerations go by the square of the unit: below this they would lose their digits.
-        if unit * unit < smallest::<T>() / T::rounding() && run.ahead().abs() > unit {
+        if unit * unit < f64::MIN_POSITIVE / f64::EPSILON && run.ahead().abs() > unit {
             return Err(run.no_step(unit));
         }
         if unit != self.unit {
-            self.law = Law::of(&run.system, Run::number(unit)).unwrap_or_else(|| self.law.clone());
+            self.law = Law::of(&run.system, unit).unwrap_or_else(|| self.law.clone());
             (self.unit, self.ready) = (unit, false);
         }
         if !core::mem::take(&mut self.ready) {
             self.begin(run, &run.state, run.time);
             if let Some(variation) = &run.variation {
-                self.begin_variations(&in_units(variation, Run::number(unit)));
+                self.begin_variations(&in_units(variation, unit));
             }
         }
         let (moves, scale) = self.scale(run, unit);
-        let weights = [0, 1, 2].map(|i| ratio(run.system.moments()[i].size() / unit, scale).min(f64::MAX));
+        let weights = [0, 1, 2].map(|i| ratio(run.system.moments()[i].abs() / unit, scale).min(f64::MAX));
         let left = remaining.abs() / unit;
         let mut x = self.fill(&weights, left, run.tolerance);
         if !(x * unit).is_finite() {
@@ -189,8 +187,8 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
             let (h, last) = run.fitted((x * unit).copysign(remaining))?;
             let signed = if last { left } else { x }.copysign(remaining);
             let until = if last { run.duration } else { run.time + h };
-            let (end, error) = self.end(run, Run::number(signed), until, scale);
-            if error <= run.tolerance.max(32.0 * T::rounding()) {
+            let (end, error) = self.end(run, signed, until, scale);
+            if error <= run.tolerance.max(32.0 * f64::EPSILON) {
                 run.count_stiffness(if moves { decay * h.abs() } else { 0.0 });
                 if let Some(flips) = &mut run.flips {
                     let spin = self.series.spin(flips.axis);
@@ -198,7 +196,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
                 }
                 run.take(end, h, last);
                 if let (Some(variation), Some(variations)) = (&mut run.variation, &self.next.variations) {
-                    **variation = in_units(&variations.coefficient(0), Run::number(1.0 / self.unit));
+                    **variation = in_units(&variations.coefficient(0), 1.0 / self.unit);
                 }
                 self.ready = true;
                 return Ok(());

@@ -47,7 +47,7 @@ impl<T: Field> Torque<T> {
     /// let leaning = UnitQuaternion::from_axis_angle(&Vector3::y_axis(), 0.01);
     /// let body = Body::spinning(inertia, leaning, &Vector3::zeros())?;
     /// let spring = Torque::spring(&Vector3::x(), &Vector3::x(), 8.0);
-    /// let mut stepper = Stepper::<f64>::adaptive(&body, 1e-10, 1000)?.with_torques([spring])?;
+    /// let mut stepper = Stepper::adaptive(&body, 1e-10, 1000)?.with_torques([spring])?;
     /// let end = stepper.step(std::f64::consts::FRAC_PI_2)?;
     /// assert!((2.0 * end.attitude.j + 0.01).abs() < 1e-6);
     /// # Ok::<(), tumbling::Error>(())
@@ -74,7 +74,7 @@ impl<T: Field> Torque<T> {
     /// let spin = Vector3::new(0.0, 0.0, rate);
     /// let body = Body::spinning(inertia, UnitQuaternion::identity(), &spin)?;
     /// let gradient = Torque::gravity_gradient(&Vector3::x(), &spin);
-    /// let mut stepper = Stepper::<f64>::adaptive(&body, 1e-12, 1000)?.with_torques([gradient])?;
+    /// let mut stepper = Stepper::adaptive(&body, 1e-12, 1000)?.with_torques([gradient])?;
     /// stepper.step(1350.0)?;
     /// let pointing = stepper.body()?.attitude() * Vector3::x();
     /// assert!((pointing - Vector3::y()).norm() < 1e-10);
@@ -104,7 +104,7 @@ impl<T: Field> Torque<T> {
     /// let inertia = Inertia::from_moments(2.0, 3.0, 4.0)?;
     /// let body = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::zeros())?;
     /// let fired = Torque::during(0.5, 0.8, Torque::InBody(Vector3::z() * 2.0));
-    /// let mut stepper = Stepper::<f64>::adaptive(&body, 1e-10, 1000)?.with_torques([fired])?;
+    /// let mut stepper = Stepper::adaptive(&body, 1e-10, 1000)?.with_torques([fired])?;
     /// stepper.step(10.0)?;
     /// assert!((stepper.omega().z - 0.15).abs() < 1e-14);
     /// # Ok::<(), tumbling::Error>(())
