@@ -17,8 +17,9 @@ use nalgebra::Vector3;
 /// The body may have any tensor, products of inertia too. All that goes in and comes out is along the body's
 /// own axes and the world's. The principal axes are found once; what is stepped is never turned back and
 /// forth, so that a reversible method stays reversible. A step by a method or at a fixed rate allocates
-/// nothing; an adaptive one allocates the series of its run. In `f32`, [`PositionStage`](super::PositionStage)
-/// steps a free body, and [`Method::step`] and [`fixed_rate`] step a [`System`] of such numbers.
+/// nothing; an adaptive one allocates the series of its run. In `f32`, a free body is stepped by
+/// [`PositionStage`](super::PositionStage), and a [`System`] of such numbers by [`Method::step`] and
+/// [`fixed_rate`].
 ///
 /// ```
 /// use nalgebra::{Matrix3, UnitQuaternion, Vector3};
