@@ -3,6 +3,7 @@
 use crate::error::{Error, Refusal, Subject};
 use crate::number::{DoubleDouble, times_power_of_two};
 use core::iter::FusedIterator;
+use core::ops::Range;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
@@ -31,11 +32,11 @@ pub(crate) enum Clock {
 #[derive(Debug, Clone)]
 pub struct Flips {
     source: Option<(Clock, i32)>,
-    /// Number of the next flip, and of the first that is none of these; the step from one to the next,
-    /// forward in time.
-    next: f64,
-    end: f64,
+    /// The number of the first flip, and the step from one to the next, forward in time.
+    first: f64,
     step: f64,
+    /// Which of them, counted from the first, are still to come.
+    left: Range<u64>,
 }
 
 impl Clock {
@@ -91,10 +92,12 @@ impl Flips {
     /// Those after `from` and up to `to`.
     pub(crate) fn between(source: Option<(Clock, i32)>, from: f64, to: f64) -> Result<Self, Error> {
         let Some((clock, exponent)) = source else {
-            return Ok(Self { source, next: 0.0, end: 0.0, step: 1.0 });
+            return Ok(Self { source, first: 0.0, step: 1.0, left: 0..0 });
         };
         let number = |t: f64| clock.first_after(t, exponent, LAST_APART);
-        Ok(Self { source, next: number(from)?, end: number(to)?, step: clock.step() })
+        let (first, end, step) = (number(from)?, number(to)?, clock.step());
+        // Whole, and below 2^53.
+        Ok(Self { source, first, step, left: 0..((end - first) * step).max(0.0) as u64 })
     }
 
     /// The number still to come, counted without visiting them.
@@ -110,12 +113,11 @@ impl Flips {
     /// ```
     #[must_use]
     pub fn remaining(&self) -> u64 {
-        // Whole, and below 2^53.
-        ((self.end - self.next) * self.step).max(0.0) as u64
+        self.left.end - self.left.start
     }
 
-    fn instant(&self, number: f64) -> Option<f64> {
-        self.source.map(|(clock, exponent)| clock.instant(number, exponent))
+    fn instant(&self, n: u64) -> Option<f64> {
+        self.source.map(|(clock, exponent)| clock.instant(self.first + self.step * n as f64, exponent))
     }
 }
 
@@ -123,22 +125,15 @@ impl Iterator for Flips {
     type Item = f64;
 
     fn next(&mut self) -> Option<f64> {
-        self.nth(0)
+        self.left.next().and_then(|n| self.instant(n))
     }
 
     fn nth(&mut self, n: usize) -> Option<f64> {
-        if n as u64 >= self.remaining() {
-            self.next = self.end;
-            return None;
-        }
-        let number = self.next + self.step * n as f64;
-        self.next = number + self.step;
-        self.instant(number)
+        self.left.nth(n).and_then(|n| self.instant(n))
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {
-        let whole = usize::try_from(self.remaining()).ok();
-        (whole.unwrap_or(usize::MAX), whole)
+        self.left.size_hint()
     }
 
     fn count(self) -> usize {
@@ -152,11 +147,7 @@ impl Iterator for Flips {
 
 impl DoubleEndedIterator for Flips {
     fn next_back(&mut self) -> Option<f64> {
-        if self.remaining() == 0 {
-            return None;
-        }
-        self.end -= self.step;
-        self.instant(self.end)
+        self.left.next_back().and_then(|n| self.instant(n))
     }
 }
 
