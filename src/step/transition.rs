@@ -114,7 +114,7 @@ impl Stepper {
     }
 
     /// A run from now on, its tolerance and its budget.
-    fn begin(&self, track: Tracked, h: f64, what: Subject) -> Result<(AdaptiveRun<f64>, f64, usize), Error> {
+    fn begin(&self, track: Tracked, h: f64, what: Subject) -> Result<(AdaptiveRun, f64, usize), Error> {
         let (tolerance, budget) = self.tolerance(what)?;
         check_square_underflow(&self.system.omega(&self.state.momentum), &finite(Subject::Step, h)?)?;
         Ok((AdaptiveRun::new(self.system.clone(), &self.state, h, tolerance, track)?, tolerance, budget))

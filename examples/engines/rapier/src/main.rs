@@ -3,29 +3,28 @@
 //! Writes STORY.csv into the folder `records` next to this package, for `judge`.
 
 use rapier3d_f64::prelude::*;
-use serde_json::Value;
 use std::error::Error;
 use std::fmt::Write as _;
 use std::path::Path;
+use tumbling_judge::Story;
 
 /// Time, attitude (w, x, y, z) and spin in body axes, at each step.
-fn run(story: &Value, h: f64) -> Result<Vec<[f64; 8]>, Box<dyn Error>> {
-    let numbers = |name: &str| serde_json::from_value::<Vec<f64>>(story[name].clone());
-    let vector = |name: &str| numbers(name).map(|v| Vector::new(v[0], v[1], v[2]));
-    let q = numbers("attitude")?;
-    let attitude = Rotation::from_xyzw(q[1], q[2], q[3], q[0]);
+fn run(story: &Story, h: f64) -> Vec<[f64; 8]> {
+    let vector = |[x, y, z]: [f64; 3]| Vector::new(x, y, z);
+    let [w, x, y, z] = story.attitude;
+    let attitude = Rotation::from_xyzw(x, y, z, w);
     let mut world = PhysicsWorld::new();
     world.gravity = Vector::ZERO;
     world.integration_parameters.dt = h;
-    let mass = MassProperties::new(Vector::ZERO, 1.0, vector("moments")?);
+    let mass = MassProperties::new(Vector::ZERO, 1.0, vector(story.moments));
     // Rapier takes the spin in world axes. A body that sleeps would stop.
     let body = RigidBodyBuilder::dynamic()
         .additional_mass_properties(mass)
         .rotation(attitude.to_scaled_axis())
-        .angvel(attitude * vector("spin")?)
+        .angvel(attitude * vector(story.spin))
         .can_sleep(false);
     let handle = world.insert_body(body);
-    let steps = (story["duration"].as_f64().ok_or("no duration")? / h).round() as u32;
+    let steps = (story.duration / h).round() as u32;
     let mut rows = Vec::new();
     for n in 0..=steps {
         let body = &world.bodies[handle];
@@ -33,7 +32,7 @@ fn run(story: &Value, h: f64) -> Result<Vec<[f64; 8]>, Box<dyn Error>> {
         rows.push([f64::from(n) * h, q.w, q.x, q.y, q.z, w.x, w.y, w.z]);
         world.step();
     }
-    Ok(rows)
+    rows
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -44,20 +43,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         None => step.parse()?,
     };
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let kit = std::fs::read_to_string(here.join("../../../crates/judge/kit/stories.json"))?;
-    let kit: Value = serde_json::from_str(&kit)?;
     std::fs::create_dir_all(here.join("records"))?;
-    for story in kit["stories"].as_array().ok_or("no stories")? {
-        let name = story["name"].as_str().ok_or("a story without a name")?;
-        if !wanted.is_empty() && !wanted.iter().any(|x| x == name) {
-            continue;
-        }
-        let moments = &story["moments"];
+    let asked = |story: &Story| wanted.is_empty() || wanted.contains(&story.name);
+    for story in Story::all().iter().filter(|story| asked(story)) {
+        let (name, [a, b, c]) = (&story.name, story.moments);
         let mut text = format!(
-            "# engine: Rapier 0.36.1 (rapier3d-f64), gyroscopic forces on\n# inertia: {} {} {} kg m2\n# dt: {step} s\nt,qw,qx,qy,qz,wx,wy,wz\n",
-            moments[0], moments[1], moments[2]
+            "# engine: Rapier 0.36.1 (rapier3d-f64), gyroscopic forces on\n# inertia: {a:?} {b:?} {c:?} kg m2\n# dt: {step} s\nt,qw,qx,qy,qz,wx,wy,wz\n"
         );
-        for row in run(story, h)? {
+        for row in run(story, h) {
             let row: Vec<String> = row.iter().map(|x| format!("{x:?}")).collect();
             writeln!(text, "{}", row.join(","))?;
         }
