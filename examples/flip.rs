@@ -32,9 +32,7 @@ fn main() -> Result<(), tumbling::Error> {
             rest = 40_usize.saturating_sub(column),
         );
     }
-    match time_between_flips(axes.try_into()?, &along)? {
-        Some(beat) => println!("Theory: a flip every {beat:.3} s."),
-        None => println!("Theory: it never flips."),
-    }
+    let beat = time_between_flips(axes.try_into()?, &along)?.unwrap_or(f64::INFINITY);
+    println!("Theory: a flip every {beat:.3} s.");
     Ok(())
 }

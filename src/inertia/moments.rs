@@ -4,7 +4,6 @@ use super::possible::{DIAGONAL_ROUNDING_ULPS, nearest_possible, physically_possi
 use super::{Axis, Inertia};
 use crate::error::{Error, Subject, positive};
 use crate::number::ulp;
-use core::fmt;
 use core::ops::Index;
 use nalgebra::Vector3;
 
@@ -149,16 +148,5 @@ impl From<PrincipalMoments> for [f64; 3] {
 impl From<PrincipalMoments> for Inertia {
     fn from(moments: PrincipalMoments) -> Self {
         Self { tensor: nalgebra::Matrix3::from_diagonal(&moments.moments) }
-    }
-}
-
-/// As `(0.8, 1.1, 0.4) kg m²`; a precision goes to each.
-impl fmt::Display for PrincipalMoments {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [a, b, c]: [f64; 3] = (*self).into();
-        match f.precision() {
-            Some(digits) => write!(f, "({a:.digits$}, {b:.digits$}, {c:.digits$}) kg m²"),
-            None => write!(f, "({a}, {b}, {c}) kg m²"),
-        }
     }
 }

@@ -113,10 +113,3 @@ fn moments_that_are_no_numbers_above_zero_are_refused_by_value() {
         }
     }
 }
-
-#[test]
-fn moments_print_in_the_order_given() {
-    let book = PrincipalMoments::new(0.8, 1.1, 0.4).unwrap();
-    assert_eq!(format!("{book}"), "(0.8, 1.1, 0.4) kg m²");
-    assert_eq!(format!("{book:.2}"), "(0.80, 1.10, 0.40) kg m²");
-}
