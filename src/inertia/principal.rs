@@ -201,22 +201,18 @@ fn rotate(a: &mut Matrix3<f64>, v: &mut Matrix3<f64>, p: usize, q: usize) -> boo
 fn canonical_frame(moments: &Vector3<f64>, axes: &[Vector3<f64>; 3]) -> Matrix3<f64> {
     let rounding = 8.0 * ulp(moments[2]);
     let equal = |i: usize, j: usize| (moments[i] - moments[j]).abs() <= rounding;
+    let [smallest, middle, largest] = axes.each_ref().map(pointing);
     let [a, b, c] = match (equal(0, 1), equal(1, 2)) {
         (true, true) => return Matrix3::identity(),
         (true, false) => {
-            let lone = pointing(&axes[2]);
-            let (first, second) = plane(&lone);
-            [first, second, lone]
+            let [first, second] = plane(&largest);
+            [first, second, largest]
         }
         (false, true) => {
-            let lone = pointing(&axes[0]);
-            let (first, second) = plane(&lone);
-            [lone, first, second]
+            let [first, second] = plane(&smallest);
+            [smallest, first, second]
         }
-        (false, false) => {
-            let (first, second) = (pointing(&axes[0]), pointing(&axes[1]));
-            [first, second, first.cross(&second)]
-        }
+        (false, false) => [smallest, middle, smallest.cross(&middle)],
     };
     // Adding zero turns -0 into 0, so that equal frames also print the same.
     Matrix3::from_columns(&[a, b, c]).map(|x| x + 0.0)
@@ -230,10 +226,10 @@ fn pointing(axis: &Vector3<f64>) -> Vector3<f64> {
 }
 
 /// Two unit vectors that complete `lone` to a right-handed frame `(first, second, lone)`.
-fn plane(lone: &Vector3<f64>) -> (Vector3<f64>, Vector3<f64>) {
+fn plane(lone: &Vector3<f64>) -> [Vector3<f64>; 2] {
     let least = lone.map(f64::abs).imin();
     let mut along = Vector3::zeros();
     along[least] = 1.0;
     let first = (along - lone * lone[least]).normalize();
-    (first, lone.cross(&first))
+    [first, lone.cross(&first)]
 }

@@ -6,7 +6,7 @@ use super::stepper::{Rule, Stepper};
 use super::system::System;
 use crate::body::{Body, State};
 use crate::error::{Error, Refusal, Subject, finite, positive};
-use crate::inertia::{Frame, Inertia, PrincipalMoments};
+use crate::inertia::{Inertia, PrincipalMoments};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 use nalgebra::{UnitQuaternion, Vector3};
@@ -78,16 +78,14 @@ impl Stepper {
         tolerance: f64,
         budget: usize,
     ) -> Result<Self, Error> {
-        check_tolerance(tolerance)?;
-        let mut unit = (*start).checked()?;
-        if normalize(&mut unit.attitude) == 0.0 {
-            positive(Subject::AttitudeLength, 0.0)?;
-        }
         let inertia = Inertia::from(PrincipalMoments::try_from(*system.moments())?);
         let body = Body::new(inertia, UnitQuaternion::identity(), &Vector3::zeros())?;
-        let rule = Rule::Adaptive { tolerance, budget };
-        let (time, frame, run) = (0.0, Frame::BODY, None);
-        let stepper = Self { body, rule, system, state: unit, frame, time, run, sign: 0.0, count: 0 };
+        let stepper = Self::adaptive(&body, tolerance, budget)?;
+        let mut state = (*start).checked()?;
+        if normalize(&mut state.attitude) == 0.0 {
+            positive(Subject::AttitudeLength, 0.0)?;
+        }
+        let stepper = Self { system, state, ..stepper };
         stepper.checked()?;
         Ok(stepper)
     }

@@ -55,21 +55,20 @@ impl<T: Rounding, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
             _ => 0,
         };
         for turned in 0..3 {
-            let mut these = motions
+            let these: Vec<_> = motions
                 .iter()
                 .enumerate()
                 .filter(|(_, motion)| turns(motion) == turned)
                 .filter_map(|(body, motion)| Some((body, motion, of(motion)?)))
-                .peekable();
-            while these.peek().is_some() {
-                let block: Vec<_> = these.by_ref().take(T::WIDTH).collect();
+                .collect();
+            for block in these.chunks(T::WIDTH.max(1)) {
                 group.bodies.extend(block.iter().map(|(body, ..)| *body));
                 let full = group.bodies.len().next_multiple_of(T::WIDTH.max(1));
                 group.bodies.resize(full, NOBODY);
-                group.clocks.push(T::gather(&block, |(_, motion, _)| &motion.clock));
-                group.spins.push(K::gather(&block, |(.., (spin, _))| *spin));
+                group.clocks.push(T::gather(block, |(_, motion, _)| &motion.clock));
+                group.spins.push(K::gather(block, |(.., (spin, _))| *spin));
                 if attitudes {
-                    group.attitudes.push(A::gather(&block, |(.., (_, attitude))| *attitude));
+                    group.attitudes.push(A::gather(block, |(.., (_, attitude))| *attitude));
                 }
                 let mounts: Vec<_> =
                     block.iter().filter_map(|(_, motion, _)| motion.mount.as_ref()).collect();
@@ -81,17 +80,7 @@ impl<T: Rounding, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
                 }
             }
         }
-        group.shrink();
         group
-    }
-
-    fn shrink(&mut self) {
-        self.bodies.shrink_to_fit();
-        self.clocks.shrink_to_fit();
-        self.spins.shrink_to_fit();
-        self.attitudes.shrink_to_fit();
-        self.worlds.shrink_to_fit();
-        self.frames.shrink_to_fit();
     }
 
     /// What belongs to block `n` of those to whose last blocks it belongs.

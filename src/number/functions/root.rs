@@ -9,10 +9,7 @@ pub(crate) fn hypot(a: f64, b: f64) -> f64 {
         return f64::INFINITY;
     }
     let largest = if a > b { a } else { b };
-    if (1e-60..1e60).contains(&largest) {
-        return (DoubleDouble::product(a, a) + DoubleDouble::product(b, b)).sqrt().hi();
-    }
-    let scale = exponent(largest);
+    let scale = if (1e-60..1e60).contains(&largest) { 0 } else { exponent(largest) };
     let [a, b] = [a, b].map(|x| times_power_of_two(x, -scale));
     times_power_of_two((DoubleDouble::product(a, a) + DoubleDouble::product(b, b)).sqrt().hi(), scale)
 }
