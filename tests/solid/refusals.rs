@@ -6,14 +6,14 @@ use proptest::prelude::*;
 use tumbling::solid::*;
 use tumbling::{Error, ErrorKind};
 
-type Made = Result<Box<dyn Solid>, Error>;
+pub type Made = Result<Box<dyn Solid>, Error>;
 
 fn boxed<S: Solid + 'static>(made: Result<S, Error>) -> Made {
     made.map(|s| Box::new(s) as Box<dyn Solid>)
 }
 
 /// Every shape from the same three sizes.
-fn every_shape(a: f64, b: f64, c: f64) -> Vec<(&'static str, Made)> {
+pub fn every_shape(a: f64, b: f64, c: f64) -> Vec<(&'static str, Made)> {
     vec![
         ("cuboid", boxed(Cuboid::new(a, b, c))),
         ("ball", boxed(Ball::new(a))),

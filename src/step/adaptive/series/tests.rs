@@ -18,7 +18,7 @@ fn the_fast_sums_are_those_of_the_recurrence() {
     let law = Law::of(&system, 1.0).unwrap();
     let start = Quaternion::new(0.5, -0.1, 0.7, 0.2).normalize();
     let spin = Vector3::new(0.5, 2.0, -0.4);
-    let mut fast = Series::<f64, LENGTH>::new(&law, false);
+    let mut fast = Series::<LENGTH>::new(&law, false);
     fast.begin(&law, &start, spin.into(), 0.0);
     fast.extend_to(MOST, &law);
 
