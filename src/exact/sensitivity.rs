@@ -175,6 +175,9 @@ impl FreeMotion {
     fn derivatives(&self, t: f64, tensor: bool) -> Result<Derivatives, Error> {
         let time = finite(Subject::Time, t)? * self.clock;
         let (moments, omega, _) = scaled(&self.moments.into(), &self.start.into());
+        if self.law == Motion::AtRest {
+            return Ok(Derivatives::at_rest(time));
+        }
         let angle = Vector3::from(omega).norm() * time.abs();
         if angle <= SHORT {
             let request = Request { attitude: true, tensor };
@@ -282,6 +285,22 @@ fn with_turn(
         turn_by_tensor.set_column(column, &turn(before, after, -0.5 * found.energy[column]));
     }
     Derivatives { back, turn: Matrix3::from_columns(&columns), turn_by_tensor, spin: found }
+}
+
+impl Derivatives {
+    /// A body that is given a spin has it, and turns by it.
+    fn at_rest(time: f64) -> Self {
+        Self {
+            back: Matrix3::identity(),
+            turn: Matrix3::identity() * time,
+            turn_by_tensor: ByTensor::zeros(),
+            spin: SpinDerivatives {
+                spin: Matrix3::identity(),
+                by_tensor: ByTensor::zeros(),
+                energy: [0.0; 6],
+            },
+        }
+    }
 }
 
 /// The coefficients of a tensor's entries along its principal axes, in the order of [`ByTensor`], in terms of

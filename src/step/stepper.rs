@@ -9,7 +9,6 @@ use crate::step::method::Method;
 use crate::step::system::System;
 use crate::step::torque::Torque;
 use alloc::boxed::Box;
-use alloc::vec::Vec;
 use nalgebra::Vector3;
 
 /// Steps a body through time under any torques: by a method, at a fixed rate, or within a tolerance.

@@ -49,6 +49,6 @@ fn a_long_moser_veselov_step_comes_back_or_is_refused() {
         let Ok(end) = method.step(&system, &start, h) else { continue };
         let back = method.step(&system, &end, -h).unwrap();
         let off = (back.momentum - momentum).norm();
-        assert!(off < 1e-12, "{method} of {moments} by {h} from {momentum:?}: {off:e}");
+        assert!(off < 1e-12, "{method} of {moments:?} by {h} from {momentum:?}: {off:e}");
     }
 }
