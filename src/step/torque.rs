@@ -240,7 +240,7 @@ impl Torque<f64> {
             }
             Self::Function(TorqueFunction(law)) => Self::function(move |time, rotation, omega| {
                 let to_body = to_principal.transpose();
-                &to_principal * law(time, &(rotation * &to_principal), &(to_body * omega))
+                to_principal * law(time, &(rotation * to_principal), &(to_body * omega))
             }),
             Self::During { start, end, torque } => Self::during(start, end, torque.along(frame)?),
             Self::InBody(torque) => Self::InBody(frame.along(&torque)),

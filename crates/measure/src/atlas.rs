@@ -8,9 +8,7 @@ use crate::AnyError;
 use crate::drive::{Components, Drive, digits};
 use crate::errors::turn;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use num_traits::{FromPrimitive, ToPrimitive};
 use serde::Deserialize;
-use tumbling::number::Analytic;
 use tumbling::step::{Method, State, Stepper};
 use tumbling::{Body, Error, Inertia};
 
@@ -106,23 +104,17 @@ impl Case {
     ///
     /// # Errors
     /// What the library refuses.
-    pub fn run<T>(&self, runner: Option<Method>, tolerance: f64) -> Result<State<f64>, Error>
-    where
-        T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync,
-    {
+    pub fn run(&self, runner: Option<Method>, tolerance: f64) -> Result<State<f64>, Error> {
         let [a, b, c] = self.moments;
         let inertia = Inertia::from_moments(a, b, c)?;
         let mut body = Body::spinning(inertia, UnitQuaternion::identity(), &self.omega.into())?;
         for &(seconds, pulse) in &self.drive.phases {
             let (stepper, steps) = match runner {
-                Some(method) => {
-                    (Stepper::<T>::new(&body, method)?, (seconds / self.step).ceil().clamp(1.0, 1e5))
-                }
+                Some(method) => (Stepper::new(&body, method)?, (seconds / self.step).ceil().clamp(1.0, 1e5)),
                 None => (Stepper::adaptive(&body, tolerance, 100_000)?, 1.0),
             };
             let mut stepper = stepper.with_torques(self.drive.torques(pulse))?;
-            let h = T::from_f64(seconds / steps).unwrap_or_else(T::zero);
-            stepper.run(h, steps as usize).try_for_each(|state| state.map(drop))?;
+            stepper.run(seconds / steps, steps as usize).try_for_each(|state| state.map(drop))?;
             body = stepper.body()?;
         }
         Ok(body.state())
@@ -147,7 +139,7 @@ impl Case {
     /// A number of the table that cannot be read.
     pub fn fate(&self, runner: Option<Method>) -> Result<Fate, AnyError> {
         let truth = self.truth()?;
-        let Ok(end) = self.run::<f64>(runner, TOLERANCE) else { return Ok(Fate::Refused) };
+        let Ok(end) = self.run(runner, TOLERANCE) else { return Ok(Fate::Refused) };
         let [momentum, angle] = self.off(&end, &truth);
         Ok(match (end.momentum.norm() - truth.momentum.norm()) / self.scale(&truth) {
             longer if !(longer + momentum + angle).is_finite() => Fate::NotFinite,

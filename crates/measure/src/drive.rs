@@ -1,10 +1,9 @@
 //! What acts on the bodies of the tables of truth: as the library's torques, and as plain numbers for
 //! programs of others.
 
-use num_traits::FromPrimitive;
+use nalgebra::Vector3;
 use serde::Deserialize;
 use std::num::ParseFloatError;
-use tumbling::number::Analytic;
 use tumbling::step::Torque;
 
 /// A vector in a table: along x, y and z.
@@ -51,28 +50,23 @@ impl Drive {
 
     /// All that acts while the torque of this phase does.
     #[must_use]
-    pub fn torques<T>(&self, pulse: Components) -> Vec<Torque<T>>
-    where
-        T: Analytic + FromPrimitive + Send + Sync,
-    {
-        let number = |x: f64| T::from_f64(x).unwrap_or_else(T::zero);
-        let vector = |v: Components| v.map(number).into();
+    pub fn torques(&self, pulse: Components) -> Vec<Torque<f64>> {
         let acts = |v: Components| v != [0.0; 3];
         let all = [
-            (self.weight != 0.0).then(|| Torque::gravity(&vector(self.arm), number(self.weight))),
-            acts(self.damping).then(|| Torque::Damping(vector(self.damping))),
-            acts(self.world).then(|| Torque::InWorld(vector(self.world))),
+            (self.weight != 0.0).then(|| Torque::gravity(&self.arm.into(), self.weight)),
+            acts(self.damping).then(|| Torque::Damping(self.damping.into())),
+            acts(self.world).then(|| Torque::InWorld(self.world.into())),
             (self.gradient != 0.0).then(|| Torque::GravityGradient {
-                strength: number(self.gradient),
-                direction: vector([1.0, 0.0, 0.0]),
-                orbit: vector([0.0, 0.0, self.orbit]),
+                strength: self.gradient,
+                direction: Vector3::x(),
+                orbit: Vector3::z() * self.orbit,
             }),
             acts(self.push).then(|| Torque::Periodic {
-                amplitude: vector(self.push),
-                rate: number(self.rate),
-                phase: T::zero(),
+                amplitude: self.push.into(),
+                rate: self.rate,
+                phase: 0.0,
             }),
-            acts(pulse).then(|| Torque::InBody(vector(pulse))),
+            acts(pulse).then(|| Torque::InBody(pulse.into())),
         ];
         all.into_iter().flatten().collect()
     }

@@ -7,6 +7,8 @@ use crate::step::system::System;
 use crate::step::torques::{Gradient, Periodic, WorldVector};
 use alloc::vec::Vec;
 use nalgebra::Vector3;
+#[cfg(not(feature = "std"))]
+use num_traits::Float as _;
 
 /// Angular acceleration by spin, attitude and time, in a unit of time, all of it polynomial or periodic; in
 /// rows as the series are.
