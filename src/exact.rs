@@ -289,15 +289,14 @@ impl FreeMotion {
         match &self.law {
             Motion::AtRest => Regime::AtRest,
             Motion::Steady(turn) => Regime::Steady { speed: per_second(turn.rate()) },
-            Motion::Symmetric(top) => Regime::SymmetricTop {
-                axis: if self.moments.axis(Axis::Largest) == top.axis {
-                    Axis::Largest
-                } else {
-                    Axis::Smallest
-                },
-                nutation: per_second(top.nutation_turns() * core::f64::consts::TAU),
-                precession: per_second(top.about_momentum.rate()),
-            },
+            Motion::Symmetric(top) => {
+                let largest = self.moments.axis(Axis::Largest) == top.axis;
+                Regime::SymmetricTop {
+                    axis: if largest { Axis::Largest } else { Axis::Smallest },
+                    nutation: per_second(top.nutation_turns() * core::f64::consts::TAU),
+                    precession: per_second(top.about_momentum.rate()),
+                }
+            }
             Motion::Elliptic(motion) => motion.regime(per_second),
         }
     }

@@ -17,17 +17,10 @@ pub(super) const DIAGONAL_ROUNDING_ULPS: f64 = 4.0;
 const PRINTED: f64 = 1e-2;
 
 /// What the entries of the matrix are called, by columns.
-const ENTRIES: [Subject; 9] = [
-    Subject::Ixx,
-    Subject::Ixy,
-    Subject::Ixz,
-    Subject::Ixy,
-    Subject::Iyy,
-    Subject::Iyz,
-    Subject::Ixz,
-    Subject::Iyz,
-    Subject::Izz,
-];
+const ENTRIES: [Subject; 9] = {
+    use Subject::{Ixx, Ixy, Ixz, Iyy, Iyz, Izz};
+    [Ixx, Ixy, Ixz, Ixy, Iyy, Iyz, Ixz, Iyz, Izz]
+};
 
 impl Inertia {
     /// A tensor summed up by this library from real masses: possible by construction, to whatever rounding

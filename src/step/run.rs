@@ -86,8 +86,7 @@ impl Stepper {
             positive(Subject::AttitudeLength, 0.0)?;
         }
         let stepper = Self { system, state, ..stepper };
-        stepper.checked()?;
-        Ok(stepper)
+        stepper.checked().map(|_| stepper)
     }
 
     /// The state at a time by a run that [holds](AdaptiveRun::holds) it: the one under way, or a new one.

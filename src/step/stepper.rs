@@ -119,8 +119,7 @@ impl Stepper {
         };
         let stepper =
             Self { body: *body, rule, system, state, frame, time: 0.0, run: None, sign: 0.0, count: 0 };
-        stepper.checked()?;
-        Ok(stepper)
+        stepper.checked().map(|_| stepper)
     }
 
     /// Adds torques to those that act already, given in the body's and the world's axes. Damping is along

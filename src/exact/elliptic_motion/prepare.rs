@@ -62,11 +62,8 @@ impl<T: Real> EllipticMotion<T> {
         let shares = preparation.shares();
         let Prepared { form, argument, amplitudes } =
             if preparation.direct { preparation.direct(shares) } else { preparation.complementary(shares) };
-        let about = if motion.moments[motion.middle].lt(motion.moments[motion.around]) {
-            Axis::Largest
-        } else {
-            Axis::Smallest
-        };
+        let largest = motion.moments[motion.middle].lt(motion.moments[motion.around]);
+        let about = if largest { Axis::Largest } else { Axis::Smallest };
         let lifts = preparation.lifts();
         Ok(Self {
             axes: preparation.axes(),

@@ -6,7 +6,6 @@ use super::{Run, largest, ratio};
 use crate::body::{Rate, State};
 use crate::error::{Error, Subject, representable};
 use crate::number::{exponent, times_power_of_two};
-use alloc::sync::Arc;
 use nalgebra::{Quaternion, Vector3};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
@@ -145,17 +144,7 @@ impl Pair {
     ) -> Result<State<f64>, Error> {
         let mut pair = Self { rates: [self.first; 12], first: self.first, h: duration };
         let end = began + duration;
-        let system = Arc::clone(&run.system);
-        let mut part = Run {
-            time: began,
-            state: *start,
-            duration: end,
-            goal: end,
-            flips: None,
-            variation: None,
-            system,
-            ..*run
-        };
+        let mut part = Run { time: began, state: *start, duration: end, goal: end, ..run.clone() };
         let before = run.steps + run.rejected;
         while part.time != end {
             if part.steps + part.rejected > before + SHORTER_STEPS {
