@@ -1,6 +1,7 @@
 //! The position stage of a physics engine: attitude and spin over a time step, with nothing else acting.
 
 mod coefficients;
+mod side_by_side;
 pub(crate) mod turn;
 
 use crate::attitude::product;
@@ -133,7 +134,7 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
     pub fn step(&self, attitude: &Quaternion<T>, omega: &Vector3<T>, h: T) -> Stepped<T> {
         let end = self.part(attitude, omega, h);
         if end.taken() {
-            return Stepped { attitude: end.attitude, omega: end.omega, parts: 1 };
+            return end.stepped();
         }
         let (attitude, omega, parts) = self.in_parts(attitude, omega, h);
         Stepped { attitude, omega, parts }
@@ -258,6 +259,11 @@ impl<T: Field + Float + From<f32>> End<T> {
         self.turn <= longest()
             && (self.length - T::one()).abs() <= T::epsilon() * number(32.0)
             && (self.omega.x + self.omega.y + self.omega.z + self.factor).is_finite()
+    }
+
+    #[inline(always)]
+    fn stepped(&self) -> Stepped<T> {
+        Stepped { attitude: self.attitude, omega: self.omega, parts: 1 }
     }
 }
 

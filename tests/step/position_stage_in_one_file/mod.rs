@@ -47,13 +47,28 @@ macro_rules! compared {
                 w = if round % 5 == 0 { w.map(|x| x * $real::EPSILON) } else { w };
                 all.push((body, one_file, q, w));
             }
-            // Side by side each body gets the bits that it has alone.
-            let ends: Vec<_> = all
-                .iter()
-                .map(|(body, _, [s, x, y, z], w)| {
-                    body.step(&Quaternion::new(*s, *x, *y, *z), &Vector3::from(*w), 0.0625)
-                })
-                .collect();
+            // Side by side, in the library and in the file, as each body alone.
+            let alone = |k: usize| -> (PositionStage<$real>, Quaternion<$real>, Vector3<$real>) {
+                let (body, _, [s, x, y, z], w) = all[k];
+                (body, Quaternion::new(s, x, y, z), Vector3::from(w))
+            };
+            let mut together: Vec<_> = (0..2_000).map(|k| (alone(k), 1)).collect();
+            PositionStage::step_all(
+                &mut together[..],
+                0..2_000,
+                0.0625,
+                |all, k| (&all[k].0.0, all[k].0.1, all[k].0.2),
+                |all, k, end| all[k] = ((all[k].0.0, end.attitude, end.omega), end.parts),
+            );
+            let mut parts_seen = [false; 3];
+            for (k, ((_, q, w), parts)) in together.iter().enumerate() {
+                let (body, q_alone, w_alone) = alone(k);
+                let end = body.step(&q_alone, &w_alone, 0.0625);
+                assert_eq!((*parts, q.coords.map($of_bits)), (end.parts, end.attitude.coords.map($of_bits)));
+                assert_eq!(w.map($of_bits), end.omega.map($of_bits));
+                parts_seen[end.parts.min(2) as usize] = true;
+            }
+            assert_eq!(parts_seen, [true; 3]);
             let mut taken = [0; 2_000];
             $file::step_all(
                 &mut all[..],
@@ -62,15 +77,14 @@ macro_rules! compared {
                 |all, k| (&all[k].1, all[k].2, all[k].3),
                 |all, k, q, w, parts| (all[k].2, all[k].3, taken[k]) = (q, w, parts),
             );
-            let mut parts_seen = [false; 3];
-            for (((_, _, q, w), taken), alone) in all.iter().zip(taken).zip(&ends) {
-                assert_eq!(taken, alone.parts);
-                let [x, y, z, s] = alone.attitude.coords.into();
+            for (((_, _, q, w), taken), ((_, q_alone, w_alone), parts)) in
+                all.iter().zip(taken).zip(&together)
+            {
+                assert_eq!(taken, *parts);
+                let [x, y, z, s] = q_alone.coords.into();
                 assert_eq!(q.map($of_bits), [s, x, y, z].map($of_bits));
-                assert_eq!(w.map($of_bits), <[$real; 3]>::from(alone.omega).map($of_bits));
-                parts_seen[taken.min(2) as usize] = true;
+                assert_eq!(w.map($of_bits), <[$real; 3]>::from(*w_alone).map($of_bits));
             }
-            assert_eq!(parts_seen, [true; 3]);
         }
     };
 }
