@@ -160,6 +160,16 @@ impl Inertia {
         Ok(atan2(length(&cross), dot))
     }
 
+    /// The moment about the axis along `direction` (any length) through the same point, kg m².
+    ///
+    /// # Errors
+    /// A direction that is not finite or has no length, or a moment beyond `f64`.
+    pub fn about_axis(&self, direction: &Vector3<f64>) -> Result<f64, Error> {
+        let n = unit(Subject::Axis, direction)?;
+        let moment = n.dot(&(self.tensor * n));
+        representable(Subject::MomentAboutAxis, &[moment]).map(|()| moment)
+    }
+
     /// The tensor in axes turned by `attitude`: if that takes body to world, the world's `R I R^T`.
     ///
     /// # Errors
@@ -254,6 +264,14 @@ pub(crate) fn product(matrix: &Matrix3<f64>, vector: &Vector3<f64>) -> Vector3<f
 pub(crate) fn length(v: &Vector3<f64>) -> f64 {
     let scale = exponent(v.amax());
     times_power_of_two(v.map(|x| times_power_of_two(x, -scale)).norm(), scale)
+}
+
+/// The unit vector along `v`, which may be as short or long as an `f64` can say.
+pub(crate) fn unit(what: Subject, v: &Vector3<f64>) -> Result<Vector3<f64>, Error> {
+    finite_vector(what, v)?;
+    Refusal::ZeroVector { what }.when(*v == Vector3::zeros())?;
+    let scale = exponent(v.amax());
+    Ok(v.map(|x| times_power_of_two(x, -scale)).normalize())
 }
 
 /// The inverse by cofactors. Each cofactor is a difference of products that nearly cancels in a needle's

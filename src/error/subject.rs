@@ -77,6 +77,8 @@ subjects! {
     MomentRatio => "a ratio of the moments",
     TurnedMoment => "a turned moment",
     InverseMoment => "an inverse moment",
+    MomentAboutAxis => "the moment",
+    Axis => "the axis",
     AxesTurn => "the turn from the principal axes",
     RelativeTolerance => "the relative tolerance",
     Attitude => "the attitude quaternion",

@@ -9,7 +9,7 @@ use crate::body::Body;
 use crate::dynamics::invariants::{Asymmetric, Kind, classify};
 use crate::dynamics::observe::energy;
 use crate::error::{Error, Refusal, Subject, finite_vector, representable};
-use crate::inertia::{Axis, Inertia, PrincipalMoments};
+use crate::inertia::{Axis, Inertia, PrincipalMoments, unit};
 use crate::number::functions::{atan2, hypot};
 use crate::number::{DoubleDouble, Real, splat, times_power_of_two};
 use core::f64::consts::PI;
@@ -238,7 +238,7 @@ impl FreeMotion {
         Refusal::ZeroVector { what: Subject::AngularMomentum }.when(self.start == Vector3::zeros())?;
         let momentum = scaled(self.moments.vector(), self.moments.largest())
             .component_mul(&scaled(self.start, self.start.amax()));
-        let share = momentum.normalize();
+        let share = unit(Subject::AngularMomentum, &momentum)?;
         let around_a_right_angle = |along: f64, off: f64| {
             let least = atan2(off, along);
             [least, PI - least]

@@ -79,7 +79,7 @@ proptest! {
         let _ = Inertia::try_from(whole);
         let sane = Inertia::from_moments(1.0, 2.0, 2.5);
         for inertia in [Inertia::new(m.into(), p.into()), Inertia::from_moments(m.x, m.y, m.z), sane].into_iter().flatten() {
-            let _ = (inertia.angle_to_momentum(&v), inertia.momentum(&v), inertia.principal().frame());
+            let _ = (inertia.angle_to_momentum(&v), inertia.about_axis(&v), inertia.momentum(&v), inertia.principal().frame());
             let _ = (about(inertia, mass, &v), inertia.turned(attitude));
             let _ = inertia.inverse();
             for body in [

@@ -46,8 +46,9 @@ proptest! {
         inertia in any_tensor(), mass in 0.1..3.0_f64, offset in vector(2.0),
     ) {
         let there = about(inertia, mass, &offset).unwrap();
-        let n = Vector3::new(1.0, -2.0, 0.5).normalize();
-        let more = n.dot(&(there.momentum(&n) - inertia.momentum(&n)));
+        let axis = Vector3::new(1.0, -2.0, 0.5);
+        let n = axis.normalize();
+        let more = there.about_axis(&axis).unwrap() - inertia.about_axis(&axis).unwrap();
         prop_assert!((more - mass * offset.cross(&n).norm_squared()).abs() < 1e-13);
     }
 
@@ -62,6 +63,14 @@ proptest! {
         let r = q.to_rotation_matrix().into_inner();
         let inverse = tumbling::inertia::turned(&r, &inertia.inverse().unwrap());
         prop_assert!((inverse * world.momentum(&omega) - omega).norm() < 1e-12);
+    }
+
+    #[test]
+    fn the_moment_about_an_axis_does_not_depend_on_the_axis_vectors_length(inertia in any_tensor(), axis in vector(1.0)) {
+        let moment = inertia.about_axis(&axis).unwrap();
+        for factor in [1e-300, 1e-10, 1e300] {
+            prop_assert!((inertia.about_axis(&(axis * factor)).unwrap() - moment).abs() < 1e-14);
+        }
     }
 }
 
@@ -113,6 +122,7 @@ fn an_attitude_that_has_drifted_turns_as_its_direction_says_and_one_far_off_is_r
 fn a_spin_without_direction_has_no_angle() {
     let tensor = Inertia::from_moments(1.0, 2.0, 2.5).unwrap();
     refused(tensor.angle_to_momentum(&Vector3::zeros()), ErrorKind::Undefined, "the spin is the zero vector");
+    refused(tensor.about_axis(&Vector3::zeros()), ErrorKind::Undefined, "the axis is the zero vector");
     let rod = Inertia::from_moments(1.0, 1.0, 0.0).unwrap();
     refused(
         rod.angle_to_momentum(&Vector3::z()),

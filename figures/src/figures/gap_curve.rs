@@ -24,9 +24,8 @@ impl Curve {
     }
 
     /// The heavier moment in parts of the lighter one.
-    fn ratio(&self) -> f64 {
-        let [light, heavy] = self.plane.map(|axis| axis.dot(&self.inertia.momentum(&axis)));
-        heavy / light
+    fn ratio(&self) -> Result<f64, Error> {
+        Ok(self.inertia.about_axis(&self.plane[1])? / self.inertia.about_axis(&self.plane[0])?)
     }
 
     /// The direction of the widest gap and the gap, degrees, by golden sections.
@@ -65,7 +64,7 @@ pub(super) fn draw() -> Drawing {
         // Finer where a slender body's curve is steep.
         let directions = (0..=300).map(|i| 90.0 * (f64::from(i) / 300.0).powi(2));
         let points: Result<Vec<_>, Error> = directions.map(|d| Ok((d, curve.gap(d)?))).collect();
-        let ball = curve.ratio() == 1.0;
+        let ball = curve.ratio()? == 1.0;
         plot.curve(points?, if ball { Pen::new(Ink::Text, 3.4) } else { Pen::new(Ink::Text, 2.2) })?;
         if ball {
             let p = plot.at(45.0, 0.0);
@@ -86,7 +85,7 @@ pub(super) fn draw() -> Drawing {
         } else {
             canvas.label((p.0 + 6.0, p.1 - 12.0), &Label::new(format!("{}: {gap:.1}°", curve.name)));
         }
-        said.push(format!("{} (moments 1 : {:.2}): {gap:.1}° at {at:.1}°", curve.name, curve.ratio()));
+        said.push(format!("{} (moments 1 : {:.2}): {gap:.1}° at {at:.1}°", curve.name, curve.ratio()?));
     }
     canvas.described(format!(
         "The gap between spin and momentum against the direction of the spin, from the easy to the hard one of two \

@@ -10,8 +10,8 @@ const RADIUS: f64 = 0.01;
 const MASS: f64 = 0.2;
 
 pub(super) fn draw() -> Drawing {
-    let moments = Cylinder::new(RADIUS, LENGTH)?.with_mass(MASS)?.inertia().matrix().diagonal();
-    let [along, across] = [moments.z, moments.x];
+    let inertia = Cylinder::new(RADIUS, LENGTH)?.with_mass(MASS)?.inertia();
+    let [along, across] = [inertia.about_axis(&Vector3::z())?, inertia.about_axis(&Vector3::x())?];
     let canvas = Canvas::sized(500, 330);
     let easy = (124.0, 114.0);
     let hard = (376.0, 114.0);

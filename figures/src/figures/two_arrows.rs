@@ -43,7 +43,8 @@ fn plate_at(canvas: &Canvas, centre: P, scale: f64) {
 
 pub(super) fn draw() -> Drawing {
     let plate = ThinPlate::new(WIDE, HIGH)?.with_mass(1.0)?.inertia();
-    let [light, heavy, _]: [f64; 3] = plate.matrix().diagonal().into();
+    let [light, heavy] = [Vector3::x(), Vector3::y()].map(|axis| plate.about_axis(&axis));
+    let (light, heavy) = (light?, heavy?);
     let canvas = Canvas::sized(500, 500);
     let shown = arrows(&plate, SHOWN)?;
     let gap = format!("{:.1}°", shown.gap.to_degrees());
