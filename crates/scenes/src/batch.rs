@@ -47,13 +47,13 @@ use crate::lanes::Lanes;
 use crate::plan::Plan;
 use crate::scene::Scene;
 use crate::states::{Answer, States};
-use multiversion::multiversion;
+#[cfg(target_arch = "x86_64")]
+use multiversion::{multiversion, target::match_target};
 use nalgebra::{UnitQuaternion, Vector3};
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
 use std::ops::{ControlFlow, Range};
 use tumbling::exact::{Batch, FreeMotion, Instant};
-use tumbling::laws::Rounding;
 
 /// The number of bodies that are sorted, worked on and put out together.
 const TILE: usize = 256;
@@ -155,42 +155,32 @@ type Put<'a> = dyn FnMut(usize, usize, Vector3<f64>, Option<UnitQuaternion<f64>>
 /// Answers bodies at some times.
 type Answers = Box<dyn Fn(&[f64], &mut Put<'_>) -> Result<(), tumbling::Error> + Send>;
 
-/// Free motions in as many lanes as this processor's vectors are worth, with attitudes or spins alone.
+/// Free motions in as many lanes as this processor's vectors are worth, with attitudes or spins alone. The
+/// bits are the same: the compiler fuses no product and sum by itself.
+#[cfg_attr(target_arch = "x86_64", multiversion(targets("x86_64+avx2+fma")))]
 pub(crate) fn side_by_side(motions: &[FreeMotion], attitudes: bool) -> Answers {
+    // A macro, since a closure is compiled for the vectors of the function that it stands in.
+    macro_rules! in_lanes {
+        ($T:ty) => {
+            if attitudes {
+                let batch = Batch::<$T>::new(motions);
+                Box::new(move |times, put| {
+                    batch.each(times, |time, body, at: Instant| put(time, body, at.omega, Some(at.attitude)))
+                })
+            } else {
+                let batch = Batch::<$T, Vector3<f64>>::new(motions);
+                Box::new(move |times, put| batch.each(times, |time, body, spin| put(time, body, spin, None)))
+            }
+        };
+    }
+    // With fused product sums two vectors of four: the processor works on one while it waits for the other.
     #[cfg(target_arch = "x86_64")]
-    if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
-        // Two vectors of four: the processor works on one while it waits for the other.
-        return in_lanes::<Lanes<8, true>>(motions, attitudes);
+    match_target! {
+        "x86_64+avx2+fma" => in_lanes!(Lanes<8, true>),
+        _ => in_lanes!(Lanes<4, false>),
     }
-    in_lanes::<Lanes<4, { cfg!(any(target_arch = "aarch64", target_feature = "fma")) }>>(motions, attitudes)
-}
-
-pub(crate) fn in_lanes<T: Rounding + Send + 'static>(motions: &[FreeMotion], attitudes: bool) -> Answers {
-    if attitudes {
-        let batch = Batch::<T>::new(motions);
-        return Box::new(move |times, put| {
-            let put = |time, body, at: Instant| put(time, body, at.omega, Some(at.attitude));
-            with_vectors(
-                #[inline(always)]
-                || batch.each(times, put),
-            )
-        });
-    }
-    let batch = Batch::<T, Vector3<f64>>::new(motions);
-    Box::new(move |times, put| {
-        let put = |time, body, spin| put(time, body, spin, None);
-        with_vectors(
-            #[inline(always)]
-            || batch.each(times, put),
-        )
-    })
-}
-
-/// Does some work, in which all is inlined, in the version for the processor that it runs on. The bits stay:
-/// the compiler fuses no product and sum by itself.
-#[multiversion(targets("x86_64+avx2+fma"))]
-fn with_vectors<R>(work: impl FnOnce() -> R) -> R {
-    work()
+    #[cfg(not(target_arch = "x86_64"))]
+    in_lanes!(Lanes<4, { cfg!(target_arch = "aarch64") }>)
 }
 
 impl<'p> ActiveTile<'p> {
