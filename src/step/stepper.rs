@@ -16,12 +16,12 @@ use num_traits::{FromPrimitive, ToPrimitive};
 
 /// Steps a body through time under any torques: by a method, at a fixed rate, or within a tolerance.
 ///
-/// The body may have any tensor, products of inertia too. All that goes in and comes out is along the body's
-/// own axes and the world's. The principal axes are found once; what is stepped is never turned back and
+/// The body may have any tensor, products of inertia too. All inputs and outputs are along the body's own
+/// axes and the world's. The principal axes are computed once; the internal state is not converted back and
 /// forth, so that a reversible method stays reversible. A step by a method or at a fixed rate allocates
 /// nothing; an adaptive one allocates the series of its run. In `f32` the body is converted once and all
-/// steps are taken in `f32`: rounding moves the energy of a T-handle by some 1e-5 in a minute at
-/// 60 Hz. The type is named where a stepper is made, `Stepper::<f64>::new` or `Stepper::<f32>::new`.
+/// steps are taken in `f32`: rounding moves the energy of a T-handle by some 1e-5 in a minute at 60 Hz. The
+/// type is stated where a stepper is created, `Stepper::<f64>::new` or `Stepper::<f32>::new`.
 ///
 /// ```
 /// use nalgebra::{Matrix3, UnitQuaternion, Vector3};
@@ -39,8 +39,8 @@ use num_traits::{FromPrimitive, ToPrimitive};
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 ///
-/// Bodies do not depend on each other. They can be spread over threads, with the same bits as one after the
-/// other: here satellites under gravity gradient, each with another start, for one orbit.
+/// Bodies are independent, so they can be spread over threads, with the same bits as one after the other.
+/// Here are satellites under gravity gradient with different starts, for one orbit.
 ///
 /// ```
 /// use nalgebra::{UnitQuaternion, Vector3};
@@ -94,16 +94,16 @@ pub(super) enum Rule {
 }
 
 impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> {
-    /// A free body, to be stepped by `method`.
+    /// A stepper for a free body, by `method`.
     ///
     /// # Errors
-    /// A moment of zero, a number that `T` does not hold to its own rounding, or a spin beyond `T`.
+    /// A moment of zero, a number that `T` cannot hold to its rounding, or a spin beyond `T`.
     pub fn new(body: &Body, method: Method) -> Result<Self, Error> {
         Self::by(body, Rule::Method(method))
     }
 
-    /// A free body, to be stepped at a fixed rate: by the method and with the parts of [`fixed_rate`],
-    /// whose steps refuse what it refuses.
+    /// A stepper for a free body at a fixed rate: each step is that of [`fixed_rate`], with the same parts
+    /// and the same errors.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -132,13 +132,13 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         Ok(stepper)
     }
 
-    /// Adds torques to those that act already, given in the body's and the world's axes. Damping is along
-    /// principal axes: it must be the same about all three where the tensor has products of inertia.
+    /// Adds torques to those that already act. Their vectors are in the body's or the world's axes. Damping
+    /// is along principal axes: it must be the same about all three if the tensor has products of inertia.
     ///
     /// # Errors
-    /// A torque whose numbers are not finite, a coefficient of damping or dissipation below zero, a
-    /// direction of the gravity gradient whose length is not 1, or damping that differs from axis to axis of
-    /// a body with products of inertia.
+    /// A torque whose numbers are not finite, a coefficient of damping or dissipation below zero, a direction
+    /// of the gravity gradient whose length is not 1, or damping that differs between the axes of a body with
+    /// products of inertia.
     pub fn with_torques(mut self, torques: impl IntoIterator<Item = Torque<T>>) -> Result<Self, Error> {
         let mut all = self.system.torques().to_vec();
         for torque in torques {
@@ -152,19 +152,19 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         Ok(self)
     }
 
-    /// One step of `h` seconds, back in time if negative, and the [`state`](Self::state) after it. A step
-    /// that fails leaves the body where it was.
+    /// Takes one step of `h` seconds, backward in time if negative, and returns the [`state`](Self::state)
+    /// after it. A step that fails leaves the body unchanged.
     ///
     /// # Errors
-    /// As [`Method::step`] or [`fixed_rate`]; of an adaptive stepper an error that stays too large however
-    /// short the step, and one of kind [`TooMany`](crate::ErrorKind::TooMany) after its budget of steps, or
-    /// as soon as stiff damping would need more; a torque, such as that of a [`Torque::Function`], that is
-    /// not finite at the start or the end; a spin or a time beyond its numbers.
+    /// The errors of [`Method::step`] or [`fixed_rate`]. For an adaptive stepper: a step whose error stays
+    /// too large however short it is, or kind [`TooMany`](crate::ErrorKind::TooMany) after its budget of
+    /// steps, or as soon as stiff damping would need more. A torque, such as that of a [`Torque::Function`],
+    /// that is not finite at the start or the end; a spin or a time beyond the number type.
     pub fn step(&mut self, h: T) -> Result<State<T>, Error> {
         self.go(self.time + finite(Subject::Step, number(h))?, h)
     }
 
-    /// One step to the time `end` (s), forth or back, and the state there.
+    /// Takes one step to the time `end` (s), forward or backward, and returns the state there.
     ///
     /// # Errors
     /// As [`step`](Self::step).
@@ -221,11 +221,11 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         self.system.set_time(rounded(time));
     }
 
-    /// `count` steps of `h` seconds: the state after each. Nothing moves before the iterator is used; it ends
+    /// Takes `count` steps of `h` seconds; the iterator yields the state after each. It is lazy, and ends
     /// after the first error.
     ///
     /// # Errors
-    /// Of each as [`step`](Self::step).
+    /// Each item has the errors of [`step`](Self::step).
     pub fn run(&mut self, h: T, count: usize) -> impl Iterator<Item = Result<State<T>, Error>> + use<'_, T> {
         let mut failed = false;
         (0..count).map_while(move |_| {
@@ -242,8 +242,8 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         self.time
     }
 
-    /// Attitude (body to world) and angular momentum along the body's axes. A method that does not keep the
-    /// attitude's length shows it here.
+    /// Attitude (body to world) and angular momentum along the body's axes. If the method does not keep the
+    /// attitude's length, it may differ from 1 here.
     #[must_use]
     pub fn state(&self) -> State<T> {
         self.along_body(&self.state)
@@ -263,10 +263,10 @@ impl<T: Analytic + Copy + FromPrimitive + ToPrimitive + Send + Sync> Stepper<T> 
         self.frame.in_body(self.system.omega(&self.state.momentum))
     }
 
-    /// The body as it is now, its attitude brought to length 1.
+    /// The body in its current state, with the attitude scaled to length 1.
     ///
     /// # Errors
-    /// A spin beyond `f64`, or an attitude of no length.
+    /// A spin beyond `f64`, or an attitude of length zero.
     pub fn body(&self) -> Result<Body, Error> {
         let state = self.state();
         let attitude = Quaternion::from_vector(state.attitude.coords.map(number));

@@ -150,8 +150,9 @@ impl<N, D> Equation<N, D> {
     }
 }
 
-/// Whether all that still moves is rounding: it moves no less than before, or so much less that the next move
-/// would be far below rounding. What a rule left over in each step would add up along a line.
+/// Whether the remaining changes are rounding: a change is not smaller than the one before, or so much
+/// smaller that the next would be far below rounding. A systematic remainder in each step would add up
+/// linearly.
 fn settled(moved: f64, before: f64, rounding: f64) -> bool {
     let small = moved <= 64.0 * rounding;
     moved == 0.0 || small && (moved >= 0.5 * before || moved * moved <= 1e-6 * rounding * before)
