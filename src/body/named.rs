@@ -144,7 +144,7 @@ impl NamedBody {
     /// Its mass, centre and inertia.
     ///
     /// # Errors
-    /// None: the sizes are constants.
+    /// There are none: the sizes are constants.
     pub fn properties(self) -> Result<MassProperties, Error> {
         let mut parts = Vec::new();
         self.each_part(&mut |part| parts.push(part));

@@ -157,8 +157,9 @@ impl<T: Analytic> System<T> {
         }
     }
 
-    /// The momentum after the torques alone have acted for the time `h` at a fixed attitude: the kick of a
-    /// kick-drift-kick scheme. Damping and dissipation decay by their own exact law, so no kick overshoots.
+    /// The state after the torques alone have changed the momentum for the time `h` at a fixed attitude: the
+    /// kick of a kick-drift-kick scheme. Damping and dissipation decay by their own exact law, so no kick
+    /// overshoots.
     ///
     /// The torques act one kind after another; the second kick of a step must be
     /// [`adjoint_kick`](Self::adjoint_kick), or the step is not symmetric in time, and only of first order.

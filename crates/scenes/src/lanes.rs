@@ -1,6 +1,6 @@
-//! Several numbers side by side, in arrays of which the compiler makes vector instructions.
+//! Several numbers side by side, in arrays that the compiler turns into vector instructions.
 //!
-//! An operation is a loop over an array, with nothing in it but what rounds as `f64` does.
+//! Each operation is a loop over an array that contains only operations that round as on `f64`.
 
 use num_traits::{One, Zero};
 use std::array::from_fn;
