@@ -76,7 +76,7 @@ pub fn run(method: Method, effort: Effort) -> Vec<Long> {
     ends.iter().enumerate().take(through + usize::from(failed.is_some())).map(row).collect()
 }
 
-/// The windows of one start that came through, and what ended it.
+/// The completed windows of one start, and the reason why it ended.
 fn one(method: Method, k: u32, ends: &[u64]) -> (Vec<Window>, Result<(), Outcome>) {
     let mut windows = Vec::new();
     let outcome = start(k).map_err(Outcome::from).and_then(|(system, mut motion, h)| {
