@@ -15,9 +15,8 @@ pub struct Palette {
 pub(super) const AS_BEFORE: u8 = 0;
 
 impl Palette {
-    /// These colours, then the most frequent colours of the pictures, `most` in total and never more than
-    /// 255. Along edges there are many mixed colours, each of them rare: they are replaced by the nearest
-    /// colour.
+    /// These colours, then the most frequent colours of the pictures, `most` in total (at most 255). Along
+    /// edges there are many mixed colours, each of them rare: they are replaced by the nearest colour.
     #[must_use]
     pub fn new(first: &[Rgb], samples: &[Picture], most: usize) -> Self {
         let mut counts: HashMap<Rgb, usize> = HashMap::new();
