@@ -62,12 +62,12 @@ pub struct Batch<T, A = Instant> {
     answer: PhantomData<A>,
 }
 
-/// What a batch may answer.
+/// A kind of answer of a batch.
 pub trait Answer {
     /// Whether it has an attitude.
     const ATTITUDE: bool;
 
-    /// From what a body does at an instant; the attitude is any where none is needed.
+    /// Made from the state of a body at an instant; the attitude is arbitrary if it is not needed.
     fn of(instant: Instant) -> Self;
 }
 

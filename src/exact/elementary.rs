@@ -50,7 +50,7 @@ impl<T: Rounding> Axes<T> {
     #[inline(always)]
     pub(super) fn arranged(&self, parts: [T; 3]) -> [T; 3] {
         if T::WIDTH == 1 {
-            // Put into memory they are where they belong: less than six selections.
+            // Writing them to memory in the right order costs less than six selections.
             let mut placed = [parts[0]; 4];
             for (place, part) in self.places.iter().zip(parts) {
                 placed[(place.lane(0) + INTEGERS).to_bits() as usize % 4] = part;
@@ -175,7 +175,8 @@ pub(crate) struct Precession {
     pub(super) spin: TopSpin,
     /// At the rate `L / I` with the equal moments.
     pub(super) about_momentum: Turn,
-    /// How fast the shortest way from axis to momentum turns with the body, radians per unit of scaled time.
+    /// The rate at which the shortest rotation from axis to momentum turns with the body, radians per unit of
+    /// scaled time.
     smooth: f64,
 }
 

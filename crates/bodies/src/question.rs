@@ -142,7 +142,7 @@ pub(crate) fn placed(parts: &[(MassProperties, f64)]) -> Option<String> {
         let far = others.map(|(part, reach)| (part.centre() - parts[at].0.centre()).norm() - reach);
         far.fold(f64::INFINITY, f64::min)
     };
-    // What is made of more is no longer written by hand.
+    // A body with more parts than this was not written by hand.
     let few = if parts.len() <= 100 { parts.len() } else { 0 };
     if let Some(at) = (0..few).find(|&at| parts[..at].contains(&parts[at])) {
         return Some(format!("part {} equals another in the same place: is it written twice?", at + 1));

@@ -5,7 +5,7 @@ use serde::de::{Deserializer, Error};
 use toml::Spanned;
 use tumbling::Subject;
 
-/// Defines a table of a file, of fields that may be missing, with what lists those that are there.
+/// Defines a table of a file with optional fields, and a function that lists the fields present.
 #[macro_export]
 macro_rules! table {
     (

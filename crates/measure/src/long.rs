@@ -54,7 +54,7 @@ pub fn run(method: Method, effort: Effort) -> Vec<Long> {
     let (ends, began) = (ends(effort.turns), Instant::now());
     let in_time = |k: &u32| *k == 0 || began.elapsed().as_secs_f64() < effort.long;
     let runs: Vec<_> = (0..effort.starts).take_while(in_time).map(|k| one(method, k, &ends)).collect();
-    // As far as all came through, and then once more what went wrong.
+    // The windows that all starts completed, and then one more row with the error.
     let through = runs.iter().map(|(windows, _)| windows.len()).min().unwrap_or(0);
     let failed = runs.iter().find_map(|(_, outcome)| outcome.as_ref().err());
     let row = |(at, &turns): (usize, &u64)| {

@@ -142,8 +142,8 @@ impl InitialState {
         Ok(Checked { inertia, omega, attitude, moments, along, rounded })
     }
 
-    /// What the way from these numbers to those along the principal axes has rounded: the moments of a tensor
-    /// relative to the largest of them, a turned momentum relative to its length.
+    /// The rounding in the conversion of these numbers to principal axes: of the moments of a tensor relative
+    /// to the largest of them, of a rotated momentum relative to its length.
     fn rounded(&self, moments: &Vector3<f64>, omega: &Vector3<f64>, framed: bool) -> Rounded {
         let (largest, length) = (moments.max(), moments.component_mul(omega).norm());
         let turned = matches!(self.start, Start::Momentum(_)) && self.attitude != UnitQuaternion::identity();
