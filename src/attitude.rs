@@ -1,12 +1,12 @@
-//! Attitude: which way the body is turned, as a quaternion that takes body coordinates to world.
+//! Attitude: the orientation of a body, as a quaternion that takes body coordinates to world.
 
 use crate::error::{Error, Refusal, Subject, finite};
 use crate::number::functions::atan2;
 use crate::number::{Analytic, Field, Ring, Rounding};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
-/// How far an attitude's length may be from 1: what a million products of unit quaternions drift by, and far
-/// below what a mistake would make it.
+/// How far an attitude's length may be from 1: the drift after a million products of unit quaternions, and
+/// far less than the effect of a mistake.
 const UNIT_TOLERANCE: f64 = 1e-9;
 
 /// The quaternion product `p q`, for any number type: first turn by `q`, then by `p`.
@@ -34,8 +34,8 @@ pub fn product<T: Ring>(p: &Quaternion<T>, q: &Quaternion<T>) -> Quaternion<T> {
 
 /// The rotation matrix of a unit quaternion, body to world, for any number type.
 ///
-/// Of any other quaternion it is that matrix times the square of its length: every entry is a sum of
-/// products of two components, so that `R R^T = |q|^4` holds for all of them.
+/// For any other quaternion, the result is the rotation matrix times the square of its length: every entry is
+/// a sum of products of two components, so that `R R^T = |q|^4` holds for all quaternions.
 ///
 /// ```
 /// use nalgebra::{Matrix3, Quaternion};
@@ -86,7 +86,8 @@ pub fn rate<T: Field>(attitude: &Quaternion<T>, omega_body: &Vector3<T>) -> Quat
     )
 }
 
-/// The turn by a rotation vector: about its direction by its length, in radians. The exponential map.
+/// The rotation by a rotation vector: about its direction, by its length in radians. This is the exponential
+/// map.
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
@@ -111,8 +112,8 @@ pub(crate) fn rotate_inverse<T: Ring>(q: &Quaternion<T>, vector: &Vector3<T>) ->
     vector - across.map(|x| x * q.coords.w.clone()) + part.cross(&across)
 }
 
-/// The angle of the turn from one attitude to another, radians, from 0 to pi: right for the smallest angles
-/// too.
+/// The angle of the turn from one attitude to another, radians, from 0 to pi; accurate for the smallest
+/// angles too.
 ///
 /// ```
 /// use nalgebra::{UnitQuaternion, Vector3};
@@ -131,8 +132,8 @@ pub(crate) fn matrix(attitude: UnitQuaternion<f64>) -> Result<Matrix3<f64>, Erro
     Ok(rotation_matrix(checked(attitude)?.quaternion()))
 }
 
-/// An attitude of length 1 to rounding: a quaternion stands for a turn by its direction alone, so a length
-/// that has drifted a little is divided out; one that is far off is refused.
+/// An attitude scaled to length 1. Only the direction of a quaternion determines the rotation, so a length
+/// that has drifted a little is divided out; a length that is far from 1 is refused.
 ///
 /// # Errors
 /// A length that is not finite, or not 1 to a billionth.

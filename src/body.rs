@@ -1,4 +1,4 @@
-//! A body in flight: its inertia, its attitude, its angular momentum. Spin is derived.
+//! A body in motion: its inertia, attitude and angular momentum. The spin is derived from these.
 
 pub mod named;
 
@@ -13,7 +13,7 @@ use nalgebra::{Matrix3, Quaternion, SVector, UnitQuaternion, Vector3};
 /// momentum in the world.
 ///
 /// The momentum is stored, since a free body conserves it; the spin follows from it by the inverse tensor,
-/// computed once and turned to the current attitude.
+/// which is computed once and rotated to the current attitude.
 ///
 /// ```
 /// use nalgebra::{UnitQuaternion, Vector3};
@@ -39,8 +39,8 @@ impl Body {
     ///
     /// # Errors
     /// An inertia without inverse, an attitude whose length is not 1 to a billionth, a value that is not
-    /// finite, or a momentum or spin whose length is beyond `f64`. (A length that is nearly 1 is made 1: a
-    /// quaternion's direction alone is the attitude.)
+    /// finite, or a momentum or spin whose length is beyond `f64`. (A length that is nearly 1 is scaled to 1:
+    /// only the direction of a quaternion determines the attitude.)
     pub fn new(
         inertia: Inertia,
         attitude: UnitQuaternion<f64>,
@@ -62,7 +62,7 @@ impl Body {
         let rotation = attitude::rotation_matrix(attitude.quaternion());
         let body = Self { inertia, inverse, attitude, rotation, momentum: *momentum_world };
         let omega = body.omega_body();
-        // With room for the rounding of a turn, so that they are finite along all axes.
+        // A margin for the rounding of a rotation, so that they are finite along all axes.
         for (what, vector) in [(Subject::AngularMomentum, momentum_world), (Subject::Spin, &omega)] {
             representable(what, &[length(vector) * (1.0 + 1e-12)])?;
         }
@@ -74,7 +74,7 @@ impl Body {
     /// A body with the given spin in body axes, rad/s.
     ///
     /// # Errors
-    /// As [`new`](Self::new); also a momentum `I w` beyond `f64`.
+    /// The errors of [`new`](Self::new), or a momentum `I w` beyond `f64`.
     pub fn spinning(
         inertia: Inertia,
         attitude: UnitQuaternion<f64>,
@@ -158,8 +158,8 @@ impl Body {
         self.with(attitude, &product(&attitude::rotation_matrix(attitude.quaternion()), &state.momentum))
     }
 
-    /// Kinetic energy of the rotation, J: half of `w . L`. Infinite if it exceeds what `f64` holds, zero or
-    /// short of digits if it falls below.
+    /// Kinetic energy of the rotation, J: half of `w . L`. It is infinite above the range of `f64`; below the
+    /// range it is zero or has lost digits.
     #[must_use]
     pub fn energy(&self) -> f64 {
         let (omega, momentum) = (self.omega_body(), self.momentum_body());
@@ -194,7 +194,7 @@ pub struct Rate<T: nalgebra::Scalar> {
 }
 
 impl<T: Field> State<T> {
-    /// `self + rate h`: straight along the rate for `h` seconds, the attitude's length left as it comes.
+    /// `self + rate h`: straight along the rate for `h` seconds; the length of the attitude is not restored.
     #[must_use]
     pub fn plus(&self, rate: &Rate<T>, h: T) -> Self {
         Self {
@@ -232,7 +232,7 @@ pub(crate) fn along<T: Field, const N: usize>(
 }
 
 impl<T: Analytic> State<T> {
-    /// The state, if all its numbers are finite: for a step of one's own.
+    /// The state, if all its numbers are finite: a check for your own steps.
     ///
     /// ```
     /// use nalgebra::{Quaternion, Vector3};

@@ -1,4 +1,5 @@
-//! How a rigid body moves: Euler's equations, the stability of a steady spin, and what to read off a motion.
+//! How a rigid body moves: Euler's equations, the stability of a steady spin, its kinetic energy and its
+//! flips.
 
 pub mod euler;
 pub(crate) mod invariants;

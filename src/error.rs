@@ -9,8 +9,8 @@ pub use subject::Subject;
 use alloc::boxed::Box;
 use core::fmt;
 
-/// Why a value was refused: its sentence names the value, the rule it broke, and by how much. Programs decide
-/// by the [kind](Self::kind).
+/// Why a value was refused. The message names the value, the rule that it breaks, and by how much; programs
+/// can match on the [kind](Self::kind).
 ///
 /// ```
 /// use tumbling::{ErrorKind, Inertia};
@@ -31,19 +31,19 @@ pub struct Error {
 pub enum ErrorKind {
     /// A value given is NaN or infinite.
     NotFinite,
-    /// A value given breaks the bound on its sign, size, order, length or number.
+    /// A given value violates a bound on its sign, size, order, length or count.
     OutOfBounds,
     /// No distribution of mass has this tensor or these moments.
     Impossible,
     /// A principal moment is zero to rounding: momentum does not determine spin.
     NotInvertible,
-    /// The result is beyond what a finite, nonzero number of its type holds with all its digits.
+    /// A finite, nonzero number of the type cannot hold the result with all its digits.
     Unrepresentable,
-    /// The input leaves open what is requested: such as the direction of a vector of length zero.
+    /// The input does not determine the result: for example, the direction of a vector of length zero.
     Undefined,
     /// An iteration did not converge.
     NotConverged,
-    /// More was requested than there is memory to hold, or than the steps allowed reach.
+    /// The result needs more memory than there is, or more steps than are allowed.
     TooMany,
     /// The faces of a mesh do not bound a solid.
     BadMesh,
@@ -61,13 +61,13 @@ impl fmt::Display for Margin {
 }
 
 impl Error {
-    /// Which kind it is; of a part of a whole, what is wrong with that part.
+    /// The kind of the error. For an error in a part of a whole, it is the kind of error in that part.
     #[must_use]
     pub fn kind(&self) -> ErrorKind {
         self.refusal.kind()
     }
 
-    /// What was refused; of a part of a whole, what of that part.
+    /// The quantity that was refused. For an error in a part of a whole, it is the quantity of that part.
     #[must_use]
     pub fn subject(&self) -> Subject {
         self.refusal.subject()
@@ -85,7 +85,7 @@ impl From<Refusal> for Error {
     }
 }
 
-/// The sentence too, which is what `main` and `unwrap` print.
+/// Includes the message, since `main` and `unwrap` print this form.
 impl fmt::Debug for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)

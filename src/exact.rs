@@ -1,11 +1,11 @@
 //! Free motion in closed form: the spin and the attitude of a torque-free body at any instant.
 //!
 //! Prepare a [`FreeMotion`] once from the moments and the spin at time 0; each later (or earlier) instant
-//! then costs the same, however far it is. The spin is Jacobi's ([LL76](crate::references), section 37), by
-//! theta functions of the phase; the attitude two more theta functions, which are its Cayley-Klein parameters
-//! ([KS97](crate::references); by theta functions too, but of the rotation matrix:
-//! [vZS07](crate::references)). Nothing is integrated in time, so no errors of steps add up: in tests, an
-//! error is what the rounding of the inputs already makes of the answer, a few units of it.
+//! then costs the same, however far away it is. The spin is Jacobi's solution ([LL76](crate::references),
+//! section 37), computed by theta functions of the phase. The attitude is computed by two more theta
+//! functions, which give its Cayley-Klein parameters ([KS97](crate::references); [vZS07](crate::references)
+//! has theta functions for the rotation matrix). Nothing is integrated in time, so no errors of steps add up:
+//! in tests, the error is a few times that caused by rounding the inputs.
 //!
 //! ```
 //! use nalgebra::Vector3;
@@ -57,9 +57,9 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// The free motion of one body from one start, prepared for any instant.
 ///
-/// Times are in seconds from the start and may be negative. At time 0 the start itself comes back, to the
-/// bit. Where a time is so long that not even the first digit of the phase is determined by the inputs, the
-/// answer is still a spin and an attitude that the motion passes through.
+/// Times are in seconds from the start and may be negative. At time 0 the result equals the start to the last
+/// bit. For times so long that the inputs do not determine even the first digit of the phase, the result is
+/// still a spin and an attitude that the motion passes through.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FreeMotion {
     moments: PrincipalMoments,
@@ -95,13 +95,13 @@ pub struct Instant {
 }
 
 impl FreeMotion {
-    /// From the principal moments and the spin (rad/s) along the same axes at time 0. The world
-    /// is taken along the body's axes at that time: the attitude starts as the identity.
+    /// From the principal moments and the spin (rad/s) along the same axes at time 0. The attitude at that
+    /// time is the identity: the axes of world and body coincide.
     ///
     /// # Errors
-    /// Moments of which one is less than 1e-100 of another, a spin that is not finite, one so great that the
-    /// motion passes through a spin beyond `f64` or precesses faster, or one so close to the separatrix (a
-    /// push of less than 1e-570 of the spin) that `f64` does not separate the two.
+    /// A moment that is less than 1e-100 of another; a spin that is not finite; a spin so large that the spin
+    /// or the precession rate exceeds `f64` during the motion; or a spin so close to the separatrix (a
+    /// deviation of less than 1e-570 of the spin) that `f64` cannot distinguish the two.
     pub fn new(moments: PrincipalMoments, omega: &Vector3<f64>) -> Result<Self, Error> {
         finite_vector(Subject::Spin, omega)?;
         let (i, w): ([f64; 3], [f64; 3]) = (moments.into(), (*omega).into());
@@ -128,14 +128,14 @@ impl FreeMotion {
         Ok(Self { moments, start: *omega, exponent, clock, law, mount: None })
     }
 
-    /// The free motion of `body` from its attitude and momentum, in the axes of its tensor, whatever they
-    /// are.
+    /// The free motion of `body` from its attitude and momentum. Results are in the axes of its tensor, which
+    /// need not be principal.
     ///
-    /// The principal axes of a tensor that is not diagonal come rounded: the motion is then that of a tensor
-    /// some units in the last place of its largest entry away. To a needle whose smallest moment is `e` times
-    /// its largest that is much: the smallest moment is right to a relative `4/e` x 2^-53, and spin and
-    /// attitude in the first few radians to `8/e` x 2^-53, which is 9e-10 for `e` of 1e-6 and 9e-4 for 1e-12.
-    /// A tensor that is diagonal loses nothing.
+    /// For a tensor that is not diagonal, the principal axes are rounded: the motion is then that of a tensor
+    /// that differs by some units in the last place of the largest entry. For a needle whose smallest moment
+    /// is `e` times its largest, this is a large relative error: the smallest moment is accurate to a
+    /// relative `4/e` x 2^-53, and spin and attitude in the first few radians to `8/e` x 2^-53, which is
+    /// 9e-10 for `e` of 1e-6 and 9e-4 for 1e-12. A diagonal tensor loses nothing.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
@@ -150,7 +150,7 @@ impl FreeMotion {
     /// ```
     ///
     /// # Errors
-    /// A smallest moment that is zero to rounding, or as [`new`](Self::new).
+    /// A smallest moment that is zero to rounding, or the errors of [`new`](Self::new).
     pub fn of(body: &Body) -> Result<Self, Error> {
         let (moments, to_body) = body.inertia().along_principal_axes()?;
         let frame = to_body.map_or(Frame::BODY, |to_body| Frame::new(to_body.into_inner()));
@@ -163,7 +163,7 @@ impl FreeMotion {
         Ok(Self { mount: Some(Mount { body, ..mount }), ..motion })
     }
 
-    /// This motion from another attitude (body to world) at time 0.
+    /// The same motion with another attitude (body to world) at time 0.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
@@ -304,8 +304,7 @@ impl FreeMotion {
     /// The first instant after `t` at which the spin along the middle axis changes sign, s. `None` if there
     /// is none: a steady spin, two equal moments, or the separatrix once it has flipped.
     ///
-    /// Where that spin is exactly zero at the start, the flip there is at time 0 exactly, so that it is not
-    /// after 0.
+    /// If that spin is exactly zero at the start, that flip is at time exactly 0, and so it is not after 0.
     ///
     /// # Errors
     /// A time that is not finite, one with more than 9e15 flips between it and the start, or a flip beyond
@@ -318,11 +317,11 @@ impl FreeMotion {
     }
 
     /// All instants after `from` and up to `to` at which the spin along the middle axis changes sign, in
-    /// order, one at a time: an interval with a billion flips takes no more room than one with two, and how
-    /// many they are is known without a visit to each ([`Flips::remaining`]).
+    /// order, one at a time: an interval with a billion flips needs no more memory than one with two, and
+    /// [`Flips::remaining`] counts them without computing each.
     ///
-    /// A flip at `from` is none of them and one at `to` is, so that adjacent intervals count each flip once.
-    /// Where the spin along the middle axis is exactly zero at the start, that flip is at time 0 exactly.
+    /// A flip at `from` is excluded and one at `to` is included, so that adjacent intervals count each flip
+    /// once. If the spin along the middle axis is exactly zero at the start, that flip is at time exactly 0.
     ///
     /// ```
     /// use nalgebra::Vector3;
@@ -338,8 +337,8 @@ impl FreeMotion {
     /// ```
     ///
     /// # Errors
-    /// A time that is not finite, or one with more than 2.2e15 flips between it and the start: further out
-    /// some come at the same `f64`.
+    /// A time that is not finite, or one with more than 2.2e15 flips between it and the start: farther away,
+    /// successive flips can have the same time in `f64`.
     pub fn flips(&self, from: f64, to: f64) -> Result<Flips, Error> {
         finite(Subject::IntervalStart, from)?;
         finite(Subject::IntervalEnd, to)?;

@@ -1,6 +1,6 @@
-//! Laws on any kind of number that are public for proofs alone: `crates/proofs` runs these very functions on
-//! algebraic symbols, and the closed form on intervals. The other laws that it runs stand in their modules.
-//! Only [`Rounding`] is named elsewhere too: a [lane](crate::number::Lane) takes it over as it is.
+//! Laws on any kind of number that are public only for proofs: `crates/proofs` runs these same functions on
+//! algebraic symbols, and the closed form on intervals. The other laws that it runs are in their own modules.
+//! Only [`Rounding`] is used elsewhere too: a [lane](crate::number::Lane) implements it with its defaults.
 
 pub use crate::body::Rate;
 pub use crate::exact::series::{
@@ -15,9 +15,8 @@ pub use crate::step::system::altered;
 use crate::number::Ring;
 use nalgebra::{Matrix3, Vector3};
 
-/// The rate of body-frame momentum, N m: `L' = L x (J L) + torque`, with `J` the inverse tensor in
-/// whatever body axes. No division, so a polynomial in everything it is given. Source:
-/// [Arn66](crate::references).
+/// The rate of body-frame momentum, N m: `L' = L x (J L) + torque`, with `J` the inverse tensor in any body
+/// axes. It has no division, so it is a polynomial in its arguments. Source: [Arn66](crate::references).
 ///
 /// ```
 /// use nalgebra::{Matrix3, Vector3};

@@ -1,8 +1,7 @@
-//! Rotation of rigid bodies: why a tossed book flips, and a library to compute it.
-//!
-//! For turning, mass is a matrix. A body's [`Inertia`] takes its spin to its angular momentum, and the two
-//! arrows point the same way only along the [principal axes](PrincipalAxes). A free body keeps its momentum;
-//! so its spin must move, and about the middle axis it flips.
+//! Rotation of rigid bodies: why a tossed book flips, and a library to compute it. In rotation, a matrix
+//! plays the role of mass: a body's [`Inertia`] maps its spin to its angular momentum, and the two point in
+//! the same direction only along the [principal axes](PrincipalAxes). A free body keeps its momentum; so its
+//! spin must change, and near the middle axis it flips.
 //!
 //! ```
 //! use nalgebra::{UnitQuaternion, Vector3};
@@ -25,25 +24,25 @@
 //! # Ok::<(), tumbling::Error>(())
 //! ```
 //!
-//! # The way through
+//! # The modules
 //!
 //! Data flows one way; each module uses only those before it, and [`exact`] and [`step`] never each other:
 //!
-//! - [`number`]: what the laws run on.
+//! - [`number`]: the number types on which the laws run.
 //! - [`attitude`]: rotations as quaternions.
 //! - [`inertia`]: the tensor: apply, invert once, turn to the world. [`PrincipalAxes`] and
 //!   [`PrincipalMoments`] follow from it.
 //! - [`solid`]: a shape and a mass give [`MassProperties`]: mass, centre, tensor.
 //! - [`body`]: a [`Body`] has inertia, attitude and angular momentum; its spin is derived. [`body::named`]
 //!   has ready ones.
-//! - [`dynamics`]: Euler's equations, stability, what to read off a motion.
+//! - [`dynamics`]: Euler's equations, stability, energy and flips.
 //! - [`exact`]: free motion in closed form: [`exact::FreeMotion`] of one body, [`exact::Batch`] of many.
 //! - [`step`]: stepping through time, right and wrong: a [`step::Stepper`] runs any body by any method, under
 //!   torques.
-//! - [`laws`]: what is public for the proofs alone.
+//! - [`laws`]: functions that are public only for the proofs.
 //!
-//! A `Body` of any tensor goes into `FreeMotion::of` and `Stepper::new` as it is, and comes back in its own
-//! axes.
+//! `FreeMotion::of` and `Stepper::new` accept a `Body` with any tensor, and return results in the axes of
+//! that body.
 //!
 //! # Where to start
 //!
@@ -60,12 +59,12 @@
 //! # Conventions
 //!
 //! SI units and radians. Attitudes take body coordinates to world. Products of inertia carry the sign that
-//! makes `L = I w` hold. Names end in `_body` or `_world` where it matters. What is given or returned along
-//! principal axes says so.
+//! makes `L = I w` hold. Names end in `_body` or `_world` where it matters. The documentation says where
+//! values are along principal axes.
 //!
-//! Numbers, attitudes, tensors, moments, mass properties and choices such as [`Axis`] are given by value;
-//! vectors, matrices, states, bodies and systems by reference. The generic laws take all by reference, since
-//! their numbers may be large.
+//! Numbers, attitudes, tensors, moments, mass properties and choices such as [`Axis`] are passed by value;
+//! vectors, matrices, states, bodies and systems by reference. The generic laws take all arguments by
+//! reference, since their numbers may be large.
 //!
 //! # Many kinds of number
 //!
@@ -75,10 +74,10 @@
 //!
 //! # Errors
 //!
-//! Constructors check and return an [`Error`] that names the value, the rule and the margin, and has a
-//! [kind](ErrorKind) for programs. No public function may panic on any `f64` or count: what memory cannot
-//! hold is refused. The generic laws do what their numbers do: integers, say, overflow and divide by zero in
-//! their own way.
+//! Constructors check their arguments and return an [`Error`] that names the value, the rule and the margin,
+//! and has a [kind](ErrorKind) for programs. No public function may panic on any `f64` or count: a result
+//! that memory cannot hold is an error. The generic laws behave as their number type does: integers, for
+//! example, panic when they divide by zero.
 //!
 //! # Features
 //!
@@ -87,7 +86,7 @@
 //! Results have the same bits wherever `f64` follows IEEE 754, since the elementary functions are the
 //! library's own.
 //!
-//! Sources are given by keys, which stand in [`references`].
+//! Sources are cited by keys, which [`references`] lists.
 #![cfg_attr(not(feature = "std"), no_std)]
 #![cfg_attr(doctest, doc = include_str!("../README.md"))]
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]

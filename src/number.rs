@@ -1,10 +1,9 @@
-//! What a number must be able to do for the laws of rotation to run on it.
+//! The operations that a number type needs so that the laws of rotation can run on it.
 //!
 //! The laws are written once, over [`Ring`] (add, subtract, multiply) wherever they are polynomials and over
-//! [`Field`] where a division is honest. Every type that can do the arithmetic is one: `f64` and `f32`, exact
-//! rationals, dual numbers, or a number that counts what a formula costs. Whatever
-//! branches on a size or takes a root is written for `f64` alone, elsewhere, or over [`Lane`], several `f64`
-//! at once.
+//! [`Field`] where they need a division. Every type with this arithmetic implements them: `f64` and `f32`,
+//! exact rationals, dual numbers, or a number that counts what a formula costs. Code that branches on a size
+//! or takes a root is written for `f64`, or over [`Lane`], several `f64` at once.
 
 mod double_double;
 mod extended;
@@ -28,7 +27,8 @@ use core::ops::Neg;
 use nalgebra::{ClosedAddAssign, ClosedDivAssign, ClosedMulAssign, ClosedSubAssign, Scalar};
 use num_traits::{Float, One, Zero};
 
-/// A commutative ring: add, subtract, multiply, with 0 and 1. Implemented for every type that can.
+/// A commutative ring: add, subtract, multiply, with 0 and 1. It is implemented for every type that has these
+/// operations.
 ///
 /// ```
 /// use tumbling::number::Ring;
@@ -38,7 +38,7 @@ use num_traits::{Float, One, Zero};
 pub trait Ring:
     Scalar + Zero + One + ClosedAddAssign + ClosedSubAssign + ClosedMulAssign + Neg<Output = Self>
 {
-    /// The integer `n` in this ring, by doubling and adding 1: exact wherever `n` has a place.
+    /// The integer `n` in this ring, by doubling and adding 1; exact if the ring contains `n`.
     #[inline]
     fn integer(n: u32) -> Self {
         // The compiler knows which type it is, and keeps one of the two branches.
@@ -61,16 +61,16 @@ impl<T> Ring for T where
 {
 }
 
-/// A ring in which one may also divide (by anything but zero). Implemented for every type that can.
+/// A ring with division (by anything but zero). It is implemented for every type that has these operations.
 pub trait Field: Ring + ClosedDivAssign {}
 
 impl<T: Ring + ClosedDivAssign> Field for T {}
 
 /// A field with the functions that steppers need besides arithmetic. Implemented for `f64` and `f32`, with
-/// the same bits where these follow IEEE 754; other crates may implement it for theirs, as power series do,
-/// which so prove a method's order.
+/// the same bits where these follow IEEE 754; other crates may implement it for their own types. Power series
+/// implement it, which proves the order of a method.
 pub trait Analytic: Field {
-    /// The square root; whatever the type has for "undefined" where there is none.
+    /// The square root; where there is none, the type's value for "undefined".
     fn sqrt(&self) -> Self;
 
     /// Sine and cosine of an angle in radians.
@@ -79,8 +79,8 @@ pub trait Analytic: Field {
     /// The exponential.
     fn exp(&self) -> Self;
 
-    /// `cos(r)` and `sin(r)/r` of the root `r` of this number, both smooth where it is zero: what the
-    /// exponential map from turns to quaternions needs.
+    /// `cos(r)` and `sin(r)/r` of the root `r` of this number, both smooth where it is zero. The exponential
+    /// map from rotation vectors to quaternions needs them.
     ///
     /// ```
     /// use tumbling::number::Analytic;
@@ -90,8 +90,9 @@ pub trait Analytic: Field {
     /// ```
     fn cos_sinc_of_root(&self) -> (Self, Self);
 
-    /// How large it is, for deciding whether an iteration still moves: the absolute value of a number; of a
-    /// power series anything that falls as its lowest power rises, and is 0 only for zero. NaN if undefined.
+    /// Its size, used to decide whether an iteration still changes: the absolute value of a number; for a
+    /// power series, any measure that decreases as its lowest power rises, and is 0 only for zero. NaN if
+    /// undefined.
     fn size(&self) -> f64;
 
     /// Changes below this, relative to the size, are rounding: the type's machine epsilon, 0 for exact
@@ -99,7 +100,7 @@ pub trait Analytic: Field {
     fn rounding() -> f64;
 }
 
-/// Of `f32` the functions are those of `f64`, rounded.
+/// The functions of `f32` are those of `f64`, rounded.
 macro_rules! analytic {
     ($($Float:ident),*) => {$(
         impl Analytic for $Float {

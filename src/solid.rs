@@ -1,8 +1,8 @@
-//! Solids: from a shape to its mass, its centre, and how hard it is to turn.
+//! Solids: from a shape to its mass, its centre of mass and its inertia tensor.
 //!
 //! Each shape is checked when it is made; then [`Solid::with_mass`] or [`Solid::with_density`] gives its
-//! [`MassProperties`]. The law of its moments is a [`Shape`]'s, generic over
-//! the number type: [`Solid::with_mass`] runs that very function. [`Compound`] puts parts together.
+//! [`MassProperties`]. The formula for its moments is in [`Shape`], generic over the number type;
+//! [`Solid::with_mass`] runs that same function. [`Compound`] combines parts.
 //!
 //! ```
 //! use nalgebra::Vector3;
@@ -37,21 +37,21 @@ use num_traits::Zero as _;
 
 /// A shape filled evenly with mass.
 pub trait Solid {
-    /// How much of it there is: volume in m³; of a thin plate or disk its area in m², of a thin rod its
-    /// length in m. Zero for a shell whose radii are equal.
+    /// Its volume in m³, the area in m² of a thin plate or disk, or the length in m of a thin rod. It is zero
+    /// for a shell whose radii are equal.
     ///
     /// # Errors
-    /// A measure that `f64` does not hold with all its digits.
+    /// A measure that `f64` cannot hold with all its digits.
     fn measure(&self) -> Result<f64, Error>;
 
-    /// Its mass properties if it weighs `mass` kg.
+    /// Its mass properties for a mass of `mass` kg.
     ///
     /// # Errors
     /// A mass that is not finite and positive, or a moment that `f64` does not hold with all its digits.
     fn with_mass(&self, mass: f64) -> Result<MassProperties, Error>;
 
-    /// Its mass properties if it weighs `density` per [measure](Self::measure): kg/m³, or kg/m² for what is
-    /// thin, or kg/m for a thin rod.
+    /// Its mass properties for a density per [measure](Self::measure): kg/m³, kg/m² for a thin plate or disk,
+    /// or kg/m for a thin rod.
     ///
     /// # Errors
     /// A density that is not finite and positive, a measure of zero, or a mass or moment that `f64` does not
@@ -64,7 +64,7 @@ pub trait Solid {
     }
 }
 
-/// A shape whose moments follow from its sizes, by one law for every number type.
+/// A shape whose moments follow from its sizes, by one formula for every number type.
 pub trait Shape<const N: usize> {
     /// Its principal moments about its centre, kg m², along its own axes, from its mass (kg) and its sizes
     /// (m) in the order of its constructor; unchecked.

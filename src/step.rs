@@ -1,10 +1,10 @@
-//! Stepping through time: methods good and bad under one contract, and whole engines right and wrong.
+//! Stepping through time: good and bad methods with one interface, and correct and wrong engines.
 //!
 //! A [`Method`] takes a [`State`] of a [`System`] (a body and the [torques](Torque) on it) one step further.
-//! Each family is a file of its own, generic over the number type; on power series the same code proves its
-//! own order.
+//! Each family of methods is in its own file, generic over the number type; proofs of a method's order run
+//! the same code on power series.
 //!
-//! Nothing here uses the [exact motion](crate::exact): the tests hold the two to each other.
+//! Nothing here uses the [exact motion](crate::exact): the tests compare the two.
 
 mod adaptive;
 mod fixed_rate;

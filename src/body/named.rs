@@ -1,7 +1,8 @@
 //! The bodies of the book's stories.
 //!
-//! All lie in the same way: the long way along z, so that z is the axis with the smallest moment, y the one
-//! with the largest, and **x the middle one**, the one that flips, as in the book's box.
+//! All have the same orientation: the longest side is along z, so that z is the axis with the smallest
+//! moment, y the axis with the largest, and **x the middle axis**, about which a body flips, as in the book's
+//! box.
 //!
 //! Each is a list of straight [parts](NamedBody::each_part), from which its mass properties are computed;
 //! drawings are made of the same parts.
@@ -69,11 +70,11 @@ pub enum NamedBody {
     /// A wing nut for thread M10, of steel: a round boss along x with its wings spread along z. It comes off
     /// its screw spinning about x, the middle axis.
     ///
-    /// Boss and span are those that UNI 5448 lists for M10 (boss 16.5 mm wide and 6.8 mm high, 36.2 mm over
-    /// the wings, whose edges are 3.3 mm thick and reach 17.7 mm high; about 13.5 g), as quoted in dealers'
-    /// tables: likely, not checked against the standard itself. The wings slant; ours are upright plates as
-    /// high as two thirds of theirs, the hole is 9 mm wide. Nobody published the sizes of the nut that
-    /// flipped in orbit.
+    /// The sizes of boss and span are those of UNI 5448 for M10 (boss 16.5 mm wide and 6.8 mm high, 36.2 mm
+    /// over the wings, whose edges are 3.3 mm thick and reach 17.7 mm high; about 13.5 g), as quoted in
+    /// dealers' tables: probably right, but not checked against the standard itself. Real wings slant; ours
+    /// are upright plates with two thirds of their height. The hole is 9 mm wide. Nobody published the sizes
+    /// of the nut that flipped in orbit.
     WingNut,
     /// A T-handle of steel rod 12 mm thick: a crossbar of 100 mm along z, and a stem of 50 mm along x from
     /// its middle. It spins about its stem, the middle axis.
@@ -84,7 +85,7 @@ pub enum NamedBody {
 }
 
 impl NamedBody {
-    /// Every one, in the order in which the book meets them.
+    /// All bodies, in the order in which the book introduces them.
     pub const ALL: [Self; 8] = [
         Self::TheBox,
         Self::Book,
@@ -96,7 +97,7 @@ impl NamedBody {
         Self::THandle,
     ];
 
-    /// Hands each of the solids of which it consists to `put`.
+    /// Calls `put` with each of the solids of the body.
     pub fn each_part(self, put: &mut dyn FnMut(Part)) {
         match self {
             Self::TheBox => put(THE_BOX.part("box", "even")),
@@ -110,8 +111,9 @@ impl NamedBody {
         }
     }
 
-    /// Its mass, centre and inertia by the laws alone: [`properties`](Self::properties) to some units in the
-    /// last place, without what checks sizes and keeps digits, for a program that must be small.
+    /// Its mass, centre and inertia by the bare formulas: equal to [`properties`](Self::properties) to some
+    /// units in the last place, without the code that checks sizes and keeps digits, for a program that must
+    /// be small.
     ///
     /// ```
     /// use tumbling::body::named::NamedBody;
@@ -142,7 +144,7 @@ impl NamedBody {
     /// Its mass, centre and inertia.
     ///
     /// # Errors
-    /// None: the sizes are constants.
+    /// There are none: the sizes are constants.
     pub fn properties(self) -> Result<MassProperties, Error> {
         let mut parts = Vec::new();
         self.each_part(&mut |part| parts.push(part));

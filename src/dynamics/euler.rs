@@ -1,13 +1,13 @@
 //! Euler's equations: how spin and momentum change in body axes.
 //!
-//! Written component by component, as they are printed, and without a division, for any number type. All
-//! vectors here are in the body frame. Source: [Eul65](crate::references).
+//! They are written component by component, as in textbooks, for any number type. All vectors here are in the
+//! body frame. Source: [Eul65](crate::references).
 
 use crate::number::{Field, Ring};
 use nalgebra::{Matrix3, Vector3};
 
-/// The right-hand sides `(I2 - I3) w2 w3, (I3 - I1) w3 w1, (I1 - I2) w1 w2`, in N m: what each `I w'`
-/// is without a torque, along principal axes in the order of `moments`.
+/// The right-hand sides `(I2 - I3) w2 w3, (I3 - I1) w3 w1, (I1 - I2) w1 w2`, in N m: the values of `I w'`
+/// without a torque, along principal axes in the order of `moments`.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -22,8 +22,8 @@ pub fn coupling<T: Ring>(moments: &Vector3<T>, omega: &Vector3<T>) -> Vector3<T>
     Vector3::new(term(1, 2), term(2, 0), term(0, 1))
 }
 
-/// Angular acceleration `w'` along principal axes, rad/s²: `I1 w1' = (I2 - I3) w2 w3 + torque1` and so
-/// on round, divided by the moments (kg m²), for a spin in rad/s and a torque in N m along the same axes.
+/// Angular acceleration `w'` along principal axes, rad/s²: `I1 w1' = (I2 - I3) w2 w3 + torque1` and
+/// cyclically, divided by the moments (kg m²), for a spin in rad/s and a torque in N m along the same axes.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -43,7 +43,7 @@ pub fn angular_acceleration<T: Field>(
     (coupling(moments, omega) + torque).component_div(moments)
 }
 
-/// Euler's equations with the spin as the unknown, in whatever body axes: `I w' = (I w) x w + torque`, N m.
+/// Euler's equations with the spin as the unknown, in any body axes: `I w' = (I w) x w + torque`, N m.
 ///
 /// ```
 /// use nalgebra::{Matrix3, Vector3};

@@ -2,7 +2,8 @@
 //!
 //! All formulas are products of the differences of the given moments, sums of terms of one sign, or the one
 //! difference that matters, which is taken in twice the precision; nothing that is small is formed by
-//! subtracting squares. Sizes go by powers of two, so that a push of 5e-324 counts as any other.
+//! subtracting squares. All values are scaled by powers of two, so that a deviation of 5e-324 is treated like
+//! any other.
 
 use crate::inertia::PrincipalMoments;
 use crate::number::{DoubleDouble, Real, exact_products, exact_sum};
@@ -10,7 +11,7 @@ use nalgebra::Vector3;
 
 /// What kind of free motion this is, decided without rounding.
 pub(crate) enum Kind {
-    /// No torque on the body's own motion: at rest, a sphere, a principal spin, or one in the plane of two
+    /// The spin is constant: at rest, a sphere, a spin about a principal axis, or one in the plane of two
     /// equal moments.
     Steady,
     /// The moment about this axis differs from two equal ones, and the spin is oblique.
@@ -163,8 +164,8 @@ impl<T: Real> Asymmetric<T> {
         [off(self.across, self.d_cx), off(self.middle, self.d_cm), round]
     }
 
-    /// `L² - 2 E I_M` with the sign turned so that it is not negative where the larger axis is circled;
-    /// here its size alone, which may underflow near the separatrix.
+    /// `L² - 2 E I_M` with the sign chosen so that it is not negative where the larger axis is circled; here
+    /// only its magnitude, which may underflow near the separatrix.
     pub(crate) fn distance_from_separatrix(&self) -> T {
         self.discriminant.scaled(2 * self.small).hi()
     }

@@ -1,4 +1,4 @@
-//! What can be read off a motion: its kinetic energy, and its flips.
+//! Quantities derived from a motion: its kinetic energy and its flips.
 
 use crate::number::Field;
 use alloc::vec::Vec;
@@ -17,14 +17,13 @@ pub fn energy<T: Field>(omega: &Vector3<T>, momentum: &Vector3<T>) -> T {
     omega.dot(momentum) / T::integer(2)
 }
 
-/// The instants at which a sampled quantity changes sign, by straight lines between samples; a flip is a
-/// change of sign of the spin along the middle axis.
+/// The instants at which a sampled quantity changes sign, by linear interpolation between samples; a flip is
+/// a change of sign of the spin along the middle axis.
 ///
-/// `samples` are pairs of time and value, in order of time. A value of exactly zero belongs to the sign
-/// before it, so where a sample is zero and the next has the other sign, the change is at the zero. A zero in
-/// the first sample has no sign before it and is no change, as a flip at the start of an interval is none of
-/// its flips; of a zero in the last sample it is not known whether the sign changes. Pairs that are not
-/// finite are passed over.
+/// `samples` are pairs of time and value, in order of time. A value of exactly zero has the sign of the value
+/// before it. So where a sample is zero and the next has the opposite sign, the change is at the zero. A zero
+/// in the first sample is not a change, just as an interval does not contain a flip at its start. After a
+/// zero in the last sample it is unknown whether the sign changes. Pairs that are not finite are ignored.
 ///
 /// ```
 /// use tumbling::dynamics::observe::sign_changes;

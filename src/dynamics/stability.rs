@@ -29,7 +29,7 @@ pub fn rate_squared<T: Field>(omega: &T, about: &T, first: &T, second: &T) -> T 
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Stability {
-    /// The spin librates: it circles the axis on a small closed curve in body axes, and stays as near.
+    /// The spin librates: it circles the axis on a small closed curve in body axes, and stays close to it.
     Libration {
         /// Angular frequency, rad/s.
         rate: f64,
@@ -40,7 +40,7 @@ pub enum Stability {
         rate: f64,
     },
     /// It neither librates nor grows exponentially: the moment is one of an equal pair (or the body is not
-    /// turning). A push then drifts steadily away, at the speed it was given.
+    /// turning). A disturbance then grows in proportion to time.
     Neutral,
 }
 

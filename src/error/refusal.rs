@@ -1,4 +1,4 @@
-//! Each way to be refused: its values, its kind, its subject, its sentence.
+//! Every reason for an error: its values, kind, subject and message.
 
 use super::{Error, ErrorKind, Margin, Subject};
 use alloc::boxed::Box;
@@ -10,16 +10,16 @@ macro_rules! refusals {
         $Name:ident { $($field:ident: $Type:ty),* } $kind:expr, $subject:expr,
             $sentence:literal $(, $part:expr)*;
     )*) => {
-        /// What was wrong, one variant for each sentence. Behind [`Error`], so that a sentence can gain a
-        /// number without breaking anyone.
+        /// What was wrong, one variant for each message. It is private to [`Error`], so that a message can
+        /// gain a number without breaking callers.
         #[derive(Debug, Clone, PartialEq)]
         pub(crate) enum Refusal {
             $($(#[$meta])* $Name { $($field: $Type),* },)*
         }
 
         impl Refusal {
-            /// Hands over kind, subject and sentence. The sentence is not formatted yet, so that kind and
-            /// subject alone cost nothing.
+            /// Passes on kind, subject and message. The message is not formatted yet, so that reading kind
+            /// and subject costs nothing.
             fn explained<R>(&self, give: impl FnOnce(ErrorKind, Subject, fmt::Arguments<'_>) -> R) -> R {
                 match self {
                     $(Self::$Name { $($field),* } => {
@@ -176,7 +176,7 @@ impl fmt::Display for Refusal {
     }
 }
 
-/// The way out where a refusal may be due to rounded digits.
+/// Advice where the error may be due to rounded digits.
 fn hint(printed: bool) -> &'static str {
     if printed {
         "; if its digits were rounded, `within` takes a tolerance and gives the nearest possible body"

@@ -1,11 +1,11 @@
-//! What an error speaks of.
+//! The quantity that an error is about.
 
 use core::fmt;
 
 macro_rules! subjects {
     ($($name:ident => $words:literal,)*) => {
-        /// What an [`Error`](crate::Error) speaks of, for programs that find words or places of their own.
-        /// `Display` gives the words of the error's sentence.
+        /// The quantity that an [`Error`](crate::Error) is about, for programs that write their own messages
+        /// or mark the input. `Display` prints the words used in the error's message.
         ///
         /// ```
         /// use tumbling::solid::Cuboid;
@@ -21,7 +21,7 @@ macro_rules! subjects {
         }
 
         impl Subject {
-            /// The words of the error's sentence: "the mass", "the edge along x".
+            /// The words used in the error's message: "the mass", "the edge along x".
             #[must_use]
             pub fn words(self) -> &'static str {
                 match self {

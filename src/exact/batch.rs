@@ -1,4 +1,4 @@
-//! Many free motions at once, bodies of the same kind of motion in the lanes of one number.
+//! Many free motions at once: bodies with the same kind of motion share the lanes of one number.
 
 mod group;
 
@@ -14,21 +14,23 @@ use core::marker::PhantomData;
 use group::Group;
 use nalgebra::Vector3;
 
-/// Many bodies in free motion, answered together: as many at once as the number type has
+/// Many bodies in free motion, computed together: as many at once as the number type has
 /// [lanes](crate::number::Lane).
 ///
-/// Every answer is to the bit that of [`FreeMotion::at`], whatever the other bodies and their order: bodies
-/// are sorted by their kind of motion, the same functions run on several numbers at once, and the last lanes
-/// of a kind are filled with copies. A body on the separatrix itself, or whose spin is beyond 1e±180 rad/s,
-/// is answered alone.
+/// Every result equals that of [`FreeMotion::at`] to the last bit, whatever the other bodies and their order:
+/// bodies are sorted by their kind of motion, the same functions run on several numbers at once, and the last
+/// lanes of a kind are filled with copies. A body exactly on the separatrix, or with a spin outside 1e±180
+/// rad/s, is computed alone.
 ///
 /// The answer `A` is spin and attitude as an [`Instant`], or the spin alone as a `Vector3<f64>` in body axes
-/// (rad/s): what attitudes need is then left out, from the memory and from the work.
+/// (rad/s): then the constants and the computation for attitudes are omitted.
 ///
 /// With `f64`, which is one lane, a batch is about as fast as its bodies one by one. The crate
-/// `tumbling-scenes` has four lanes and eight, as arrays, of which the compiler makes vectors.
+/// `tumbling-scenes` has types with four and eight lanes: arrays that the compiler turns into vector
+/// instructions.
 ///
-/// A batch of some hundred bodies fits a processor's second cache; make several batches of more.
+/// A batch of some hundred bodies fits the second-level cache of a processor; for more bodies, make several
+/// batches.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -60,12 +62,12 @@ pub struct Batch<T, A = Instant> {
     answer: PhantomData<A>,
 }
 
-/// What a batch may answer.
+/// A kind of answer of a batch.
 pub trait Answer {
     /// Whether it has an attitude.
     const ATTITUDE: bool;
 
-    /// From what a body does at an instant; the attitude is any where none is needed.
+    /// Made from the state of a body at an instant; the attitude is arbitrary if it is not needed.
     fn of(instant: Instant) -> Self;
 }
 
@@ -88,7 +90,7 @@ impl Answer for Vector3<f64> {
 }
 
 impl<T: Rounding, A: Answer> Batch<T, A> {
-    /// Prepares these motions; the index of a body is its place among them.
+    /// Prepares these motions; the index of a body is its position in this list.
     #[must_use]
     pub fn new(motions: &[FreeMotion]) -> Self {
         fn elliptic(motion: &FreeMotion) -> Option<&EllipticMotion> {
@@ -115,11 +117,11 @@ impl<T: Rounding, A: Answer> Batch<T, A> {
         }
     }
 
-    /// The answer for every body at each of `times`: `put` gets the index of the time, that of the body, and
-    /// the answer, in no particular order.
+    /// Computes every body at each of `times`. `put` is called with the index of the time, the index of the
+    /// body, and the answer, in no particular order.
     ///
     /// # Errors
-    /// A time that is not finite, before any answer is put.
+    /// A time that is not finite; `put` is then never called.
     // Inlined, as all in it but rare cases, so that it is compiled for the vectors of a caller that has them.
     #[inline(always)]
     pub fn each(&self, times: &[f64], mut put: impl FnMut(usize, usize, A)) -> Result<(), Error> {

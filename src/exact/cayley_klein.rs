@@ -9,7 +9,7 @@
 //! a ~ theta_4(z - i s B),   b ~ theta_1(z - i s B)
 //! ```
 //!
-//! These are the Cayley-Klein parameters ([KS97](crate::references)); [vZS07](crate::references) have the
+//! These are the Cayley-Klein parameters ([KS97](crate::references)); [vZS07](crate::references) gives the
 //! rotation matrix in theta functions of the nome itself. It is so since `|a|² = (1 + n)/2` and `|b|² = (1 -
 //! n)/2`, with `n` the momentum's share along the circled axis, have their zeros where `n` is -1 and 1. The
 //! length is found by making the quaternion one of length 1; nothing has to be integrated, no angle unwound.
@@ -75,7 +75,7 @@ impl<T: Rounding> Pair<T> {
     }
 }
 
-/// What both forms are made from.
+/// The input of both forms.
 pub(crate) struct Shape<T = f64> {
     /// Whether the across, the middle and the circled axis follow each other in cyclic order, `s = 1`, and
     /// whether the spin along the circled one is positive.
@@ -180,7 +180,7 @@ impl<T: Series> DirectPair<T> {
         ]
     }
 
-    /// How fast the angle of `a` turns with `z` where `z` is zero.
+    /// The rate of the angle of `a` with respect to `z` at `z = 0`.
     pub fn turning_at_zero(&self) -> T {
         let sum = |p: &[T]| p.iter().fold(T::zero(), |sum, x| sum + x.clone());
         // (C25)
@@ -309,7 +309,7 @@ impl<T: Series> ComplementaryPair<T> {
         ]
     }
 
-    /// How fast the angle of `a` turns with `x` at the saddle, where `e = r = p`.
+    /// The rate of the angle of `a` with respect to `x` at the saddle, where `e = r = p`.
     pub fn turning_at_saddle(&self) -> T {
         let p = || self.nome.clone();
         let [re, im, ..] = self.sums(p(), p());

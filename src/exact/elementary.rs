@@ -1,5 +1,6 @@
-//! What an instant of a free motion takes, by [lanes](crate::number::Lane): one body is the lane of one. And
-//! the motions that sines and cosines describe: a steady spin, and that of a body with two equal moments.
+//! The interface that evaluates a free motion at an instant, in [lanes](crate::number::Lane); one body is the
+//! case of one lane. Also the motions that need only sines and cosines: a steady spin, and the motion of a
+//! body with two equal moments.
 
 use crate::attitude::{product, unit};
 use crate::exact::elliptic::sin_cos_of_turns;
@@ -10,12 +11,12 @@ use crate::number::{
 use core::f64::consts::PI;
 use nalgebra::{Quaternion, Vector3};
 
-/// The constants of one kind of motion, those of the spin. What the attitude needs beyond them is kept apart,
-/// since spins are also requested alone.
+/// The constants of one kind of motion that the spin needs. The further constants of the attitude are
+/// separate, since some callers request only spins.
 pub(super) trait Kernel<T: Rounding> {
     /// The further constants of the attitude.
     type Attitude;
-    /// What spin and attitude at one instant have in common.
+    /// Values that spin and attitude share at one instant.
     type Phase;
 
     /// At scaled time `time`.
@@ -49,7 +50,7 @@ impl<T: Rounding> Axes<T> {
     #[inline(always)]
     pub(super) fn arranged(&self, parts: [T; 3]) -> [T; 3] {
         if T::WIDTH == 1 {
-            // Put into memory they are where they belong: less than six selections.
+            // Writing them to memory in the right order costs less than six selections.
             let mut placed = [parts[0]; 4];
             for (place, part) in self.places.iter().zip(parts) {
                 placed[(place.lane(0) + INTEGERS).to_bits() as usize % 4] = part;
@@ -174,7 +175,8 @@ pub(crate) struct Precession {
     pub(super) spin: TopSpin,
     /// At the rate `L / I` with the equal moments.
     pub(super) about_momentum: Turn,
-    /// How fast the shortest way from axis to momentum turns with the body, radians per unit of scaled time.
+    /// The rate at which the shortest rotation from axis to momentum turns with the body, radians per unit of
+    /// scaled time.
     smooth: f64,
 }
 

@@ -1,8 +1,8 @@
 //! Elliptic functions on the complementary modulus, as free motion needs them.
 //!
-//! The modulus of a nearly perfect middle-axis spin is 1 to the last bit of any `f64`; what distinguishes one
-//! such spin from another is the complement `k' = sqrt(1 - k²)`, which can be 1e-300. So everything here is
-//! given `k'`, and never forms it. `sn`, `cn` and `dn` come from four-term theta sums
+//! The modulus of a nearly perfect middle-axis spin rounds to 1 in `f64`; such spins differ from each other
+//! in the complement `k' = sqrt(1 - k²)`, which can be 1e-300. So all functions here accept `k'` as an
+//! argument and never compute it from `k`. `sn`, `cn` and `dn` come from four-term theta sums
 //! ([DLMF](crate::references), chapter 20): in sines and cosines by the nome or, near the separatrix, in
 //! hyperbolic functions by the complementary nome.
 
@@ -23,11 +23,10 @@ use crate::number::{DoubleDouble, Rounding, splat};
 /// converges faster.
 pub(crate) const NOME_RATIO: f64 = 0.775;
 
-/// Sine and cosine of an angle of `turns` whole turns: no division by the circle's constant, in which digits
-/// would be lost.
+/// Sine and cosine of an angle given in turns. This avoids a division by 2 pi, which would lose digits.
 ///
-/// Quarter turns are taken off first, exactly, so that a phase of 1e9 turns costs what a small one does, and
-/// what is left keeps all its digits.
+/// Quarter turns are subtracted first, exactly, so that a phase of 1e9 turns costs the same as a small one
+/// and the remainder keeps all its digits.
 #[inline(always)]
 pub(crate) fn sin_cos_of_turns<T: Rounding>(turns: DoubleDouble<T>) -> (T, T) {
     let (_, quarters, left) = turns.times_exact(splat(4.0)).whole_and_rest();

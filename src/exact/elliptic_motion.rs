@@ -1,5 +1,5 @@
-//! The motion of a body with three different moments, about its largest or smallest axis or between: Jacobi's
-//! elliptic functions.
+//! The motion of a body with three different moments, about the axis of its largest or smallest moment, or on
+//! the separatrix: Jacobi's elliptic functions.
 
 mod instant;
 mod prepare;
@@ -19,7 +19,7 @@ use crate::number::{DoubleDouble, Real, splat};
 use core::f64::consts::PI;
 use nalgebra::{Quaternion, Vector3};
 
-/// All that an instant needs, in units where the largest spin is near 1.
+/// The constants needed at an instant, in units where the largest spin is near 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct EllipticMotion<T = f64> {
     /// Body indices of the axis across, the middle, the axis circled.
@@ -38,13 +38,13 @@ pub(crate) struct EllipticMotion<T = f64> {
 /// The series by which the motion is summed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Form<T = f64> {
-    /// In the nome.
+    /// A series in the nome.
     Direct { spin: DirectSpin<T>, attitude: DirectAttitude<T> },
-    /// In the complementary nome, which is zero on the separatrix: that motion does not return.
+    /// A series in the complementary nome, which is zero on the separatrix, where the motion does not return.
     Complementary { spin: ComplementarySpin<T>, attitude: ComplementaryAttitude<T> },
 }
 
-/// What belongs to the whole motion rather than to an instant, in the same units.
+/// Constants of the whole motion that are not needed at an instant, in the same units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Constants<T = f64> {
     about: Axis,

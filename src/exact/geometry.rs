@@ -1,7 +1,7 @@
-//! What can be read off a motion: the body at a time, its energy, its period, its angles to the momentum, how
-//! far it twists.
+//! Quantities derived from a motion: the body at a time, its energy, its period, its angles to the momentum,
+//! and its twist.
 //!
-//! The period of the spin, and its path in the body, from what stays the same in the motion alone.
+//! The period of the spin and its path in the body follow from the conserved quantities alone.
 
 use super::elliptic::quarter_period_from_root;
 use super::{FreeMotion, Motion};
@@ -29,18 +29,18 @@ pub(super) fn seconds(what: Subject, scaled: f64, exponent: i32) -> Result<f64, 
     Refusal::OutOfRange { what, value }.when(!value.is_finite() || value <= 0.0).map(|()| value)
 }
 
-/// The time between two flips of a free body, s: half the period of its spin in body axes.
-/// `None` where no flip follows another: a steady spin, two equal moments, or exactly on the separatrix, on
-/// which there is one at the most.
+/// The time between two flips of a free body, s: half the period of its spin in body axes. `None` where no
+/// flip follows another: a steady spin, two equal moments, or exactly on the separatrix, where there is at
+/// most one flip.
 ///
 /// The spin (rad/s) is along the principal axes. A flip is when the spin component along the middle axis
-/// changes sign; every free motion but those named does that again and again, a stable libration too, where
-/// it is small and quick. From a start with that component exactly zero, which is a flip at time 0, it is the
-/// time of the first flip after the start.
+/// changes sign; every other free motion does so periodically, even a stable libration, where the change is
+/// small and fast. If that component is exactly zero at the start, there is a flip at time 0, and the result
+/// is the time of the first flip after it.
 ///
 /// The formula is `2 K / rate` [LL76](crate::references), section 37, with the elliptic integral `K` from the
-/// arithmetic-geometric mean [Gau99](crate::references). The small differences on which it depends are taken
-/// between the given moments, never between squares, so that it is right for a push of 1e-300 too.
+/// arithmetic-geometric mean [Gau99](crate::references). It depends on small differences, which are computed
+/// from the given moments, never from squares, so that the result is accurate even for a deviation of 1e-300.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -67,7 +67,7 @@ pub fn time_between_flips(moments: PrincipalMoments, omega: &Vector3<f64>) -> Re
     seconds(Subject::TimeBetweenFlips, half_period.hi(), motion.clock).map(Some)
 }
 
-/// The extent of the closed curve that the spin of a free body runs along in body axes.
+/// The extent of the closed curve that the spin of a free body traces in body axes (the polhode).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Polhode {
     /// The smallest magnitude of the spin's component along each principal axis, rad/s.
@@ -93,7 +93,7 @@ impl Polhode {
     /// ```
     ///
     /// # Errors
-    /// A spin that is not finite, or one so great that it grows beyond `f64` on its way, or a period beyond
+    /// A spin that is not finite, a spin so large that it exceeds `f64` during the motion, or a period beyond
     /// `f64`.
     pub fn new(moments: PrincipalMoments, omega: &Vector3<f64>) -> Result<Self, Error> {
         finite_vector(Subject::Spin, omega)?;
@@ -147,7 +147,7 @@ impl Motion {
 }
 
 impl FreeMotion {
-    /// The body at time `t`: in the world it has the momentum of the start, to the bit.
+    /// The body at time `t`. Its momentum in world axes equals that of the start to the last bit.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
@@ -175,8 +175,8 @@ impl FreeMotion {
         start.with(attitude, &start.momentum_world())
     }
 
-    /// Kinetic energy, J: constant. Infinite if it exceeds what `f64` holds, zero or short of digits if it
-    /// falls below.
+    /// Kinetic energy, J, which is constant. It is infinite above the range of `f64`; below the range it is
+    /// zero or has lost digits.
     ///
     /// ```
     /// use nalgebra::Vector3;
@@ -192,8 +192,8 @@ impl FreeMotion {
         2.0 * energy(&self.start, &self.moments.vector().component_mul(&(self.start * 0.5)))
     }
 
-    /// The period of the spin as seen from the body, s; two flips fall into it. `None` where the spin is
-    /// constant, and on the separatrix, where it never returns.
+    /// The period of the spin in body axes, s; it contains two flips. `None` where the spin is constant, and
+    /// on the separatrix, where it never returns.
     ///
     /// ```
     /// use nalgebra::Vector3;
@@ -215,7 +215,8 @@ impl FreeMotion {
     }
 
     /// The least and greatest angle, radians, between a principal axis and the angular momentum, over all of
-    /// time. On the separatrix the ends are limits. Of equal moments the one given first is the smaller.
+    /// time. On the separatrix these angles are limits. Of two equal moments, the one given first counts as
+    /// the smaller.
     ///
     /// ```
     /// use nalgebra::Vector3;
@@ -256,16 +257,16 @@ impl FreeMotion {
         })
     }
 
-    /// How far the body turns about its angular momentum while the spin goes half round its period, radians:
-    /// from one flip to the next. Never negative, not reduced by whole turns. `None` where there is no
-    /// period, or where it is beyond `f64`.
+    /// The angle by which the body turns about its angular momentum during half a period of the spin, from
+    /// one flip to the next, radians. It is never negative and not reduced by whole turns. `None` where there
+    /// is no period, or where it is beyond `f64`.
     ///
-    /// The turn is measured against the shortest way from the circled axis (of two equal moments, the third)
-    /// to the momentum, which is never undefined. After half a period the two small components of the spin
-    /// have changed sign, so the body stands as at first but turned by half a turn about the circled axis,
-    /// and then by the twist and half a turn about the momentum; after a whole period, by two twists about
-    /// the momentum. Divided by π it is the rotation number; where that is a ratio of integers, the motion in
-    /// the world closes.
+    /// The turn is measured relative to the shortest rotation from the circled axis (for two equal moments,
+    /// the third axis) to the momentum, which is always defined. After half a period the two small components
+    /// of the spin have changed sign, so the body stands as at first but turned by half a turn about the
+    /// circled axis, and then by the twist and half a turn about the momentum; after a whole period, by two
+    /// twists about the momentum. Divided by π it is the rotation number; where that is a ratio of integers,
+    /// the motion in the world closes.
     #[must_use]
     pub fn twist_of_half_period(&self) -> Option<f64> {
         match &self.law {

@@ -1,4 +1,4 @@
-//! How principal axes are mounted in a body, and the body in the world.
+//! The rotation from principal axes to body axes, and from the body to the world.
 
 use crate::attitude::product;
 use crate::body::Body;

@@ -1,4 +1,4 @@
-//! Which kind of free motion it is, with the numbers that belong to that kind.
+//! The kind of a free motion, with the constants of that kind.
 
 use crate::inertia::Axis;
 
@@ -47,19 +47,19 @@ pub enum Regime {
         about: Axis,
         /// The modulus `k` of Jacobi's functions: 0 for an infinitesimal libration.
         modulus: f64,
-        /// The complement `k' = sqrt(1 - k²)`, with all its digits; 0 where it is below the least number that
-        /// `f64` holds, though the motion itself still flips in its own time.
+        /// The complement `k' = sqrt(1 - k²)`, with all its digits; 0 where it is below the smallest number
+        /// of `f64`; the motion still flips at its correct times.
         complement: f64,
-        /// How fast Jacobi's argument runs, 1/s: a flip comes each time it has moved by `2 K`. Where `k'` is
-        /// at most 0.1, a push off the middle axis grows as `cosh(rate t)` at first, by the factor `1/k'` up
-        /// to the flip; the rate is at most `0.6 k'²` (relative) above that of a small push on a steady spin
-        /// about that axis with the same momentum.
+        /// The rate of Jacobi's argument, 1/s: a flip occurs each time the argument has advanced by `2 K`.
+        /// Where `k'` is at most 0.1, a deviation from the middle axis first grows as `cosh(rate t)`, by the
+        /// factor `1/k'` up to the flip; the rate is at most `0.6 k'²` (relative) above that of a small push
+        /// on a steady spin about that axis with the same momentum.
         rate: f64,
     },
     /// Three different moments, exactly between the two: the spin leaves the middle axis, flips once, and
-    /// returns to it without end.
+    /// approaches the axis again asymptotically.
     Separatrix {
-        /// How fast it leaves and returns, 1/s: as `exp(±rate t)`.
+        /// The rate at which it leaves and approaches the axis, as `exp(±rate t)`, 1/s.
         rate: f64,
     },
 }

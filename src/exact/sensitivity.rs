@@ -58,19 +58,19 @@ const NEEDLE: f64 = 1e-3;
 
 impl FreeMotion {
     /// The state transition matrix from the start to time `t`, of attitude error (rad) and spin error
-    /// (rad/s), both in body axes: of a covariance `P` at the start, `F P F^T` is that at `t`. It is linear,
-    /// so good for as long as the attitude error stays well below 1 rad: an error of the spin adds to it in
-    /// proportion to time.
+    /// (rad/s), both in body axes. It propagates a covariance `P` at the start to `F P F^T` at `t`. This is a
+    /// linear approximation, valid while the attitude error stays well below 1 rad; an error of the spin
+    /// makes it grow in proportion to time.
     ///
     /// The attitude error is the small rotation vector `e` of `R exp(e)` relative to the attitude `R`, in the
-    /// axes of the body at the same time: the local error that multiplicative attitude filters estimate. `F`
-    /// is then a matrix of the body alone, the same from any attitude. Its upper left block is the turn back
-    /// from `t` to the start, the lower left zero, the lower right the derivative of the spin by that at the
-    /// start.
+    /// axes of the body at the same time: the local error that multiplicative attitude filters estimate. Then
+    /// `F` does not depend on the initial attitude. Its upper left block is the rotation back from `t` to the
+    /// start, its lower left block is zero, and its lower right block is the derivative of the spin with
+    /// respect to the spin at the start.
     ///
-    /// The derivatives come in every regime, by the closed form or by series. In tests each block is right to
-    /// 8 roundings of its own norm, times the angle in radians that the body has spun through where that is
-    /// above 1.
+    /// The derivatives exist in every regime, by the closed form or by series. In tests the error of each
+    /// block is at most 8 roundings of its norm, times the angle in radians that the body has spun through
+    /// where that is above 1.
     ///
     /// ```
     /// use nalgebra::{Matrix6, UnitQuaternion, Vector3, Vector6};
@@ -100,9 +100,9 @@ impl FreeMotion {
     /// ```
     ///
     /// # Errors
-    /// A time that is not finite, derivatives beyond `f64`, or the separatrix where its spin has been at rest
-    /// on the middle axis for so long (700 times the inverse of its rate) that in `f64` it does not
-    /// move.
+    /// A time that is not finite, derivatives beyond `f64`, or a motion on the separatrix whose spin has been
+    /// so close to the middle axis for so long (700 times the inverse of its rate) that in `f64` it is
+    /// constant.
     pub fn state_transition(&self, t: f64) -> Result<Matrix6<f64>, Error> {
         let transition = self.transition_in_body(&self.derivatives(t, false)?);
         representable(Subject::Derivative, transition.as_slice()).map(|()| transition)
@@ -110,16 +110,17 @@ impl FreeMotion {
 
     /// The [`state_transition`](Self::state_transition) to time `t`, and the derivatives of attitude (rad, as
     /// there) and spin (rad/s) at that time by the tensor's entries (kg m²) `Ixx`, `Iyy`, `Izz`, `Ixy`,
-    /// `Ixz`, `Iyz` in body axes, at fixed attitude and spin at the start. Of a covariance `C` of these
-    /// entries, independent of that of the start, `S C S^T` adds to `F P F^T`, with `S` this second matrix.
+    /// `Ixz`, `Iyz` in body axes, at fixed attitude and spin at the start. With `S` this second matrix, a
+    /// covariance `C` of these entries that is independent of the covariance of the start adds `S C S^T` to
+    /// `F P F^T`.
     ///
-    /// `Ixy` is the entry of the tensor's matrix and its mirror together; it turns the principal axes, and
-    /// where two moments agree the derivatives are the limit, since the motion is smooth in the tensor.
+    /// The derivative by `Ixy` changes both symmetric entries together; it turns the principal axes. Where
+    /// two moments are equal the derivatives are limits, since the motion is smooth in the tensor.
     ///
     /// Accuracy is that of the state transition, relative to the norm of a block of three rows (attitude, or
-    /// spin) and all six columns. That norm does not depend on the body's axes; that of one column does, and
-    /// may be far smaller. Of a needle with a smallest moment `e` the largest columns are of the order of
-    /// `1/e`, and columns by moments that are small at some instant keep the rounding of those.
+    /// spin) and all six columns. That norm does not depend on the body's axes; the norm of one column does,
+    /// and may be far smaller. For a needle with a smallest moment `e`, the largest columns are of the order
+    /// of `1/e`; columns by moments that are small at some instant keep the rounding of the large columns.
     ///
     /// ```
     /// use nalgebra::{Vector3, Vector6};

@@ -1,7 +1,7 @@
-//! The closed form on other numbers than `f64`: its sums on symbols, of which laws are proven, and the whole
-//! motion on enclosures of real numbers.
+//! The closed form on number types other than `f64`: its sums on symbols, for proofs of the laws, and the
+//! whole motion on enclosures of real numbers.
 //!
-//! [`FreeMotion`](super::FreeMotion) runs this very code on `f64`.
+//! [`FreeMotion`](super::FreeMotion) runs the same code on `f64`.
 
 pub use super::cayley_klein::{ComplementaryPair, DirectPair};
 pub use super::elliptic::{ComplementarySeries, DirectSeries, Parts};
@@ -30,8 +30,9 @@ pub struct ClosedForm<T> {
 }
 
 impl<T: Real> ClosedForm<T> {
-    /// From the principal moments (kg m²) and the spin (rad/s) along their axes. `None` where it is open
-    /// which moment is the middle one or which end the spin circles, and of a motion of another kind.
+    /// From the principal moments (kg m²) and the spin (rad/s) along their axes. `None` where the enclosures
+    /// do not determine which moment is the middle one or which axis the spin circles, and for any other kind
+    /// of motion.
     #[must_use]
     pub fn new(moments: [T; 3], omega: [T; 3]) -> Option<Self> {
         let mut order = [0, 1, 2];

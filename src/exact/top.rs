@@ -31,11 +31,11 @@ use nutation::Nutation;
 ///
 /// A body with two equal moments is held at a point of its axis of symmetry, and its weight pulls along the
 /// world's -z: the case of [`Torque::gravity`](crate::step::Torque::gravity) that has a closed form, by
-/// Lagrange. Attitude and spin are quotients of theta functions ([KS97](crate::references)). It may be a
-/// top that nutates, loops or rests in cusps, one asleep or falling from where it slept, a pendulum, and with
-/// no weight or no arm the free motion of the coin.
+/// Lagrange. Attitude and spin are quotients of theta functions ([KS97](crate::references)). It covers a top
+/// that nutates with waves, loops or cusps, a sleeping top, a top that falls from the sleeping position, a
+/// pendulum, and, without weight or arm, the free motion of a symmetric body.
 ///
-/// Times are in seconds from the start and may be negative. At time 0 the start itself comes back, to the
+/// Times are in seconds from the start and may be negative. At time 0 the result equals the start to the last
 /// bit.
 ///
 /// ```
@@ -92,7 +92,7 @@ const SMALLEST: f64 = 1e-140;
 
 impl LagrangeTop {
     /// From the principal moments about the fixed point (kg m²), the attitude (principal axes to world) and
-    /// the spin (rad/s, along the principal axes) at time 0, the way from the fixed point to the centre of
+    /// the spin (rad/s, along the principal axes) at time 0, the vector from the fixed point to the centre of
     /// mass (m, along the principal axes) and the weight (N), which pulls along the world's -z.
     ///
     /// # Errors
@@ -157,8 +157,8 @@ impl LagrangeTop {
         top.checked()
     }
 
-    /// The motion of `body`, whose tensor is that about its fixed point, from its attitude and momentum; the
-    /// arm in the axes of its tensor.
+    /// The motion of `body` from its attitude and momentum. Its tensor must be the one about the fixed point,
+    /// and the arm is in the axes of that tensor.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
@@ -177,9 +177,9 @@ impl LagrangeTop {
     ///
     /// # Errors
     /// A smallest moment that is zero to rounding, or as [`new`](Self::new). Where the tensor is not
-    /// diagonal, the rounding of its entries turns its axes by more, the less the moments differ: the arm may
-    /// then be off by 1e-14 over the relative difference of the moments along and across the axis, and its
-    /// own direction counts as the axis.
+    /// diagonal, the rounding of its entries turns its axes, and more so the less the moments differ. Then
+    /// the arm may be off the axis by 1e-14 divided by the relative difference of the moments along and
+    /// across it, and the direction of the arm is used as the axis.
     pub fn of(body: &Body, arm: &Vector3<f64>, weight: f64) -> Result<Self, Error> {
         finite_vector(Subject::Arm, arm)?;
         let (moments, frame) = body.inertia().along_principal_axes()?;
@@ -253,8 +253,8 @@ impl LagrangeTop {
         Body::spinning(self.mounted.inertia()?, attitude, &omega)
     }
 
-    /// The time from one highest place of the axis to the next, s: the period of the nutation. `None` where
-    /// the lean is constant, and on the separatrix, where the axis does not return.
+    /// The time from one highest position of the axis to the next, s: the period of the nutation. `None`
+    /// where the lean is constant, and on the separatrix, where the axis does not return.
     ///
     /// # Errors
     /// A period beyond `f64`.
@@ -267,11 +267,11 @@ impl LagrangeTop {
         seconds(Subject::Period, scaled, self.exponent).map(Some)
     }
 
-    /// How fast the axis goes round the vertical in the mean over a period, rad/s; counter-clockwise seen
-    /// from above is positive. Right to the rounding of the inputs times its condition number, however slow
-    /// it is relative to the spin. Zero where the axis stands still. Where the axis passes exactly through
-    /// the vertical and so leaps to the other side, as a plane pendulum's, the leaps do not count; on the
-    /// separatrix it is the rate that the axis comes to in the end.
+    /// The mean rate at which the axis precesses about the vertical over a period, rad/s; counter-clockwise
+    /// seen from above is positive. It is accurate to the rounding of the inputs times its condition number,
+    /// however slow it is relative to the spin. It is zero where the axis does not move. Where the axis
+    /// passes exactly through the vertical, as in a plane pendulum, its azimuth jumps by half a turn; these
+    /// jumps do not count. On the separatrix it is the limit of the rate at late times.
     #[must_use]
     pub fn precession_rate(&self) -> f64 {
         match &self.law {

@@ -1,4 +1,4 @@
-//! Double-double numbers: an `f64` and what its rounding lost, about 106 bits together.
+//! Double-double numbers: an `f64` and its rounding error, about 106 bits together.
 //!
 //! For the few places where the answer is a small difference of large terms: the angle between spin
 //! and momentum near a principal axis, the inverse of a needle's tensor, the phase after a billion flips.
@@ -83,8 +83,8 @@ impl<T: Rounding> DoubleDouble<T> {
         Self { hi, lo }
     }
 
-    /// `self - other` in one number, where the two agree to some units in the last place: then the high parts
-    /// differ without error.
+    /// `self - other` in one number, where the two agree to some units in the last place, so that the
+    /// difference of the high parts is exact.
     fn less_near(self, other: Self) -> T {
         self.hi.less_near(other.hi) + (self.lo - other.lo)
     }
@@ -97,7 +97,7 @@ impl<T: Rounding> DoubleDouble<T> {
         Self { hi: sum.hi, lo: sum.lo + (self.lo + other.lo) }
     }
 
-    /// As a sum of which the terms left out amount to `rest` at most.
+    /// The number as a truncated sum whose omitted terms amount to at most `rest`.
     pub(crate) fn up_to(self, rest: impl FnOnce() -> T) -> Self {
         Self { lo: self.lo.up_to(rest), ..self }
     }
@@ -117,7 +117,7 @@ impl<T: Rounding> DoubleDouble<T> {
     /// The nearest integer, which beyond 2^53 may take both parts; one below 2^50 that differs from it by a
     /// multiple of four; and what is left: at most a half.
     ///
-    /// Of a number too large to have a fraction, or that is not finite, nothing is left.
+    /// For a number too large to have a fraction, or not finite, the remainder is zero.
     #[inline(always)]
     pub(crate) fn whole_and_rest(self) -> (Self, T, Self) {
         // NaN too is not within.
@@ -232,7 +232,7 @@ pub(crate) fn exact_sum<const N: usize>(terms: [f64; N]) -> DoubleDouble {
     let mut expansion = [0.0; N];
     for (count, term) in terms.into_iter().enumerate() {
         let mut carried = term;
-        // The first that is still free takes what is carried past the others.
+        // The first free part stores the carry from the others.
         for part in expansion.iter_mut().take(count) {
             let sum = DoubleDouble::sum(*part, carried);
             (*part, carried) = (sum.lo, sum.hi);

@@ -1,8 +1,9 @@
-//! An `f64` with room to spare: the same 53 bits of significand, an exponent that never runs out.
+//! An `f64` with a larger range: the same 53 bits of significand, and an exponent that does not overflow in
+//! practice.
 //!
-//! A body may be 1e-100 m across, and its inertia goes with the fifth power of that. The formulas for
-//! solids are run on this number, so that nothing overflows or vanishes on the way; only the result must
-//! fit an `f64`. While it does, every operation rounds exactly as `f64` does.
+//! A body may be 1e-100 m across, and its inertia is proportional to the fifth power of that. The formulas
+//! for solids run on this number type, so that no intermediate value overflows or underflows; only the result
+//! must fit an `f64`. While it does, every operation rounds exactly as `f64` does.
 
 use crate::error::{Error, Refusal, Subject, representable};
 use crate::number::{exponent, times_power_of_two};

@@ -1,4 +1,4 @@
-//! Several numbers worked on at once, and numbers known between bounds.
+//! Several numbers in one value (SIMD lanes), and numbers known between bounds.
 
 use super::{Field, Rounding};
 use core::fmt::Debug;
@@ -6,11 +6,11 @@ use core::ops::{Add, Mul, Sub};
 use nalgebra::{Quaternion, SVector};
 use num_traits::Float;
 
-/// A field whose numbers can be sums of infinite series, of which the terms that matter are summed.
+/// A field whose numbers can be truncated sums of infinite series.
 pub trait Series: Field {
-    /// This sum, of which the terms left out amount to `rest` at most. `f64` and exact numbers keep the sum:
-    /// for the first the rest is below rounding, for the second the sum is the formula itself. An enclosure
-    /// takes the rest in.
+    /// This sum, where the omitted terms amount to at most `rest`. `f64` and exact numbers return the sum
+    /// unchanged: for `f64` the rest is below rounding, and for exact numbers the truncated sum is the
+    /// formula itself. An enclosure is widened by the rest.
     ///
     /// ```
     /// use tumbling::number::Series;
@@ -24,19 +24,19 @@ pub trait Series: Field {
 
 impl Series for f64 {}
 
-/// Several `f64` that go through the same arithmetic at once, each for itself: a processor's vector register.
-/// `f64` is the case of one lane.
+/// Several `f64` that go through the same arithmetic at once, independently of each other, as in a vector
+/// register of the processor. `f64` is the case of one lane.
 ///
 /// The closed form of [free motion](crate::exact) is written over this trait and
-/// [`Rounding`](crate::laws::Rounding), which a lane takes over as it is. Every operation rounds as that
-/// of `f64` does, so a lane's answer is to the bit what the same `f64` would have got alone, whatever stands
-/// in the other lanes. A type that keeps its promises keeps that one too:
+/// [`Rounding`](crate::laws::Rounding), which a lane implements with its defaults. Every operation rounds as
+/// on `f64`, so the result in a lane is the same, to the last bit, as for that `f64` alone, whatever the
+/// other lanes hold. An implementation must therefore satisfy:
 ///
-/// - `+ - * /` and [`sqrt`](Self::sqrt) of each lane are those of `f64`, rounded once and nothing fused;
+/// - `+ - * /` and [`sqrt`](Self::sqrt) of each lane equal those of `f64`, rounded once and never fused;
 /// - arithmetic with an `f64` on the right is arithmetic with that number in every lane;
 /// - `zero` and `one` have it in every lane.
 ///
-/// The functions for an index of a lane are called with those below [`WIDTH`](Self::WIDTH) only.
+/// Functions with the index of a lane are called only with indices below [`WIDTH`](Self::WIDTH).
 ///
 /// ```
 /// use tumbling::number::Lane;
@@ -50,7 +50,7 @@ impl Series for f64 {}
 pub trait Lane:
     Series + Copy + Add<f64, Output = Self> + Sub<f64, Output = Self> + Mul<f64, Output = Self>
 {
-    /// Yes or no in each lane.
+    /// A mask: true or false in each lane.
     type Mask: Copy + Debug;
 
     /// The number of lanes, at least 1. [`Batch`](crate::exact::Batch) answers this number of bodies at once.
@@ -62,7 +62,7 @@ pub trait Lane:
     /// The number in lane `k`.
     fn lane(&self, k: usize) -> f64;
 
-    /// In each lane whether the number is less than that of `other`: false where either is NaN, and -0 is not
+    /// Whether the number is less than that of `other`, in each lane: false where either is NaN; -0 is not
     /// less than 0.
     fn lt(self, other: Self) -> Self::Mask;
 
@@ -84,8 +84,8 @@ pub trait Lane:
     /// The nearest integer, the even one of two equally near.
     fn round_ties_even(self) -> Self;
 
-    /// `self * other - product` rounded once, where `product` is `self * other` rounded: what that rounding
-    /// left off.
+    /// `self * other - product` rounded once, where `product` is `self * other` rounded: the rounding error
+    /// of the product.
     fn two_product_error(self, other: Self, product: Self) -> Self;
 }
 

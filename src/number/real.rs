@@ -6,7 +6,7 @@ use core::f64::consts::PI;
 
 /// A number from which a motion in closed form can be prepared: an `f64`, or an enclosure of a real number.
 ///
-/// `==`, `<` and the like hold of an enclosure where they hold of all numbers in it.
+/// For enclosures, `==`, `<` and other comparisons are true only where they are true for all numbers in them.
 pub trait Real: Rounding<Mask = bool> + PartialOrd {
     /// The circle's constant in two parts, to 107 bits.
     fn pi_in_two() -> [Self; 2];
@@ -14,10 +14,10 @@ pub trait Real: Rounding<Mask = bool> + PartialOrd {
     /// `self * 2^exponent`.
     fn times_power_of_two(self, exponent: i32) -> Self;
 
-    /// The power of two at or below its size; 0 for zero.
+    /// The largest exponent of two whose power is at most its size; 0 for zero.
     fn exponent(self) -> i32;
 
-    /// The exponential of a number that is not positive, and that less 1.
+    /// The exponential of a number that is not positive, and the exponential minus 1.
     fn exp_and_exp_m1(self) -> (Self, Self);
 
     /// Sine and cosine of an angle in radians.

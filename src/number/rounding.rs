@@ -1,14 +1,15 @@
-//! What a lane does where it rounds, which an enclosure does in a way of its own.
+//! The operations that round; an enclosure replaces them by its own.
 
 use super::functions::{decay, sin_cos_near_zero};
 use super::{INTEGERS, Lane, splat};
 use core::f64::consts::FRAC_PI_2;
 
-/// The operations of the closed form that are where `f64` rounds, or stops a series; a lane takes them as
-/// they are (`impl Rounding for Lanes {}`).
+/// The operations of the closed form at which `f64` rounds or a series is truncated. A lane uses the defaults
+/// (`impl Rounding for Lanes {}`).
 ///
-/// An enclosure of a real number replaces them: with no lanes but itself, it answers [`lt`](Lane::lt) and
-/// [`sign`](Lane::sign) for a number in its middle, and either answer is then right for all that lie in it.
+/// An enclosure of a real number replaces them. It is a single lane, and answers [`lt`](Lane::lt) and
+/// [`sign`](Lane::sign) for the number in its middle; the code must be correct for all its numbers with
+/// either answer.
 pub trait Rounding: Lane {
     /// [`round_ties_even`](Lane::round_ties_even) of a number below 2^51; zero may have either sign.
     #[inline(always)]

@@ -40,8 +40,8 @@ impl Compound {
         Self::default()
     }
 
-    /// Adds a part with its own origin at `position` (m). One that is to be turned is
-    /// [turned](MassProperties::turned) before, about that origin.
+    /// Adds a part with its own origin at `position` (m). To rotate a part, call
+    /// [`turned`](MassProperties::turned) on it first; it rotates about that origin.
     #[must_use]
     pub fn at(mut self, part: MassProperties, position: &Vector3<f64>) -> Self {
         self.parts.push((part, *position));
@@ -64,8 +64,8 @@ impl Compound {
 }
 
 impl MassProperties {
-    /// Of point masses, from each mass (kg) and position (m). Those on one line make an ideal rod, which has
-    /// one zero moment.
+    /// The mass properties of point masses, from each mass (kg) and position (m). Points on one line form an
+    /// ideal rod, which has one zero moment.
     ///
     /// ```
     /// use nalgebra::Vector3;
@@ -79,8 +79,8 @@ impl MassProperties {
     /// ```
     ///
     /// # Errors
-    /// Fewer than two distinct positions (all in one place, they have no inertia), a mass that is not finite
-    /// and positive or a position that is not finite, or a result that `f64` does not hold.
+    /// Fewer than two distinct positions (points in one place have no inertia), a mass that is not finite and
+    /// positive or a position that is not finite, or a result that `f64` does not hold.
     pub fn of_points(points: &[(f64, Vector3<f64>)]) -> Result<Self, Error> {
         let mut parts = Vec::with_capacity(points.len());
         for (index, (mass, position)) in points.iter().enumerate() {

@@ -1,8 +1,8 @@
 //! A tetrahedron, and any solid bounded by triangles, by the divergence theorem.
 //!
 //! Each face and a reference point span a tetrahedron, counted negative where the face looks towards the
-//! point; together they fill the solid. The sums over them are polynomials in the coordinates, and only
-//! what is made of them takes divisions. Source: [Ebe02](crate::references).
+//! point; together they fill the solid. The sums over them are polynomials in the coordinates; only the final
+//! results need divisions. Source: [Ebe02](crate::references).
 
 use super::{MassMoments, MassProperties, Solid, shells};
 use crate::error::{Error, Refusal, Subject, finite_vector, positive};
@@ -71,11 +71,11 @@ fn spanned<T: Ring, M>(
 ///
 /// The faces must close, and run counter-clockwise seen from outside. Several separate surfaces are fine, and
 /// so are cavities (surfaces inside another, their faces seen counter-clockwise from the cavity), and parts
-/// that touch along an edge. Vertices that no face uses are ignored. Two vertices at the same place are two
-/// vertices: a soup of loose triangles is open until they are welded. A shell that is turned or nested
-/// wrongly is refused, such as a cavity outside; that takes one look along all faces for each shell. A
-/// surface that passes through itself or another is not looked for; it is refused only if that look happens
-/// on it, or if no body can have the tensor it leads to.
+/// that touch along an edge. Vertices that no face uses are ignored. Two vertices at the same place are
+/// different vertices, so loose triangles form an open surface until their vertices are merged. A shell with
+/// the wrong orientation or nesting is refused, such as a cavity outside; this check visits all faces for
+/// each shell. The library does not search for surfaces that intersect themselves or each other; it refuses
+/// them only if this check finds them, or if no body can have the resulting tensor.
 ///
 /// ```
 /// use nalgebra::Vector3;
@@ -100,13 +100,13 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// From vertices (m) and faces, each naming three of them by number from 0.
+    /// From vertices (m) and faces; each face has the indices of three vertices, from 0.
     ///
     /// # Errors
-    /// Fewer than four vertices or faces, a vertex that is not finite, a face that names
-    /// a vertex which is not there or one twice, a face listed twice, an edge that is open, a face that is
-    /// flipped, a volume that is not positive by more than rounding, a shell that is inside out or wrongly
-    /// nested, or a tensor that no body has.
+    /// Fewer than four vertices or faces, a vertex that is not finite, a face with a missing or a repeated
+    /// vertex, a face listed twice, an edge that is open, a face that is flipped, a volume that is not
+    /// positive by more than rounding, a shell that is inside out or wrongly nested, or a tensor that no body
+    /// has.
     pub fn new(vertices: &[Vector3<f64>], faces: &[[usize; 3]]) -> Result<Self, Error> {
         for (what, count) in [(Subject::Vertices, vertices.len()), (Subject::Faces, faces.len())] {
             Refusal::TooFew { what, count, needed: 4 }.when(count < 4)?;
@@ -233,7 +233,7 @@ pub struct Tetrahedron {
 }
 
 impl Tetrahedron {
-    /// From its vertices, m. Their order may turn either way: the inside of four points is the same.
+    /// From its vertices, m, in either orientation: the interior of four points is the same.
     ///
     /// # Errors
     /// A vertex that is not finite, or four in one plane to rounding.

@@ -1,12 +1,12 @@
-//! What the rest of the library needs of a solid: mass, centre, inertia about the centre.
+//! The properties of a solid that the rest of the library uses: mass, centre, inertia about the centre.
 
 use crate::error::{Error, Refusal, Subject, finite_vector, positive, representable};
 use crate::inertia::{Inertia, point_mass, turned};
 use crate::number::{Extended, Field, Ring};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
-/// Mass, centre and inertia tensor about the centre, over any number type: what the generic laws take and
-/// give, unchecked. [`MassProperties`] is the checked form over `f64`.
+/// Mass, centre and inertia tensor about the centre, over any number type: the unchecked input and output of
+/// the generic laws. [`MassProperties`] is the checked form over `f64`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MassMoments<T: Ring> {
     /// Mass, kg.
@@ -20,9 +20,9 @@ pub struct MassMoments<T: Ring> {
 /// Several parts as one body, by the parallel-axis theorem: each part adds its own tensor and that of a
 /// point with its mass at its distance from the common centre.
 ///
-/// Positions are taken from `reference`, so that parts that are near each other but far from the origin lose
-/// no digits; in exact numbers its choice changes nothing. The masses must not add up to zero. Source:
-/// [LL76](crate::references), section 32.
+/// Positions are relative to `reference`, so that parts near each other but far from the origin lose no
+/// digits; in exact arithmetic the choice of `reference` does not matter. The masses must not add up to zero.
+/// Source: [LL76](crate::references), section 32.
 ///
 /// ```
 /// use nalgebra::{Matrix3, Vector3};
@@ -141,7 +141,7 @@ impl MassProperties {
         Ok(Self { centre, ..*self })
     }
 
-    /// This body turned about the origin: its centre goes round, its tensor becomes `R I R^T`.
+    /// This body rotated about the origin: its centre rotates, and its tensor becomes `R I R^T`.
     ///
     /// # Errors
     /// An attitude that is not finite or not of length 1, or a result that `f64` does not hold.

@@ -21,7 +21,7 @@ pub struct Ball {
 }
 
 impl Ball {
-    /// A full one, from its radius, m.
+    /// A full ball, from its radius, m.
     ///
     /// # Errors
     /// A radius that is not finite and positive.
@@ -29,8 +29,8 @@ impl Ball {
         Ok(Self { sizes: [0.0, positive(Subject::Radius, radius)?] })
     }
 
-    /// From the radii of the hole (0 for none) and of the whole, m. They may be equal: then it is a thin
-    /// shell, which has a mass but no volume to give a density to.
+    /// From the inner radius (0 for a full ball) and the outer radius, m. Equal radii give a thin shell: it
+    /// has no volume, so its mass cannot be given by a density.
     ///
     /// # Errors
     /// A radius that is not finite, an inner one below zero, an outer one not above zero, or an inner one
@@ -109,7 +109,7 @@ pub struct Cylinder {
 }
 
 impl Cylinder {
-    /// A full one, from radius and height, m.
+    /// A full cylinder, from radius and height, m.
     ///
     /// # Errors
     /// A size that is not finite and positive.
@@ -118,8 +118,8 @@ impl Cylinder {
         Self::hollow(0.0, radius, height)
     }
 
-    /// A tube, from the radii of the hole (0 for none) and of the whole, and the height, m. The radii may be
-    /// equal: then it is thin, and has a mass but no volume to give a density to.
+    /// A tube, from the inner radius (0 for a full cylinder), the outer radius and the height, m. Equal radii
+    /// give a thin tube: it has no volume, so its mass cannot be given by a density.
     ///
     /// # Errors
     /// A size that is not finite, an inner radius below zero, another size not above zero, or an inner
@@ -207,7 +207,7 @@ solid!(Cone, Volume, |[r, h]| Extended::from(PI) * (square(&r) * h) / Extended::
     Vector3::new(Extended::zero(), Extended::zero(), height / Extended::from(4.0))
 });
 
-/// A capsule with its axis along z, centred at the origin. A cylindrical part of length 0 leaves a ball.
+/// A capsule with its axis along z, centred at the origin. With a cylindrical part of length 0 it is a ball.
 ///
 /// ```
 /// use tumbling::solid::{Capsule, Solid};

@@ -1,9 +1,9 @@
-//! Whether a list of triangles is a closed surface with one side in and one side out, and of which shells;
-//! and whether these are turned and nested so that they bound a solid.
+//! Checks whether a list of triangles is a closed surface with an inside and an outside, splits it into
+//! shells, and checks whether their orientation and nesting bound a solid.
 //!
 //! The winding number of a point is how many times the shells together enclose it, cavities counted negative:
-//! the solid angles of all faces at it, over a full sphere. In a solid it is 1, elsewhere 0. It is the same
-//! all along a shell that no other crosses, so one point at each shell decides. The solid angle of a
+//! the solid angles of all faces at it, over a full sphere. In a solid it is 1, elsewhere 0. It is constant
+//! along a shell that no other shell crosses, so one point at each shell is enough. The solid angle of a
 //! triangle: [OS83](crate::references).
 
 use super::mesh::triple;
@@ -23,14 +23,14 @@ use num_traits::Zero;
 /// is refused for this choice.
 const BESIDE: f64 = 1.0 / 1024.0;
 
-/// What unit vectors' products may be off by.
+/// The largest error of a product of unit vectors.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// The most views of a face from a shell that are taken: some seconds.
+/// The largest number of pairs of a shell and a face that are checked, which takes some seconds.
 const MOST_VIEWS: usize = 30_000_000;
 
-/// That just inside and just outside each shell the winding number is 0 or 1. `shell` is the shell of each
-/// face, and each is closed.
+/// Checks that the winding number just inside and just outside each shell is 0 or 1. `shell` is the shell of
+/// each face, and each is closed.
 pub(super) fn check(
     vertices: &[Vector3<Extended>],
     faces: &[[usize; 3]],
@@ -122,7 +122,7 @@ impl Shell {
         Point { start: a, step: middle + up * Extended::from(side) }
     }
 
-    /// Not if the point lies outside its bounding box: there its winding number is 0.
+    /// False if the point lies outside its bounding box, where its winding number is 0.
     fn may_enclose(&self, point: &Point) -> bool {
         let above = (self.low - point.start) - point.step;
         let below = point.step - (self.high - point.start);
@@ -207,10 +207,10 @@ struct Side {
 
 /// The shell of each face, numbered from 0 in the order of their first faces; each shell is closed.
 ///
-/// That every face names three different vertices below `count` and is listed once, and along every edge as
-/// many faces run one way as the other. In a plain surface that is one each way; two each way is where parts
-/// touch along an edge, which still have an inside. Faces that touch only there are different shells
-/// wherever each of them closes without the other.
+/// Checks that every face has three different vertices below `count` and is listed once, and that along every
+/// edge equally many faces run in both directions. In a simple surface that is one face in each direction;
+/// where parts touch along an edge it is two, and the parts still have an inside. Faces that touch only there
+/// are different shells wherever each of them closes without the other.
 pub(super) fn of_faces(faces: &[[usize; 3]], count: usize) -> Result<Vec<usize>, Error> {
     let mut listed = BTreeMap::new();
     let mut sides = Vec::with_capacity(3 * faces.len());

@@ -82,8 +82,8 @@ impl Shape<2> for ThinPlate {
 solid!(ThinPlate, Area, |[a, b]| a * b);
 
 shape! {
-    /// An ideal thin rod along z, centred at the origin. Its moment about its own axis is zero, so that alone
-    /// it has no [inverse](crate::Inertia::inverse); it may be part of a [`Compound`](super::Compound).
+    /// An ideal thin rod along z, centred at the origin. Its moment about its own axis is zero, so a rod
+    /// alone has no [inverse](crate::Inertia::inverse); it may be part of a [`Compound`](super::Compound).
     ///
     /// ```
     /// use nalgebra::Vector3;
@@ -103,7 +103,7 @@ shape! {
 }
 
 impl Shape<1> for ThinRod {
-    /// The moments of a thin rod along z about its centre: `m l²/12` across, nothing along. Source:
+    /// The moments of a thin rod along z about its centre: `m l²/12` across, zero along. Source:
     /// [LL76](crate::references), section 32, problem 2a.
     ///
     /// ```

@@ -1,4 +1,4 @@
-//! A step at a fixed rate, as a game takes it: right at 60 Hz for ordinary bodies and spins.
+//! A step at a fixed rate, for games and simulations: accurate at 60 Hz for ordinary bodies and spins.
 
 use super::adaptive::normalize;
 use super::methods::moser_veselov::Prepared;
@@ -20,12 +20,12 @@ const LONGEST: f64 = 0.5;
 /// The most parts of one step.
 const MOST_PARTS: f64 = 1000.0;
 
-/// One step of `h` seconds: [Moser and Veselov's](crate::step::Method::MoserVeselov8), in as many parts as
-/// keep the turn of each below half a radian; with a torque, all of it between two half kicks. At 60 Hz a
-/// steady spin has 30 rad/s before a second part is needed.
+/// One step of `h` seconds: [Moser and Veselov's](crate::step::Method::MoserVeselov8), divided into enough
+/// parts that each turns the body by less than half a radian; with a torque, the free step lies between two
+/// half kicks. At 60 Hz a steady spin below 30 rad/s needs only one part.
 ///
 /// Free motion keeps energy, momentum in the world and the attitude's length to rounding, so that a stable
-/// spin stays stable; the attitude comes back with length 1.
+/// spin stays stable; the attitude returned has length 1.
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
@@ -45,10 +45,10 @@ const MOST_PARTS: f64 = 1000.0;
 /// ```
 ///
 /// # Errors
-/// A step of more than 1000 parts: 500 radians. A needle whose smallest moment is below 1000 roundings of
-/// the others, in `f32` a rod longer than 112 of its diameters: turned, its momentum has no digits of the
-/// spin about its length. A motion that leaves `f64`, a body so thin that squares of its moments do, or an
-/// attitude of no length.
+/// A step of more than 1000 parts: 500 radians. A needle whose smallest moment is below 1000 roundings of the
+/// others (in `f32`, a rod longer than 112 of its diameters): once its momentum is rotated, no digits of the
+/// spin about its length remain. A motion beyond the range of `f64`, a body so thin that the squares of its
+/// moments are, or an attitude of length zero.
 pub fn fixed_rate<T: Analytic>(system: &System<T>, start: &State<T>, h: T) -> Result<State<T>, Error> {
     let square = start.attitude.coords.dot(&start.attitude.coords).size();
     if !(1e-30..=1e30).contains(&square) {

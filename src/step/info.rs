@@ -1,7 +1,7 @@
-//! What is known of a method: its order and the quantities that it conserves.
+//! The properties of a method: its order and the quantities that it conserves.
 
-/// A method's name, and its order and conserved quantities in free motion: the order is proven (that of the
-/// longest splitting but for the last digits of its decimal weights), and each quantity is tested.
+/// A method's name, and its order and conserved quantities in free motion. The order is proven (for the
+/// longest splitting, except for the last digits of its decimal weights), and each quantity is tested.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct MethodInfo {
     /// Its usual name.
@@ -14,7 +14,7 @@ pub struct MethodInfo {
     /// The quantities of a free motion that it conserves to rounding in every step that it takes: the
     /// implicit methods refuse steps that turn the body too far.
     pub conserved: Conserved,
-    /// Where it comes from: a key into the [references](crate::references), or a word.
+    /// Its source: a key into the [references](crate::references), or a word.
     pub source: &'static str,
 }
 
@@ -25,14 +25,15 @@ pub struct Conserved {
     pub energy: bool,
     /// The length of the angular momentum.
     pub momentum: bool,
-    /// The angular momentum in the world, direction and all.
+    /// The angular momentum in the world, including its direction.
     pub direction: bool,
     /// The length of the attitude quaternion.
     pub unit: bool,
-    /// A step back undoes every step that is taken, or is refused where the iteration of the midpoint rule or
-    /// of Gauss's stages hardly converges. It does so to rounding where the step turns the body by no more
-    /// than a radian. A longer step of a splitting of order 4 or 6 goes some way forth and back several times
-    /// on itself, which multiplies rounding: of ten radians it may lead back to another state.
+    /// A step backward undoes every successful step, or is refused where the iteration of the midpoint rule
+    /// or of Gauss's stages hardly converges. It is exact to rounding where the step turns the body by at
+    /// most a radian. The splittings of order 4 and 6 go forward and backward within a step, which amplifies
+    /// rounding in longer steps: after a step of ten radians, the step backward may lead to a different
+    /// state.
     pub reversible: bool,
 }
 
@@ -44,7 +45,7 @@ impl Conserved {
     pub(super) const LENGTHS: Self = Self { momentum: true, ..Self::UNIT };
     pub(super) const MOMENTUM: Self = Self { direction: true, ..Self::LENGTHS };
     pub(super) const ALL_BUT_ENERGY: Self = Self { reversible: true, ..Self::MOMENTUM };
-    /// All that is square in attitude and momentum; the momentum in the world is a product of three.
+    /// Everything quadratic in attitude and momentum; the momentum in the world is cubic.
     pub(super) const SQUARES: Self = Self { energy: true, direction: false, ..Self::ALL_BUT_ENERGY };
     pub(super) const ALL: Self = Self { energy: true, ..Self::ALL_BUT_ENERGY };
 }

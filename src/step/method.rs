@@ -1,4 +1,4 @@
-//! The contract of a stepper: motion in, motion out, and the method's order and laws.
+//! The methods of stepping: each with its name, order, conserved quantities and step.
 
 use super::info::{Conserved, MethodInfo};
 use super::methods::{averaged, engine_rules, gauss, moser_veselov, runge_kutta, splitting};
@@ -53,17 +53,17 @@ const IMPLICIT: bool = true;
 methods! {
     /// A way to step a body through time.
     ///
-    /// One step takes a [`State`] (attitude, and angular momentum in body axes) to the one `h` seconds later.
-    /// Nothing else is carried along, so a run may be stopped, stored and taken up anywhere, and the step may
-    /// change at will.
+    /// One step advances a [`State`] (attitude, and angular momentum in body axes) by `h` seconds. No other
+    /// data is kept between steps, so a run may be stopped, stored and resumed at any step, and the step size
+    /// may change.
     ///
-    /// Which one to choose: for a fixed rate such as 60 Hz, [`fixed_rate`](fn@crate::step::fixed_rate), or
-    /// [`RotationSplitting4`](Self::RotationSplitting4), which needs no iteration, of a body that is no
-    /// needle; for accuracy under smooth torques, and for needles in `f32`, [`Gauss6`](Self::Gauss6); for an
-    /// error tolerance instead of a step, [`Stepper::adaptive`](crate::step::Stepper::adaptive). Free motion
-    /// needs no steps: see [`exact`](crate::exact). The rules of physics engines, from
-    /// [`ConstantSpin`](Self::ConstantSpin) on, are here to be compared with; `PHYSICS_ENGINES` of the crate
-    /// `tumbling-judge` says which engine uses which.
+    /// Which one to choose: for a fixed rate such as 60 Hz, [`fixed_rate`](fn@crate::step::fixed_rate), or,
+    /// unless the body is a needle, [`RotationSplitting4`](Self::RotationSplitting4), which needs no
+    /// iteration; for accuracy under smooth torques, and for needles in `f32`, [`Gauss6`](Self::Gauss6); for
+    /// an error tolerance instead of a step, [`Stepper::adaptive`](crate::step::Stepper::adaptive). Free
+    /// motion needs no steps: see [`exact`](crate::exact). The rules of physics engines, from
+    /// [`ConstantSpin`](Self::ConstantSpin) on, are included for comparison; `PHYSICS_ENGINES` in the crate
+    /// `tumbling-judge` lists which engine uses which.
     ///
     /// [Order](crate::step::MethodInfo::order) and conserved quantities are those of free motion. Under a
     /// torque, the methods that apply it as half kicks before and after the free step (Buss, SPIRAL, rotation
@@ -74,14 +74,14 @@ methods! {
     |system, start, h|
     /// Straight ahead along the rates at the start.
     ExplicitEuler("explicit Euler", 1, EXPLICIT, NONE, "Eul68") => runge_kutta::euler(system, start, h);
-    /// The classical Runge-Kutta method, the attitude's length left as it comes.
+    /// The classical Runge-Kutta method, without renormalising the attitude.
     RungeKutta4("Runge-Kutta 4", 4, EXPLICIT, NONE, "Kut01") => runge_kutta::rk4_step(system, start, h);
-    /// The step of order 5 of Dormand and Prince's pair, the attitude's length left as it comes.
+    /// The step of order 5 of Dormand and Prince's pair, without renormalising the attitude.
     DormandPrince5("Dormand-Prince 5", 5, EXPLICIT, NONE, "DP80") => runge_kutta::dormand_prince(system, start, h);
-    /// Runge-Kutta in the turn since the start of the step, so that the attitude stays a rotation and a free
-    /// body's momentum stays where it is in the world. It refuses no needle, and turns a long one wrongly: in
-    /// `f32` a solid rod of 100 diameters that spins at 10 rad/s, stepped at 60 Hz for ten seconds, by more
-    /// than a radian.
+    /// Runge-Kutta for the rotation vector since the start of the step, so that the attitude stays a rotation
+    /// and a free body keeps its momentum in the world. It accepts every needle, but turns long ones wrongly:
+    /// in `f32`, a solid rod of 100 diameters that spins at 10 rad/s, stepped at 60 Hz for ten seconds, is
+    /// off by more than a radian.
     MuntheKaas4("Munthe-Kaas 4", 4, EXPLICIT, MOMENTUM, "MK98") => runge_kutta::munthe_kaas(system, start, h);
     /// Buss's augmented method: one turn by an averaged spin, the momentum kept in the world.
     Buss("Buss's augmented", 2, EXPLICIT, MOMENTUM, "Bus00") => averaged::buss(system, start, h);
@@ -95,14 +95,14 @@ methods! {
     Gauss6("Gauss 6", 6, IMPLICIT, SQUARES, "But64") => gauss::gauss_6(system, start, h)?;
     /// An exact turn about each principal axis, there and back.
     RotationSplitting2("three rotations", 2, EXPLICIT, ALL_BUT_ENERGY, "McL93") => splitting::order_2(system, start, h);
-    /// Seven steps of [`RotationSplitting2`](Self::RotationSplitting2) in one. It refuses no needle, and
-    /// turns a long one wrongly: in `f32` a solid rod of 1000 diameters that spins at 10 rad/s, stepped at 60
-    /// Hz for ten seconds, by more than a tenth of a radian.
+    /// Seven steps of [`RotationSplitting2`](Self::RotationSplitting2) in one. It accepts every needle, but
+    /// turns long ones wrongly: in `f32`, a solid rod of 1000 diameters that spins at 10 rad/s, stepped at 60
+    /// Hz for ten seconds, is off by more than a tenth of a radian.
     RotationSplitting4("three rotations, 7 in 1", 4, EXPLICIT, ALL_BUT_ENERGY, "our own weights") => splitting::order_4(system, start, h);
     /// Nine steps of [`RotationSplitting2`](Self::RotationSplitting2) in one.
     RotationSplitting6("three rotations, 9 in 1", 6, EXPLICIT, ALL_BUT_ENERGY, "KL97") => splitting::order_6(system, start, h);
-    /// The exact motion of a symmetric top, and turns that make up for the rest. Best for bodies whose first
-    /// two moments are the nearest.
+    /// The exact motion of a symmetric top, and turns that correct for the difference. Best for bodies whose
+    /// first two moments are the closest to each other.
     SymmetricTop("symmetric top", 2, EXPLICIT, ALL_BUT_ENERGY, "DLM97") => splitting::symmetric_top(system, start, h);
     /// The discrete Moser-Veselov algorithm. It and the four after it refuse a step that turns the body by a
     /// quarter turn or more, and needles whose smallest moment is below 1000 roundings of the others: in
@@ -117,11 +117,11 @@ methods! {
     /// Moser and Veselov's algorithm with the moments preprocessed to order 10.
     MoserVeselov10("Moser-Veselov 10", 10, IMPLICIT, ALL, "HV06") => moser_veselov::step(system, start, h, 10)?;
     /// No gyroscopic term: the spin is carried unchanged in the world and turns the attitude. Energy and
-    /// `|L|` stay, but the spin never flips or precesses, and the momentum wanders in the world with a body
-    /// that does not spin along a principal axis; at any step, so that its order is 0.
+    /// `|L|` stay, but the spin never flips or precesses, and the momentum direction changes unless the body
+    /// spins along a principal axis. No step is small enough to avoid this, so its order is 0.
     ConstantSpin("no gyroscopic term", 0, EXPLICIT, SQUARES, ENGINES) => engine_rules::constant_spin(system, start, h);
-    /// An explicit gyroscopic step of the momentum, then a turn by the new spin. A body that wobbles gains
-    /// energy by it in each step, so that its wobble grows.
+    /// An explicit gyroscopic step of the momentum, then a turn by the new spin. A wobbling body gains energy
+    /// in each step, so that its wobble grows.
     SemiImplicitEuler("explicit gyroscopic step", 1, EXPLICIT, UNIT, ENGINES) => engine_rules::semi_implicit(system, start, h);
     /// An explicit gyroscopic step, with the momentum brought back to its length before the turn. It keeps
     /// `|L|` and turns a body that spins stably about its largest moment toward the middle one.
@@ -132,8 +132,8 @@ methods! {
     /// [Cat15](crate::references). It takes energy and momentum from most bodies that tumble; a step that
     /// turns by a radian or more can multiply the energy.
     ImplicitOneNewton("one Newton step", 1, IMPLICIT, UNIT, "Cat15") => engine_rules::one_newton(system, start, h);
-    /// Implicit Euler linearised at the start, with the torques inside and of them the derivative of the
-    /// damping. For a free body the same as [`ImplicitOneNewton`](Self::ImplicitOneNewton).
+    /// Implicit Euler linearised at the start, with the torques inside the equation, and with the derivative
+    /// of the damping only. For a free body it equals [`ImplicitOneNewton`](Self::ImplicitOneNewton).
     LinearisedImplicit("linearised implicit", 1, IMPLICIT, UNIT, ENGINES) => engine_rules::linearised(system, start, h);
     /// Runge-Kutta 4 for the spin, one turn by the mean of its four spins. The spin is right to the fourth
     /// order, the attitude to the second.
@@ -145,10 +145,11 @@ methods! {
 }
 
 impl Method {
-    /// One step of `h` seconds: back in time if negative, the start again, to rounding, if zero.
+    /// One step of `h` seconds: backward in time if `h` is negative; if it is zero, the result is the start,
+    /// to rounding.
     ///
-    /// The attitude should be of length 1, which is not checked: a torque that depends on the attitude grows
-    /// with the square of the length.
+    /// The attitude should have length 1. This is not checked; a torque that depends on the attitude is
+    /// proportional to the square of the length.
     ///
     /// ```
     /// use nalgebra::{Quaternion, Vector3};
@@ -166,9 +167,9 @@ impl Method {
     /// ```
     ///
     /// # Errors
-    /// A step so long that an implicit method does not find its end or might find another, or that the motion
-    /// leaves what the number type holds; a needle too thin for that type, by Moser and Veselov's. A step of
-    /// which the method makes nonsense that is finite is no error: see
+    /// A step so long that an implicit method does not find its solution, or might find a wrong one, or that
+    /// the motion leaves the range of the number type; for Moser and Veselov's methods, a needle too thin for
+    /// that type. A step whose result is finite but wrong is not an error: see
     /// [`MethodInfo`](crate::step::MethodInfo).
     pub fn step<T: Analytic>(self, system: &System<T>, start: &State<T>, h: T) -> Result<State<T>, Error> {
         let h = &h;
@@ -184,8 +185,8 @@ impl fmt::Display for Method {
     }
 }
 
-/// Refuses a spin so small that its squares lose digits, if it turns the body within the step: without them
-/// nothing would gyrate.
+/// Refuses a spin so small that its squares lose digits, if it turns the body within the step: without these
+/// digits the gyroscopic term would vanish.
 pub(crate) fn check_square_underflow<T: Analytic>(omega: &Vector3<T>, h: &T) -> Result<(), Error> {
     let largest = &omega[omega.map(|x| x.size()).imax()];
     let (size, rounding) = (largest.size(), T::rounding());

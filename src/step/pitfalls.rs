@@ -1,5 +1,5 @@
-//! Four engines that differ in what they carry and how they read the spin from it. One is right; three are
-//! the pitfalls.
+//! Four engines that differ in the vector that they store and in how they compute the spin from it. One is
+//! right; the other three are pitfalls.
 
 use super::methods::runge_kutta::rk4;
 use crate::attitude;
@@ -9,10 +9,11 @@ use crate::number::Field;
 use alloc::vec::Vec;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
-/// A rule for turning a body: what an engine carries through time, and the spin it reads from that.
+/// A rule for turning a body: the vector that an engine stores, and the spin that it computes from this
+/// vector.
 ///
-/// All turn the body by the same integrator; they differ in the vector they carry, in its
-/// [`rate`](Self::rate) and in [`omega_world`](Self::omega_world), and in nothing else.
+/// All turn the body by the same integrator; they differ only in the vector they store, in its
+/// [`rate`](Self::rate) and in [`omega_world`](Self::omega_world).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Engine {
@@ -32,7 +33,7 @@ impl Engine {
     /// All four, the right one first.
     pub const ALL: [Self; 4] = [Self::Turned, Self::Frozen, Self::MomentumForSpin, Self::NoGyroscopicTerm];
 
-    /// The spin in world axes (rad/s) that this engine believes in, from the attitude `rotation` (body to
+    /// The spin in world axes (rad/s) that this engine computes, from the attitude `rotation` (body to
     /// world), the body's tensor and its inverse, and the world vector it carries.
     ///
     /// ```
@@ -120,12 +121,12 @@ impl Engine {
         }
     }
 
-    /// The free motion of `body` as this engine has it: `count` steps of `h` seconds, one body for each
-    /// instant from the start on.
+    /// The free motion of `body` as this engine computes it, in `count` steps of `h` seconds: one body for
+    /// each instant, including the start.
     ///
-    /// Each body returned has the attitude that the engine gave it and the momentum that its mass then
-    /// truly has, `R I R^T w`: what a measurement would find, not what the engine believes. The attitude is
-    /// brought back to length 1 after each step; a step too coarse shows in the energy.
+    /// Each body returned has the attitude that the engine computed and the true momentum at that spin, `R I
+    /// R^T w`: the value that a measurement would find, not the one that the engine stores. The attitude is
+    /// brought back to length 1 after each step; too long a step shows in the energy.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};

@@ -1,5 +1,4 @@
-//! A stepper whose steps are chosen by their error: its run, the state at any time within the run's last
-//! step, and flips.
+//! A stepper with adaptive steps: its run, the state at any time within the run's last step, and flips.
 
 use super::adaptive::{AdaptiveRun, Tracked, check_tolerance, normalize};
 use super::stepper::{Rule, Stepper};
@@ -12,22 +11,23 @@ use alloc::vec::Vec;
 use nalgebra::{UnitQuaternion, Vector3};
 
 impl Stepper {
-    /// A free body, to be stepped by a run that keeps the estimated error of each of its own steps, relative
-    /// to the attitude's length and the momentum's size, below `tolerance` or below 32 roundings,
-    /// whichever is larger. The tolerance is of a step of the run, not of the whole: errors add up, and
-    /// [`expected_error`](Stepper::expected_error) estimates how far.
+    /// A stepper for a free body with adaptive internal steps, called its run. The run keeps the estimated
+    /// error of each internal step, relative to the attitude's length and the momentum's size, below
+    /// `tolerance` or below 32 roundings, whichever is larger. The tolerance applies to each internal
+    /// step, not to the whole motion: errors accumulate, and [`expected_error`](Stepper::expected_error)
+    /// estimates how far.
     ///
     /// The run's steps are as long as the tolerance permits, whatever steps are requested: a state between
-    /// their ends is read from the step's own series, as accurate as the step, and changes nothing of what
-    /// follows. So a torque that is a function is called with times after those requested. A
-    /// [`step`](Self::step) that needs more than `budget` steps of the run is refused.
+    /// their ends is evaluated by the step's own series (dense output), is as accurate as the step, and does
+    /// not affect later states. So a torque given by a function is called with times later than those
+    /// requested. A [`step`](Self::step) that needs more than `budget` steps of the run is refused.
     ///
     /// A step of the run is a Taylor series in the time, of an order between 6 and 26 by the tolerance, whose
-    /// error is how far the series is from the law of motion at its end; where a torque is a function, it is
-    /// a step of DOP853, the pair of Dormand and Prince of order 8. Where damping far faster than the motion
-    /// keeps such steps short, they are steps by collocation at Radau's nodes. After each the attitude is
-    /// brought back to length 1, and the momentum of a free body to the length that it had at the start;
-    /// what they were off by counts as an error of the step.
+    /// error is estimated by the residual of the series in the law of motion at its end. Where a torque is
+    /// given by a function, it is a step of DOP853, the pair of Dormand and Prince of order 8. Where damping
+    /// far faster than the motion would keep such steps short, the run uses collocation at Radau's nodes.
+    /// After each the attitude is brought back to length 1, and the momentum of a free body to the length
+    /// that it had at the start; these corrections count as errors of the step.
     ///
     /// ```
     /// use nalgebra::{Matrix3, UnitQuaternion, Vector3};
@@ -47,13 +47,13 @@ impl Stepper {
     /// ```
     ///
     /// # Errors
-    /// As [`new`](Self::new), or a tolerance below four roundings.
+    /// The errors of [`new`](Self::new), or a tolerance below four roundings.
     pub fn adaptive(body: &Body, tolerance: f64, budget: usize) -> Result<Self, Error> {
         check_tolerance(tolerance)?;
         Self::by(body, Rule::Adaptive { tolerance, budget })
     }
 
-    /// The body of a system, under its torques, by an [adaptive](Self::adaptive) run from a state along the
+    /// An [adaptive](Self::adaptive) stepper for the body and the torques of a system, from a state along the
     /// system's axes.
     ///
     /// ```
@@ -71,7 +71,7 @@ impl Stepper {
     /// ```
     ///
     /// # Errors
-    /// As [`adaptive`](Self::adaptive), or an attitude of no length.
+    /// The errors of [`adaptive`](Self::adaptive), or an attitude of length zero.
     pub fn of_system(
         system: System<f64>,
         start: &State<f64>,
@@ -132,8 +132,8 @@ impl Stepper {
     }
 
     /// The state at a time (s) within the last step that the run of an [adaptive](Self::adaptive) stepper has
-    /// taken, which may reach beyond [`time`](Self::time): from the step's own series, as accurate as the
-    /// step. The stepper stays where it is.
+    /// taken, which may reach beyond [`time`](Self::time). It is evaluated by the step's own series and is as
+    /// accurate as the step. The stepper does not advance.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
@@ -168,10 +168,10 @@ impl Stepper {
         }
     }
 
-    /// Goes on to the time `end` (s), forth or back, and returns the times on the way at which the spin about
-    /// the principal axis of the middle moment changes its sign, under torques too: each found to rounding
-    /// on the series of its step. Where the spin is zero at the end, it has its flip where it leaves zero, in
-    /// the next call.
+    /// Advances to the time `end` (s), forward or backward, and returns the times on the way at which the
+    /// spin about the principal axis of the middle moment changes its sign, with or without torques. Each is
+    /// located to rounding on the series of its step. If the spin is zero at the end, the next call reports
+    /// the flip, where the spin leaves zero.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};

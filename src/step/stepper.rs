@@ -13,12 +13,12 @@ use nalgebra::Vector3;
 
 /// Steps a body through time under any torques: by a method, at a fixed rate, or within a tolerance.
 ///
-/// The body may have any tensor, products of inertia too. All that goes in and comes out is along the body's
-/// own axes and the world's. The principal axes are found once; what is stepped is never turned back and
+/// The body may have any tensor, products of inertia too. All inputs and outputs are along the body's own
+/// axes and the world's. The principal axes are computed once; the internal state is not converted back and
 /// forth, so that a reversible method stays reversible. A step by a method or at a fixed rate allocates
-/// nothing; an adaptive one allocates the series of its run. In `f32`, a free body is stepped by
-/// [`PositionStage`](super::PositionStage), and a [`System`] of such numbers by [`Method::step`] and
-/// [`fixed_rate`].
+/// nothing; an adaptive one allocates the series of its run. In `f32`, use
+/// [`PositionStage`](super::PositionStage) for a free body, and [`Method::step`] or [`fixed_rate`] for a
+/// [`System`] of such numbers.
 ///
 /// ```
 /// use nalgebra::{Matrix3, UnitQuaternion, Vector3};
@@ -36,8 +36,8 @@ use nalgebra::Vector3;
 /// # Ok::<(), tumbling::Error>(())
 /// ```
 ///
-/// Bodies do not depend on each other. They can be spread over threads, with the same bits as one after the
-/// other: here satellites under gravity gradient, each with another start, for one orbit.
+/// Bodies are independent, so they can be spread over threads, with the same bits as one after the other.
+/// Here are satellites under gravity gradient with different starts, for one orbit.
 ///
 /// ```
 /// use nalgebra::{UnitQuaternion, Vector3};
@@ -91,7 +91,7 @@ pub(super) enum Rule {
 }
 
 impl Stepper {
-    /// A free body, to be stepped by `method`.
+    /// A stepper for a free body, by `method`.
     ///
     /// # Errors
     /// A moment of zero or one whose inverse `f64` does not hold in full.
@@ -99,8 +99,8 @@ impl Stepper {
         Self::by(body, Rule::Method(method))
     }
 
-    /// A free body, to be stepped at a fixed rate: by the method and with the parts of [`fixed_rate`],
-    /// whose steps refuse what it refuses.
+    /// A stepper for a free body at a fixed rate: each step is that of [`fixed_rate`], with the same parts
+    /// and the same errors.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -122,13 +122,13 @@ impl Stepper {
         stepper.checked().map(|_| stepper)
     }
 
-    /// Adds torques to those that act already, given in the body's and the world's axes. Damping is along
-    /// principal axes: it must be the same about all three where the tensor has products of inertia.
+    /// Adds torques to those that already act. Their vectors are in the body's or the world's axes. Damping
+    /// is along principal axes: it must be the same about all three if the tensor has products of inertia.
     ///
     /// # Errors
-    /// A torque whose numbers are not finite, a coefficient of damping or dissipation below zero, a
-    /// direction of the gravity gradient whose length is not 1, or damping that differs from axis to axis of
-    /// a body with products of inertia.
+    /// A torque whose numbers are not finite, a coefficient of damping or dissipation below zero, a direction
+    /// of the gravity gradient whose length is not 1, or damping that differs between the axes of a body with
+    /// products of inertia.
     pub fn with_torques(mut self, torques: impl IntoIterator<Item = Torque<f64>>) -> Result<Self, Error> {
         let mut all = self.system.torques().to_vec();
         for torque in torques {
@@ -142,19 +142,19 @@ impl Stepper {
         Ok(self)
     }
 
-    /// One step of `h` seconds, back in time if negative, and the [`state`](Self::state) after it. A step
-    /// that fails leaves the body where it was.
+    /// Takes one step of `h` seconds, backward in time if negative, and returns the [`state`](Self::state)
+    /// after it. A step that fails leaves the body unchanged.
     ///
     /// # Errors
-    /// As [`Method::step`] or [`fixed_rate`]; of an adaptive stepper an error that stays too large however
-    /// short the step, and one of kind [`TooMany`](crate::ErrorKind::TooMany) after its budget of steps, or
-    /// as soon as stiff damping would need more; a torque, such as that of a [`Torque::Function`], that is
-    /// not finite at the start or the end; a spin or a time beyond its numbers.
+    /// The errors of [`Method::step`] or [`fixed_rate`]. For an adaptive stepper: a step whose error stays
+    /// too large however short it is, or kind [`TooMany`](crate::ErrorKind::TooMany) after its budget of
+    /// steps, or as soon as stiff damping would need more. A torque, such as that of a [`Torque::Function`],
+    /// that is not finite at the start or the end; a spin or a time beyond the range of `f64`.
     pub fn step(&mut self, h: f64) -> Result<State<f64>, Error> {
         self.go(self.time + finite(Subject::Step, h)?, h)
     }
 
-    /// One step to the time `end` (s), forth or back, and the state there.
+    /// Takes one step to the time `end` (s), forward or backward, and returns the state there.
     ///
     /// # Errors
     /// As [`step`](Self::step).
@@ -209,11 +209,11 @@ impl Stepper {
         self.system.set_time(time);
     }
 
-    /// `count` steps of `h` seconds: the state after each. Nothing moves before the iterator is used; it ends
+    /// Takes `count` steps of `h` seconds; the iterator yields the state after each. It is lazy, and ends
     /// after the first error.
     ///
     /// # Errors
-    /// Of each as [`step`](Self::step).
+    /// Each item has the errors of [`step`](Self::step).
     pub fn run(&mut self, h: f64, count: usize) -> impl Iterator<Item = Result<State<f64>, Error>> {
         let mut failed = false;
         (0..count).map_while(move |_| {
@@ -230,8 +230,8 @@ impl Stepper {
         self.time
     }
 
-    /// Attitude (body to world) and angular momentum along the body's axes. A method that does not keep the
-    /// attitude's length shows it here.
+    /// Attitude (body to world) and angular momentum along the body's axes. If the method does not keep the
+    /// attitude's length, it may differ from 1 here.
     #[must_use]
     pub fn state(&self) -> State<f64> {
         self.along_body(&self.state)
@@ -251,10 +251,10 @@ impl Stepper {
         self.frame.in_body(self.system.omega(&self.state.momentum))
     }
 
-    /// The body as it is now, its attitude brought to length 1.
+    /// The body in its current state, with the attitude scaled to length 1.
     ///
     /// # Errors
-    /// A spin beyond `f64`, or an attitude of no length.
+    /// A spin beyond `f64`, or an attitude of length zero.
     pub fn body(&self) -> Result<Body, Error> {
         let state = self.state();
         let norm = positive(Subject::AttitudeLength, state.attitude.norm())?;

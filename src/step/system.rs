@@ -1,4 +1,4 @@
-//! What a stepper steps: a rigid body in its principal axes, and the torques on it.
+//! The system that a stepper advances: a rigid body in its principal axes, and the torques on it.
 
 use crate::attitude;
 use crate::body::{Rate, State};
@@ -51,7 +51,7 @@ impl System<f64> {
     /// A body with these principal moments under all of `torques` together.
     ///
     /// # Errors
-    /// As [`free`](Self::free), a torque that is not valid, or torques whose sum is beyond `f64`.
+    /// The errors of [`free`](Self::free), a torque that is not valid, or torques whose sum is beyond `f64`.
     pub fn with(moments: PrincipalMoments, torques: Vec<Torque<f64>>) -> Result<Self, Error> {
         for value in moments.vector().iter().map(|moment| 1.0 / moment) {
             Refusal::OutOfRange { what: Subject::InverseMoment, value }.when(!value.is_normal())?;
@@ -75,8 +75,8 @@ impl<T: Field> System<T> {
         &self.torques
     }
 
-    /// Sets the time at which the next step begins, s: what a [`Torque::Function`] is given. It is zero until
-    /// it is set.
+    /// Sets the time at which the next step begins, s, which is passed to a [`Torque::Function`]. It is zero
+    /// by default.
     pub(crate) fn set_time(&mut self, time: T) {
         self.time = time;
     }
@@ -85,13 +85,13 @@ impl<T: Field> System<T> {
         self.torques.is_empty()
     }
 
-    /// The spin (rad/s) of a momentum (kg m²/s), both along the principal axes.
+    /// The spin (rad/s) for a momentum (kg m²/s), both along the principal axes.
     #[must_use]
     pub fn omega(&self, momentum: &Vector3<T>) -> Vector3<T> {
         momentum.component_mul(&self.inverse)
     }
 
-    /// The momentum (kg m²/s) of a spin (rad/s), both along the principal axes.
+    /// The momentum (kg m²/s) for a spin (rad/s), both along the principal axes.
     #[must_use]
     pub fn momentum(&self, omega: &Vector3<T>) -> Vector3<T> {
         omega.component_mul(&self.moments)
@@ -157,11 +157,12 @@ impl<T: Analytic> System<T> {
         }
     }
 
-    /// What the torques alone do to the momentum in the time `h` while the attitude stands still: the kick of
-    /// a kick-drift-kick. Damping and dissipation decay by their own exact law, so no kick overshoots.
+    /// The state after the torques alone have changed the momentum for the time `h` at a fixed attitude: the
+    /// kick of a kick-drift-kick scheme. Damping and dissipation decay by their own exact law, so no kick
+    /// overshoots.
     ///
     /// The torques act one kind after another; the second kick of a step must be
-    /// [`adjoint_kick`](Self::adjoint_kick), or the step is not the same backwards, and of first order only.
+    /// [`adjoint_kick`](Self::adjoint_kick), or the step is not symmetric in time, and only of first order.
     #[inline]
     pub(crate) fn kick(&self, motion: &State<T>, h: T) -> State<T> {
         self.kicked(&self.time, motion, h, false)
@@ -174,7 +175,7 @@ impl<T: Analytic> System<T> {
         self.kicked(&end, motion, h, true)
     }
 
-    /// A step of `h` seconds of free motion between two half kicks: with torques of order 2.
+    /// A step of `h` seconds of free motion between two half kicks. With torques it is of order 2.
     #[inline]
     pub(crate) fn between_half_kicks(
         &self,

@@ -1,4 +1,4 @@
-//! The state transition of a step: the step's series, and those of its variations.
+//! The state transition matrix of a step, from the series of the step and of its variations.
 
 use super::adaptive::{AdaptiveRun, Tracked};
 use super::method::check_square_underflow;
@@ -16,10 +16,10 @@ impl Stepper {
     /// convention of [`FreeMotion::state_transition`](crate::exact::FreeMotion::state_transition). The
     /// matrix of several steps is the product, the last on the left.
     ///
-    /// It costs several times the step: six columns are summed with the motion, and its own steps keep the
-    /// error of each below the tolerance, relative to the column's size. Unlike `step`, it does not solve for
-    /// damping far faster than the motion: its own steps are then a few decay times long, however many that
-    /// takes.
+    /// It costs several times as much as `step`: six columns are integrated with the motion, and the internal
+    /// steps keep the error of each column, relative to its size, below the tolerance. Unlike `step`, it does
+    /// not treat damping far faster than the motion implicitly: then its internal steps are a few decay times
+    /// long, and there may be many of them.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3, Vector6};
@@ -56,14 +56,14 @@ impl Stepper {
         self.step(h).map(|_| transition)
     }
 
-    /// An estimate of how far off the attitude will be after a [`step`](Self::step) of `h` seconds, rad; at
-    /// most pi, where nothing is known of it. The stepper stays where it is.
+    /// An estimate of how far off the attitude will be after a [`step`](Self::step) of `h` seconds, rad. The
+    /// result pi means that nothing is known of the attitude. The stepper does not advance.
     ///
-    /// The start is taken to be right to rounding, each of the run's own steps to the tolerance, and what
-    /// they are off by is carried on to the end by the motion's state transition, as independent errors. It
-    /// costs some six to nine times the step, and more under damping far faster than the motion, as
+    /// The start is assumed to be accurate to rounding and each internal step to the tolerance; these errors,
+    /// taken as independent, are propagated to the end by the state transition of the motion. It costs some
+    /// six to nine times the step, and more under damping far faster than the motion, as
     /// [`step_with_transition`](Self::step_with_transition). A motion near an unstable equilibrium or a
-    /// separatrix multiplies errors by more than any tolerance makes up for: this says so.
+    /// separatrix may amplify errors more than any tolerance can compensate; this estimate shows it.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};

@@ -1,4 +1,4 @@
-//! What a text of TOML says, or where it is wrong and what was expected.
+//! The values of a TOML text, or the place of an error and what was expected there.
 
 use crate::error::Error;
 use serde::de::DeserializeOwned;
@@ -8,7 +8,7 @@ use toml::de::{DeTable, DeValue, Deserializer};
 /// A value from a text of TOML whose numbers are all finite.
 ///
 /// # Errors
-/// The line, the field, what was expected, and of an unknown field the nearest that is known.
+/// The line, the field and what was expected; for an unknown field, the most similar known field.
 pub fn from_toml<T: DeserializeOwned>(text: &str) -> Result<T, Error> {
     // A field that the whole text lacks is missing at no line.
     let at = |error: toml::de::Error, why: String| match error.span() {
@@ -64,7 +64,7 @@ pub(crate) fn decimal_comma(text: &str, at: usize) -> String {
     found.map_or_else(String::new, |words| format!("; write {words}"))
 }
 
-/// A number that is none to compute with: its field, its place and why.
+/// A number that is not usable: its field, its place and the reason.
 fn bad_number(field: &str, value: &toml::Spanned<DeValue<'_>>) -> Option<(String, Range<usize>, String)> {
     let number = match value.get_ref() {
         DeValue::Float(number) => number.as_str(),
@@ -84,10 +84,10 @@ fn bad_number(field: &str, value: &toml::Spanned<DeValue<'_>>) -> Option<(String
     Some((field.to_owned(), value.span(), format!("{number} {why}")))
 }
 
-/// What is said of a field or a table that is there twice.
+/// The message for a field or a table that occurs twice.
 const TWICE: &str = "this is there already; each table of a list begins with `[[`, such as `[[part]]`";
 
-/// What the parser says of a fraction or of curly quotation marks, and what is to be written.
+/// The parser's message on a fraction or on curly quotation marks, and what to write instead.
 const UNQUOTED: &str = "string values must be quoted, expected literal string";
 const STRAIGHT: &str = "a number is expected here, or a text in straight quotation marks, such as \"7 cm\"";
 

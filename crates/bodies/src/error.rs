@@ -18,10 +18,10 @@ pub struct Error {
 }
 
 impl Error {
-    /// What is wrong, of no place.
+    /// What is wrong, without a place.
     #[must_use]
     pub fn new(why: impl fmt::Display) -> Self {
-        // What a program calls, a file says by a field.
+        // A file has fields where a program calls functions.
         let why = why.to_string().replace(
             "`within` takes a tolerance and gives the nearest possible body",
             "`tolerance` says by how much, and the nearest possible body is taken",
@@ -29,7 +29,7 @@ impl Error {
         Self { file: None, line: None, field: None, why }
     }
 
-    /// What is wrong at a place of a text.
+    /// What is wrong at a place in a text.
     #[must_use]
     pub fn at(text: &str, span: &Range<usize>, why: impl fmt::Display) -> Self {
         let before = text.bytes().take(span.start).filter(|&byte| byte == b'\n').count();

@@ -16,7 +16,7 @@ use toml::Spanned;
 use tumbling::solid::{Compound, Cuboid, Mesh, Solid as _};
 use tumbling::{ErrorKind, Inertia, MassProperties};
 
-/// How many parts a body may have, and how many solids with those of the files that its parts name.
+/// The largest number of parts of a body, and of solids including those in the files that its parts name.
 const MOST_PARTS: usize = 10_000;
 
 pub(crate) fn read(text: &str, files: &Files<'_>) -> Result<BodyModel, Error> {
@@ -48,7 +48,7 @@ pub(crate) fn number(field: &Option<Spanned<f64>>) -> f64 {
 }
 
 impl<'a> Reader<'a> {
-    /// Of a table of a text, which begins at a place in it.
+    /// For a table that begins at this place in a text.
     pub(crate) fn new(
         text: &'a str,
         table: &'a Table,
@@ -89,24 +89,24 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// An error at a field, or at the table's head where it has none of this name.
+    /// An error at a field, or at the head of the table if it has no field of this name.
     fn wrong(&self, field: &str, why: impl Display) -> Error {
         let span = self.present.iter().find(|(name, _)| *name == field).map_or(&self.span, |(_, span)| span);
         Error::at(self.text, span, why).of_field(field)
     }
 
-    /// That a field is right, or what is wrong with it.
+    /// Checks a field, and says what is wrong with it.
     fn unless(&self, right: bool, field: &str, why: impl Display) -> Result<(), Error> {
         if right { Ok(()) } else { Err(self.wrong(field, why)) }
     }
 
-    /// The first of these fields that there is, or the one that says what the body is.
+    /// The first of these fields that is present, or the one that says what the body is.
     fn blamed(&self, fields: &[&'static str]) -> &'static str {
         let has = |field: &&&str| self.present.iter().any(|(name, _)| name == *field);
         fields.iter().find(has).copied().unwrap_or(self.by)
     }
 
-    /// A refusal of the library, at the field that it speaks of or at the one that says what the body is.
+    /// An error of the library, at the field that it is about or at the one that says what the body is.
     fn refused(&self, error: &tumbling::Error) -> Error {
         // A surface that bounds nothing does so in any unit.
         let at = if error.kind() != ErrorKind::BadMesh { fields_of(error.subject()) } else { &["vertices"] };
@@ -146,7 +146,7 @@ impl<'a> Reader<'a> {
         self.placed(found)
     }
 
-    /// Of the fields that make a body large or small, that whose number is the farthest from 1.
+    /// Among the fields that make a body large or small, the one whose number is farthest from 1.
     fn extreme(&self) -> &'static str {
         let sizes = ["unit", "sides", "semiaxes", "vertices", "radius", "height", "length", "moments"];
         let counts = |field: &str| sizes.contains(&field) || (field == "mass" && self.by == "moments");
@@ -184,7 +184,7 @@ impl<'a> Reader<'a> {
         Ok(BodyModel { sides: sides.try_into().ok(), question, ..BodyModel::of(properties, vec![surface]) })
     }
 
-    /// The sides, which must be of this number; none where there are none.
+    /// The sides, which must be this many; `None` if there are none.
     fn sides(&self, count: usize) -> Result<Vec<f64>, Error> {
         match &self.table.sides {
             Some(sides) if sides.get_ref().len() != count => {
@@ -278,11 +278,11 @@ impl<'a> Reader<'a> {
             _ => self.refused(&error),
         })?;
         let mass = self.table.mass.as_ref().map(|mass| *mass.get_ref());
-        // Any mass will do where none is given: it is not kept.
+        // If no mass is given, any mass serves: it is not stored.
         let properties = MassProperties::new(mass.unwrap_or(1.0), &Vector3::zeros(), inertia)
             .map_err(|error| self.refused(&error))?;
         let sides: Option<[f64; 3]> = self.sides(3)?.try_into().ok();
-        // Sides say what is drawn.
+        // Sides determine what is drawn.
         if let Some([a, b, c]) = sides {
             Cuboid::new(a, b, c).map_err(|error| self.wrong("sides", error))?;
         }
@@ -311,7 +311,7 @@ impl<'a> Reader<'a> {
     /// A body of the book, or of another file.
     fn named(&self) -> Result<BodyModel, Error> {
         let name = self.table.body.as_ref().map_or("", |name| name.get_ref());
-        // Of files in files the outermost and the innermost place are said.
+        // For nested files, the error states the outermost and the innermost place.
         BodyModel::load_from(name, self.files).map_err(|error| match error.file {
             Some(_) if self.files.depth > 0 => error,
             _ => self.wrong(self.by, error),
@@ -346,7 +346,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// The tensor of a matrix, and how far it was moved: not at all, or by the tolerance at most.
+/// The tensor of a matrix, and how far it was moved: by at most the tolerance, and not at all without one.
 pub(crate) fn within(matrix: Matrix3<f64>, most: Option<f64>) -> Result<(Inertia, f64), tumbling::Error> {
     let as_given = || Inertia::try_from(matrix).map(|inertia| (inertia, 0.0));
     most.map_or_else(as_given, |most| Inertia::within(&matrix, most))

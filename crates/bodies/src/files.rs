@@ -1,4 +1,5 @@
-//! One rule for every file that a command line or another file names: a regular file, of a size that is said.
+//! The rule for every file that a command line or another file names: it must be a regular file of limited
+//! size.
 
 use crate::error::Error;
 use crate::model::BodyModel;
@@ -8,7 +9,7 @@ use std::fs::File;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
-/// The most bytes that are read of texts: of one, and of all that one text names together.
+/// The largest number of bytes read from texts: from one text, and from all files together that it names.
 const TEXT: u64 = 16 << 20;
 
 /// The most bytes that are read of meshes.
@@ -17,10 +18,10 @@ const MESH: u64 = 256 << 20;
 /// How deep bodies may be nested: parts, and files that name files.
 pub(crate) const DEEPEST: usize = 30;
 
-/// The most faces of a surface that is kept to be copied: a solid has fewer, a mesh more.
+/// The largest number of faces of a surface that is cached: solids have fewer, meshes more.
 const PLAIN: usize = 2_000;
 
-/// A folder, and what has been read of the files that one text names.
+/// A folder, and what has been read from the files that one text names.
 #[derive(Debug)]
 pub(crate) struct Files<'a> {
     pub(crate) folder: &'a Path,
@@ -34,7 +35,7 @@ pub(crate) struct Left {
     /// How many bytes may still be read.
     text: Cell<u64>,
     mesh: Cell<u64>,
-    /// The bodies of files, by the file and what of it is meant.
+    /// The bodies read from files, by the file and the link in it.
     known: RefCell<HashMap<(PathBuf, String), BodyModel>>,
 }
 
@@ -62,8 +63,8 @@ impl<'a> Files<'a> {
         Ok(Files { folder: path.parent().unwrap_or(Path::new("")), depth: self.depth + 1, left: self.left })
     }
 
-    /// The body that a file holds, or what of it is meant: read once, however often it is named. What has
-    /// more faces than a solid is read each time, so that its bytes are counted each time.
+    /// The body in a file, or a link in it. It is read once, however often it is named, unless it has more
+    /// faces than a solid: then it is read each time, and its bytes are counted each time.
     pub(crate) fn body(&self, path: &Path, meant: String, read: impl FnOnce() -> Found) -> Found {
         let key = (path.canonicalize().unwrap_or_else(|_| path.to_owned()), meant);
         if let Some(known) = self.left.known.borrow().get(&key) {
@@ -92,7 +93,7 @@ impl<'a> Files<'a> {
 /// The text of a regular file of at most 16 MiB: not of a folder, a pipe or a device, which may never end.
 ///
 /// # Errors
-/// What is no such file, is empty, cannot be read, or is not UTF-8.
+/// A path that is not such a file, or a file that is empty, cannot be read or is not UTF-8.
 ///
 /// ```
 /// let why = tumbling_bodies::read_text("/dev/zero".as_ref()).unwrap_err().to_string();
@@ -103,17 +104,17 @@ pub fn read_text(path: &Path) -> Result<String, Error> {
     Files::new(Path::new(""), &Left::default()).text(path)
 }
 
-/// The bytes of a regular file, if there are no more than are left of the most.
+/// The bytes of a regular file, if they fit the remaining limit.
 fn read(path: &Path, most: u64, left: &Cell<u64>) -> Result<Vec<u8>, Error> {
     let unreadable = |error: std::io::Error| Error::new(format!("it cannot be read ({error})"));
     let read = || {
-        // Before it is opened: to open a pipe waits for who writes to it.
+        // This is checked before the file is opened, since opening a pipe waits for a writer.
         let about = path.metadata().map_err(unreadable)?;
         let size = about.len();
         if !about.is_file() {
             return Err(Error::new("it is not a regular file"));
         }
-        // What a system makes up while it is read, such as the files of /proc, has no size.
+        // Files that the system generates while they are read, such as those in /proc, have no size.
         if size == 0 {
             return Err(Error::new("it is empty"));
         }

@@ -1,8 +1,8 @@
-//! Bodies from files: what one command line, one drawing and one report need to know of a body.
+//! Bodies from files: the data on a body that command lines, drawings and reports need.
 //!
-//! A [`BodyModel`] has a name, an inertia tensor that a [`tumbling::Body`] can be spun with, mass and centre
-//! as far as they are known, and the surfaces to draw. It comes from one of the book's bodies by name, from a
-//! TOML file, or from a link of a URDF file. A TOML file holds one of:
+//! A [`BodyModel`] has a name, an inertia tensor for a [`tumbling::Body`], mass and centre as far as they are
+//! known, and the surfaces to draw. It comes from the name of a body of the book, from a TOML file, or from a
+//! link of a URDF file. A TOML file contains one of these:
 //!
 //! ```
 //! use tumbling_bodies::BodyModel;
@@ -28,11 +28,11 @@
 //! ```
 //!
 //! Other fields are `mesh = "part.stl"` (or `.obj`, next to the file; `unit = 0.001` for millimetres) with
-//! `mass` or `density`, `urdf = "robot.urdf"` with `link = "arm"`, and `body = "hammer"` for one of the
-//! book's or `body = "other.toml"`. `sides` with `moments` say what is drawn. `spin` (rad/s) is the speed in
-//! figures and films; without it, that follows from the size.
+//! `mass` or `density`, `urdf = "robot.urdf"` with `link = "arm"`, and `body = "hammer"` for a body of the
+//! book or `body = "other.toml"` for another file. `sides` next to `moments` set only the box that is drawn.
+//! `spin` (rad/s) is the speed in figures and films; without it, the speed follows from the size.
 //!
-//! A scene's bodies are such tables too, with a spin of three numbers or a momentum, and an attitude
+//! The bodies of a scene are such tables too, with a spin of three numbers or a momentum, and an attitude
 //! ([`Table`], [`SceneBodies`]).
 
 mod document;

@@ -21,7 +21,8 @@ pub(crate) fn read(path: &Path, files: &Files<'_>) -> Result<Triangles, Error> {
     found.map_err(|error| error.in_file(path))
 }
 
-/// Lets faces name the first of the vertices in one place, where a program wrote a vertex once for each face.
+/// Merges vertices at the same place, since some programs write a vertex once for each face: faces then refer
+/// to the first of them.
 pub(crate) fn weld(vertices: &[Vector3<f64>], faces: &mut [[usize; 3]]) {
     let mut known = HashMap::new();
     // Zero has two signs and one place.
@@ -41,7 +42,7 @@ fn stl(bytes: &[u8]) -> Result<Triangles, Error> {
         let triangle = |each: &[u8]| [12, 24, 36].map(|at| corner(&each[at..at + 12]));
         return Ok(loose(bytes[HEADER..].chunks_exact(EACH).flat_map(triangle).collect()));
     }
-    // Some programs write all words large.
+    // Some programs write all words in capitals.
     let text = String::from_utf8_lossy(bytes).to_lowercase();
     if !text.trim_start().starts_with("solid") {
         let why =
@@ -72,7 +73,7 @@ fn vertex(words: &str, line: usize) -> Result<Vector3<f64>, Error> {
 fn obj(text: &str) -> Result<Triangles, Error> {
     let (mut vertices, mut faces) = (Vec::new(), Vec::new());
     for (number, line) in text.lines().enumerate() {
-        // Some programs write a remark behind a face.
+        // Some programs write a comment after a face.
         let line = line.split('#').next().unwrap_or_default().trim();
         let (word, rest) = line.split_once(char::is_whitespace).unwrap_or((line, ""));
         if word == "v" {

@@ -1,4 +1,4 @@
-//! A body as figures, films and reports take it.
+//! A body for figures, films and reports.
 
 use crate::error::Error;
 use crate::surface::{Surface, drawable};
@@ -16,25 +16,25 @@ pub struct BodyModel {
     pub name: String,
     /// kg, where it is known.
     pub mass: Option<f64>,
-    /// The centre of mass, m, from the origin of the body's axes; zero where nothing is said of it.
+    /// The centre of mass, m, from the origin of the body's axes; zero if it is not given.
     pub centre: Vector3<f64>,
     /// About the centre of mass, in the body's axes. All three principal moments are above zero.
     pub inertia: Inertia,
-    /// How far the tensor was moved to be one that a body can have, relative to its largest moment: zero
-    /// but where the file has a `tolerance`.
+    /// How far the tensor was moved to become possible, relative to its largest moment; zero unless the file
+    /// has a `tolerance`.
     pub moved: f64,
-    /// What is drawn, in the body's axes, m. Empty where only numbers are known.
+    /// The surfaces to draw, in the body's axes, m. Empty if only numbers are known.
     pub surfaces: Vec<Surface>,
-    /// How fast its motions spin, rad/s, where its file says so.
+    /// The spin in figures and films, rad/s, if the file gives it.
     pub spin: Option<f64>,
     /// The edges along x, y and z of a body that is one box, m.
     pub sides: Option<[f64; 3]>,
-    /// The question whether it is meant as it was read, where that is unlikely: units by the density, degrees
-    /// for rad or rad for degrees, moments and what is drawn by the mass, parts that lie far off or twice in
-    /// one place, links that fixed joints hold to this one.
+    /// A question to the user if the input is unlikely to be intended: units, judged by the density; degrees
+    /// instead of rad or the reverse; moments or sizes that do not fit the mass; parts that are far away or
+    /// twice in one place; links that fixed joints attach to this one.
     pub question: Option<String>,
-    /// The links of robots that it is made of: how often it has each, and those with inertia that fixed
-    /// joints hold to it.
+    /// The links of robots that it consists of: how often it has each, and the links with inertia that fixed
+    /// joints attach to it.
     pub(crate) links: BTreeMap<Link, (usize, Arc<[Link]>)>,
 }
 
@@ -67,13 +67,13 @@ impl BodyModel {
     /// The principal moments, smallest first.
     ///
     /// # Errors
-    /// None for a model that was read.
+    /// There are none for a model that was read.
     pub fn moments(&self) -> Result<PrincipalMoments, Error> {
         Ok(self.principal().moments().try_into()?)
     }
 
-    /// The even box of the same mass and tensor: its edges along the principal axes, smallest moment
-    /// first, m. None where the mass is not known.
+    /// The box of uniform density with the same mass and tensor: its edges along the principal axes, smallest
+    /// moment first, m. `None` if the mass is not known.
     ///
     /// ```
     /// use tumbling_bodies::BodyModel;
@@ -112,7 +112,7 @@ impl BodyModel {
         self.drawn().iter().flat_map(|s| &s.vertices).map(|p| p.norm()).fold(0.0, f64::max)
     }
 
-    /// That what is drawn has a size that can be computed with, or why not.
+    /// Checks that the size of what is drawn is usable, and says why if not.
     pub(crate) fn drawable(&self) -> Result<(), String> {
         drawable(self.drawn().iter().map(Surface::reach).fold(0.0, f64::max))
     }

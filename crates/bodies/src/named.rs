@@ -18,8 +18,7 @@ impl BodyModel {
     /// `FILE.urdf#LINK`.
     ///
     /// # Errors
-    /// A file that cannot be read, with the line, the field and the rule that it breaks; a name that no body
-    /// has.
+    /// A file that cannot be read, with the line, the field and the rule that it breaks; an unknown name.
     ///
     /// ```
     /// use tumbling_bodies::BodyModel;
@@ -31,7 +30,7 @@ impl BodyModel {
         Self::load_from(argument, &Files::new(Path::new(""), &Left::default())).map(urdf::asked)
     }
 
-    /// As [`load`](Self::load), from a folder.
+    /// Like [`load`](Self::load), with paths relative to a folder.
     pub(crate) fn load_from(argument: &str, files: &Files<'_>) -> Result<Self, Error> {
         if let Some(body) = NamedBody::ALL.into_iter().find(|&body| word(body) == argument) {
             return Self::named(body);
@@ -70,7 +69,7 @@ impl BodyModel {
     /// A body of the library.
     ///
     /// # Errors
-    /// None: the sizes are constants.
+    /// There are none: the sizes are constants.
     pub fn named(body: NamedBody) -> Result<Self, Error> {
         let properties = body.properties()?;
         let (mut surfaces, mut sides) = (Vec::new(), None);
@@ -111,7 +110,7 @@ impl BodyModel {
         urdf::read(text, link, Path::new(""), 0.0)?.ready().map(urdf::asked)
     }
 
-    /// Refuses an ideal rod, whose spin about itself no momentum determines.
+    /// Refuses an ideal rod, since its momentum does not determine its spin about its own axis.
     pub(crate) fn ready(self) -> Result<Self, Error> {
         self.inertia.inverse()?;
         self.moments()?;
@@ -119,7 +118,7 @@ impl BodyModel {
     }
 }
 
-/// Makes bodies of the tables of one text: what their files hold is counted together.
+/// Makes bodies from the tables of one text; the limits on files apply to all of them together.
 #[derive(Debug)]
 pub struct SceneBodies<'a> {
     text: &'a str,
@@ -128,7 +127,7 @@ pub struct SceneBodies<'a> {
 }
 
 impl<'a> SceneBodies<'a> {
-    /// Of tables of this text, whose files lie in `folder`.
+    /// For tables of this text; the files that they name are in `folder`.
     #[must_use]
     pub fn new(text: &'a str, folder: &'a Path) -> Self {
         Self { text, folder, left: Left::default() }

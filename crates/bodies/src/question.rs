@@ -1,5 +1,5 @@
-//! Whether a body is meant as it was read: its units, a mass with such moments, parts and their places. (Of
-//! degrees and of what fixed joints hold it is asked where a robot is read.)
+//! Asks whether the input of a body is intended: its units, its mass and moments, its parts and their places.
+//! (The questions on degrees and on fixed joints are asked where a robot is read.)
 
 use crate::document::from_toml;
 use crate::file::number;
@@ -37,15 +37,15 @@ fn short(x: f64) -> String {
 const SOLIDS: std::ops::Range<f64> = 10.0..25_000.0;
 const NONE_IS: &str = "no solid is so light or so heavy. Are the numbers right?";
 
-/// Of numbers that make a body lighter than a foam or heavier than any metal, or that stand bare beside some
-/// with a unit: whether other units were meant, all that are likely, likeliest first.
+/// Asks whether other units were intended, for numbers that make a body lighter than foam or heavier than any
+/// metal, or that have no unit next to others with a unit. It lists all likely units, the most likely first.
 pub(crate) fn of(
     text: &str,
     present: &[(&'static str, Range<usize>)],
     name: &str,
     needed: &[&str],
 ) -> Option<String> {
-    // What is thin has no density; vertices have no units.
+    // Thin bodies have no density in kg/m³, and vertices have no units.
     let thin = ["plate", "disk", "rod", "tetrahedron"].contains(&name);
     if let Some((_, span)) = present.iter().find(|(field, _)| *field == "density") {
         return dense(&text[span.clone()]).filter(|_| !thin);
@@ -87,7 +87,7 @@ pub(crate) fn of(
     if words.is_empty() { none } else { Some(format!("{plain}: is this in {words}?")) }
 }
 
-/// What is said of an unlikely density: `meant`, if it is a likely one once it is multiplied by `times`.
+/// The question for an unlikely density: `meant`, if the density times `times` is likely.
 fn unlikely(density: f64, times: f64, meant: &'static str) -> Option<&'static str> {
     let said = if SOLIDS.contains(&(times * density)) { meant } else { NONE_IS };
     (!SOLIDS.contains(&density)).then_some(said)
@@ -101,14 +101,15 @@ fn dense(written: &str) -> Option<String> {
     Some(format!("{}{unit}: {said}", written.replace(['"', '\''], "")))
 }
 
-/// Of what a mesh encloses: whether its numbers were meant in mm, where no unit is set.
+/// For a mesh without a unit: asks whether its numbers were intended in mm, by the volume that it encloses.
 pub(crate) fn filled(mass: f64, volume: f64, set: bool) -> Option<String> {
     let times = if set { 1.0 } else { 1e9 };
     let said = unlikely(mass / volume, times, "is the mesh in mm, `unit = 0.001`?")?;
     Some(format!("{} kg in {} m³: {said}", short(mass), plain(volume)))
 }
 
-/// Of an angle in degrees, given to hundredths: whether it is a multiple of 15 degrees, in rad.
+/// For an angle in degrees, given to hundredths: whether it would be a multiple of 15 degrees if it were in
+/// rad.
 pub(crate) fn turned(degrees: f64) -> Option<String> {
     let parts = (degrees / (PI / 12.0)).round();
     let near = (degrees - parts * PI / 12.0).abs() < 0.005 && (10.0 * degrees).fract() != 0.0;
@@ -117,7 +118,8 @@ pub(crate) fn turned(degrees: f64) -> Option<String> {
     (near && (1.0..=24.0).contains(&parts.abs())).then_some(asked)
 }
 
-/// Of a mass and a tensor: whether a body can have both. Of all bodies as dense, a ball has the least trace.
+/// For a mass and a tensor: asks whether a body can have both. Of all bodies with the same density, a ball
+/// has the smallest trace.
 pub(crate) fn spread(body: &BodyModel) -> Option<String> {
     let (mass, moments) = (body.mass?, body.principal().moments());
     let density = mass / (4.0 / 3.0 * PI * (5.0 / 6.0 * moments.sum() / mass).powf(1.5));
@@ -132,15 +134,15 @@ pub(crate) fn spread(body: &BodyModel) -> Option<String> {
     Some(format!("{mass} kg and moments up to {most} kg m²{why}. Are the units right?"))
 }
 
-/// Of parts, each with its reach, m: whether one that equals another in its place was meant to be written
-/// twice, and whether one that lies ten times its own size from all others was meant to lie nearer.
+/// For parts, each with its size, m: asks whether a part equal to another in the same place was intended
+/// twice, and whether a part farther from all others than ten times its own size was intended to be nearer.
 pub(crate) fn placed(parts: &[(MassProperties, f64)]) -> Option<String> {
     let gap = |at: usize| {
         let others = (0..parts.len()).filter(|other| *other != at).map(|other| &parts[other]);
         let far = others.map(|(part, reach)| (part.centre() - parts[at].0.centre()).norm() - reach);
         far.fold(f64::INFINITY, f64::min)
     };
-    // What is made of more is no longer written by hand.
+    // A body with more parts than this was not written by hand.
     let few = if parts.len() <= 100 { parts.len() } else { 0 };
     if let Some(at) = (0..few).find(|&at| parts[..at].contains(&parts[at])) {
         return Some(format!("part {} equals another in the same place: is it written twice?", at + 1));

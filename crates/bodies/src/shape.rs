@@ -9,12 +9,12 @@ use tumbling::solid::{
 };
 use tumbling::{Error, MassProperties};
 
-/// What a shape weighs.
+/// The mass of a shape, or its density.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Weight {
     /// kg.
     Mass(f64),
-    /// kg/m³; kg/m² of what is thin, kg/m of a thin rod.
+    /// kg/m³; kg/m² for a thin plate or disk, kg/m for a thin rod.
     Density(f64),
 }
 

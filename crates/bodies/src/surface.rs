@@ -15,8 +15,8 @@ pub struct Surface {
     pub convex: bool,
 }
 
-/// The least and the greatest distance of a surface from its origin that is drawn, m: squares and ratios of
-/// these are numbers.
+/// The smallest and the largest distance of a drawn surface from its origin, m: squares and ratios of these
+/// do not overflow or underflow.
 const SMALLEST: f64 = 1e-100;
 const LARGEST: f64 = 1e100;
 
@@ -80,8 +80,8 @@ impl Surface {
         Self::sheet(circle(radius, 0.0))
     }
 
-    /// What a profile of distances from the z axis and heights sweeps round that axis. It runs upwards with
-    /// the solid between it and the axis; `closed`, it runs round the solid.
+    /// The surface of revolution about the z axis of a profile of distances from that axis and heights. The
+    /// profile runs upwards, with the solid between it and the axis; if `closed`, it runs round the solid.
     fn revolved(profile: &[[f64; 2]], closed: bool) -> Self {
         let (mut vertices, mut rings) = (Vec::new(), Vec::new());
         for &[r, z] in profile {
@@ -156,7 +156,7 @@ impl Surface {
     }
 }
 
-/// That what reaches so far, m, can be drawn.
+/// Checks that a body of this extent, m, can be drawn.
 pub(crate) fn drawable(reach: f64) -> Result<(), String> {
     let why = || format!("it reaches {reach:?} m: what is drawn is from {SMALLEST:e} m to {LARGEST:e} m");
     (SMALLEST..=LARGEST).contains(&reach).then_some(()).ok_or_else(why)

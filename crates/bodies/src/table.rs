@@ -5,7 +5,7 @@ use serde::de::{Deserializer, Error};
 use toml::Spanned;
 use tumbling::Subject;
 
-/// Defines a table of a file, of fields that may be missing, with what lists those that are there.
+/// Defines a table of a file with optional fields, and a function that lists the fields present.
 #[macro_export]
 macro_rules! table {
     (
@@ -65,10 +65,10 @@ table! {
     }
 }
 
-/// A list of just this number of numbers: an array by itself would leave the rest of a longer list unread.
+/// A list of exactly this many numbers: an array alone would ignore the rest of a longer list.
 ///
 /// # Errors
-/// A list of more or fewer.
+/// A list with more or fewer numbers.
 pub fn list<'de, D: Deserializer<'de>, const N: usize>(from: D) -> Field<[f64; N], D::Error> {
     read(from, |all: Vec<f64>| whole(all, "numbers"))
 }
@@ -89,7 +89,7 @@ fn rows<const N: usize>(rows: Vec<Vec<f64>>) -> Result<Vec<[f64; N]>, String> {
     rows.into_iter().map(|row| whole(row, "numbers")).collect()
 }
 
-/// Lists of just this number of numbers each.
+/// Lists of exactly this many numbers each.
 fn lists<'de, D: Deserializer<'de>, const N: usize>(from: D) -> Field<Vec<[f64; N]>, D::Error> {
     read(from, rows)
 }
@@ -113,7 +113,7 @@ enum Given {
     Text(String),
 }
 
-/// How many of each make a metre, a kilogram and a kilogram in a cubic metre.
+/// The number of each unit in a metre, a kilogram or a kilogram per cubic metre.
 const UNITS: [&[(&str, f64)]; 3] = [
     &[("mm", 1e3), ("cm", 1e2), ("m", 1.0)],
     &[("kg", 1.0), ("g", 1e3)],
@@ -166,7 +166,7 @@ pub enum Spin {
     Vector([f64; 3]),
 }
 
-/// The fields that say what a body is, and those that may go with each.
+/// The fields that say what a body is, and the fields allowed with each.
 pub(crate) const GIVEN_BY: [(&str, &[&str]); 8] = [
     ("moments", &["products", "tolerance", "mass", "sides"]),
     ("shape", &["mass", "density"]),
@@ -203,7 +203,7 @@ pub(crate) fn fields_of(subject: Subject) -> &'static [&'static str] {
         Subject::Length => &["length"],
         Subject::EdgeX | Subject::EdgeY | Subject::EdgeZ => &["sides"],
         Subject::SemiAxisX | Subject::SemiAxisY | Subject::SemiAxisZ => &["semiaxes"],
-        // Of a mesh, a file's numbers are finite: their unit makes them too large or too small.
+        // The numbers in a mesh file are finite; only their unit can make them too large or too small.
         Subject::Vertex => &["vertices", "unit"],
         Subject::Volume | Subject::Moment => &["unit"],
         Subject::RelativeTolerance => &["tolerance"],

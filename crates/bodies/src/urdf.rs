@@ -1,4 +1,4 @@
-//! A link of a URDF file: the `<inertial>` element, and what of `<visual>` is a plain solid.
+//! A link of a URDF file: the `<inertial>` element, and the plain solids in `<visual>`.
 //!
 //! The origin of `<inertial>` is the centre of mass, and its `rpy` turns the axes of the six numbers:
 //! <https://wiki.ros.org/urdf/XML/link>.
@@ -37,7 +37,7 @@ fn numbers<const N: usize>(node: Node<'_, '_>, name: &str) -> Result<Option<[f64
     let found = found.and_then(|found| <[f64; N]>::try_from(found).ok());
     let plural = if N == 1 { "" } else { "s" };
     found.map(Some).ok_or_else(|| {
-        // In XML a number alone has quotes too.
+        // In XML, even a single number has quotes.
         let hint = decimal_comma(node.document().input_text(), node.range().start).replace(", unquoted", "");
         let rule = "expected, in m, kg and rad, without a unit, without the ${} of xacro";
         wrong(node, format!("{name}=\"{text}\": {N} finite number{plural} {rule}{hint}"))
@@ -54,8 +54,8 @@ const DEEPEST: usize = 200;
 /// How many attributes an element, and namespaces a file, may have: the parser compares each with all before.
 const MOST: usize = 200;
 
-/// Refuses what would overflow the parser's stack, or keep it for minutes. In text that the parser takes,
-/// tags and quotes are what they seem here; it ends at the first that is not.
+/// Refuses text that would overflow the parser's stack or take it minutes. In text that the parser accepts,
+/// tags and quotes are as this scan sees them; the parser stops at the first that is not.
 fn bounded(text: &str) -> Result<(), Error> {
     let refused = |count: usize, of: &str, most: usize| {
         Err(Error::new(format!("{count} {of}: at most {most} are read")))
@@ -110,7 +110,7 @@ fn degrees(link: Node<'_, '_>) -> Option<String> {
     Some(format!("rpy=\"{rpy}\" rad is more than a turn: is this in degrees?"))
 }
 
-/// What of the link is a box, a cylinder or a sphere.
+/// The boxes, cylinders and spheres of the link.
 fn surfaces(link: Node<'_, '_>, inertia: Node<'_, '_>, centre: &Vector3<f64>) -> Result<Vec<Surface>, Error> {
     let mut found = Vec::new();
     for visual in link.children().filter(|node| node.has_tag_name("visual")) {
@@ -147,7 +147,7 @@ fn first(names: &[&str], most: usize) -> String {
     shown.join(", ") + &if more == 0 { String::new() } else { format!(" and {more} more") }
 }
 
-/// The links with inertia that fixed joints hold to this one, above it or below.
+/// The links with inertia that fixed joints attach to this one, above or below it.
 fn held(document: &Document<'_>, name: &str, heavy: &[&str]) -> Vec<String> {
     let mut near: HashMap<&str, Vec<&str>> = HashMap::new();
     let fixed = |node: &Node<'_, '_>| node.has_tag_name("joint") && node.attribute("type") == Some("fixed");
@@ -165,8 +165,8 @@ fn held(document: &Document<'_>, name: &str, heavy: &[&str]) -> Vec<String> {
     heavy.iter().filter(|link| **link != name && found.contains(**link)).map(ToString::to_string).collect()
 }
 
-/// The body with the question whether links belong to it that fixed joints hold to its own, and that it has
-/// less often. Some simulators make one body of them, others keep each.
+/// The body, with a question if fixed joints attach further links to its own that it has less often: do they
+/// belong to it? Some simulators merge such links into one body, others do not.
 pub(crate) fn asked(mut model: BodyModel) -> BodyModel {
     let has = |link| model.links.get(link).map_or(0, |(count, _)| *count);
     let held = model.links.values().flat_map(|(count, held)| held.iter().filter(|link| has(*link) < *count));

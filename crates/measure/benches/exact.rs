@@ -1,4 +1,4 @@
-//! What the exact motion costs, in steps of the plain Runge-Kutta method: ratios within one run.
+//! The cost of the exact motion relative to a step of the plain Runge-Kutta method, as ratios within one run.
 //!
 //! ```text
 //! cargo bench -p tumbling-measure --bench exact
@@ -88,7 +88,7 @@ fn works() -> Vec<Work> {
     works
 }
 
-/// The leanest step there is: seven numbers, no divisions, no renormalisation.
+/// The cheapest step: seven numbers, no divisions, no renormalisation.
 fn plain_step(y: &mut [f64; 7], ratios: &[f64; 3], h: f64) {
     let rate = |y: &[f64; 7]| {
         let [a, b, c, d, x, v, z] = *y;

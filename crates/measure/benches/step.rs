@@ -1,5 +1,5 @@
-//! What one step costs, in steps of the engines' plainest rule that keeps `|L|`: explicit, then the
-//! momentum's length restored. Ratios within one run.
+//! The cost of one step, relative to the simplest rule of engines that keeps `|L|`: an explicit step, then
+//! the momentum's length restored. Ratios within one run.
 //!
 //! ```text
 //! cargo bench -p tumbling-measure --bench step
@@ -56,7 +56,7 @@ fn works() -> Vec<Work> {
     works
 }
 
-/// The rule as an engine writes it, and what replaces it: attitude and spin in the world, both ways.
+/// The rule as an engine writes it, and its replacement; both have attitude and spin in world axes.
 fn in_an_engine<T: Number>(works: &mut Vec<Work>, [rule, stage, framed]: [&'static str; 3]) {
     let number = |x: f32| <T as From<f32>>::from(x);
     let h = number(1.0 / 60.0);

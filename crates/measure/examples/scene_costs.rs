@@ -12,7 +12,7 @@ use std::process::Command;
 use tumbling_measure::AnyError;
 use tumbling_measure::costs::{self, Cost, STATES};
 
-/// By how much a count may differ from the recorded one: another compiler orders the work otherwise.
+/// By how much a count may differ from the recorded one: another compiler produces other instructions.
 const ROOM: f64 = 0.25;
 
 fn main() -> Result<(), AnyError> {
@@ -42,8 +42,8 @@ fn main() -> Result<(), AnyError> {
     }
 }
 
-/// What valgrind watches: a number of plans of the scene of this name, and of each a number of times all
-/// states.
+/// The work that valgrind counts: a number of plans of the scene with this name, and for each plan all states
+/// a number of times.
 fn watched(name: &str, plans: u64, rounds: u64) -> Result<(), AnyError> {
     let scenes = costs::scenes()?;
     let (_, scene) = scenes.iter().find(|(known, _)| *known == name).ok_or("no scene has that name")?;
@@ -59,7 +59,7 @@ fn watched(name: &str, plans: u64, rounds: u64) -> Result<(), AnyError> {
     Ok(())
 }
 
-/// The costs by differences of runs, so that the start of the program falls out.
+/// The costs as differences of runs, so that the start of the program cancels.
 fn counts() -> Result<Vec<Cost>, AnyError> {
     let cost = |(name, _)| {
         eprintln!("instructions of {name}");

@@ -1,7 +1,7 @@
-//! The atlas: how each method ends on each hard case under torques.
+//! The atlas: the result of each method on each hard case under torques.
 //!
-//! A chart sweeps one difficulty: a damping, a weight, a needle's thinness, the frequency of a push. Where
-//! the body of each case truly is at the end, `data/atlas.py` computed to 20 digits, by Taylor series that
+//! A chart sweeps one difficulty: a damping, a weight, a needle's thinness, the frequency of a push.
+//! `data/atlas.py` computed the true final state of the body of each case to 20 digits, by Taylor series that
 //! share no code with the library. No time is measured, so every machine draws the same atlas.
 
 use crate::AnyError;
@@ -91,7 +91,7 @@ pub fn cases() -> Result<Vec<Case>, AnyError> {
 }
 
 impl Case {
-    /// Where it truly is at the end.
+    /// The true state at the end.
     ///
     /// # Errors
     /// A number of the table that cannot be read.
@@ -100,10 +100,10 @@ impl Case {
         Ok(State { attitude: Quaternion::new(w, x, y, z), momentum: digits(&self.momentum)?.into() })
     }
 
-    /// Where a method at its fixed step ends, or the adaptive run within a tolerance.
+    /// The final state by a method at its fixed step, or by the adaptive run within a tolerance.
     ///
     /// # Errors
-    /// What the library refuses.
+    /// An error of the library.
     pub fn run(&self, runner: Option<Method>, tolerance: f64) -> Result<State<f64>, Error> {
         let [a, b, c] = self.moments;
         let inertia = Inertia::from_moments(a, b, c)?;
@@ -133,7 +133,7 @@ impl Case {
         moments.component_mul(&omega).norm().max(truth.momentum.norm())
     }
 
-    /// How it ends in `f64`, the adaptive run within [`TOLERANCE`].
+    /// The result in `f64`; the adaptive run has the tolerance [`TOLERANCE`].
     ///
     /// # Errors
     /// A number of the table that cannot be read.
@@ -152,7 +152,7 @@ impl Case {
     }
 }
 
-/// How the adaptive run and every method end on each of these cases, in their order.
+/// The results of the adaptive run and of every method on each of these cases, in their order.
 ///
 /// # Errors
 /// A number of the table that cannot be read.
@@ -183,7 +183,7 @@ pub fn table(cases: &[Case], fates: &[(&str, Vec<Fate>)]) -> Vec<String> {
     fates.iter().map(line).collect()
 }
 
-/// For a terminal: how each of [`fates`] ends on each case, chart by chart.
+/// For a terminal: the result of each of [`fates`] on each case, chart by chart.
 #[must_use]
 pub fn text(cases: &[Case], fates: &[(&str, Vec<Fate>)]) -> String {
     let mut text = String::new();

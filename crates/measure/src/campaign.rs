@@ -40,8 +40,8 @@ const LONG: &[(&str, &str)] = &[
     ),
 ];
 
-/// Measures, writes `work.csv` and `long.csv` into a folder, and returns what they say. Versions of peers go
-/// into the heads; `progress` hears how far it is.
+/// Measures, writes `work.csv` and `long.csv` into a folder, and returns their contents. The heads contain
+/// the versions of the peers; `progress` is called with the progress so far.
 ///
 /// # Errors
 /// A story that cannot be prepared, or a folder that cannot be written to.

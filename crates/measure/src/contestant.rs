@@ -8,7 +8,7 @@ use std::hint::black_box;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, MethodInfo, State, Stepper};
 
-/// What a contestant keeps of a free motion: how the figures tell their curves apart.
+/// The quantities of a free motion that a contestant conserves; the figures group their curves by it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Group {
     /// The closed form.
@@ -21,7 +21,7 @@ pub enum Group {
     Neither,
     /// A published program of others.
     Peer,
-    /// Another law than the body's: no step is short enough.
+    /// A law different from the body's: no step is short enough.
     Wrong,
 }
 
@@ -53,7 +53,7 @@ impl Group {
     }
 }
 
-/// What a contestant is set by.
+/// The parameter of a contestant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Knob {
     /// A fixed number of equal steps.
@@ -92,7 +92,7 @@ impl Setting {
         if let Self::Tolerance(tolerance) = self { Ok(tolerance) } else { Err(Self::unknown()) }
     }
 
-    /// What a contestant says to a setting that it does not have.
+    /// The error of a contestant for a setting that it does not have.
     fn unknown() -> Outcome {
         Outcome::Refused("it has no such setting".into())
     }
@@ -108,7 +108,7 @@ impl fmt::Display for Setting {
     }
 }
 
-/// What a contestant says of itself.
+/// The description of a contestant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct About {
     /// What it is called; the key in the record.
@@ -124,12 +124,12 @@ pub trait Contestant {
     /// What it says of itself.
     fn about(&self) -> About;
 
-    /// Whether it can take this story on at all: the exact motion is of free bodies.
+    /// Whether it can run this story: the exact motion is only for free bodies.
     fn takes(&self, _story: &Story) -> bool {
         true
     }
 
-    /// From start to end, showing the observer each step where there is one.
+    /// Runs from start to end, and shows each step to the observer if there is one.
     ///
     /// # Errors
     /// Why it could not.
@@ -210,7 +210,7 @@ impl Contestant for Adaptive {
         About { name: "adaptive", group: Group::Neither, knob: Knob::Tolerance }
     }
 
-    // Its steps are not to be seen, and so neither are the flips of a free body.
+    // Its steps cannot be observed, and so the flips of a free body cannot either.
     fn takes(&self, story: &Story) -> bool {
         !story.is_free()
     }

@@ -1,4 +1,5 @@
-//! What a scene costs by its outputs, in processor instructions. The example `scene_costs` counts them.
+//! The cost of a scene for different outputs, in processor instructions. The example `scene_costs` counts
+//! them.
 
 use crate::AnyError;
 use crate::record::Record;

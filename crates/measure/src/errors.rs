@@ -1,4 +1,5 @@
-//! How wrong a run was: each kind of error by itself, for energy hides phase.
+//! The errors of a run: each kind of error separately, because a small error of energy says nothing about the
+//! phase.
 
 use crate::story::{Story, in_world};
 use nalgebra::{Quaternion, Vector3};
@@ -51,7 +52,7 @@ impl fmt::Display for Outcome {
     }
 }
 
-/// The errors of a run, each by itself. What there is not (flips under a torque) is `None`.
+/// The errors of a run, each by itself. An error that does not exist (of flips under a torque) is `None`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Errors {
     /// How early or late the last flip came, as a share of the time between two.
@@ -66,7 +67,7 @@ pub struct Errors {
     pub direction: Option<f64>,
 }
 
-/// What sees a run, if anything does.
+/// The observer of a run, if there is one.
 pub type Observed<'a, 'b> = Option<&'a mut Observer<'b>>;
 
 /// A run as it is seen from outside, step by step.
@@ -134,7 +135,7 @@ impl<'a> Observer<'a> {
         self.flips = flips as u64;
     }
 
-    /// What to say of the run when it is over.
+    /// The result of the run when it is over.
     #[must_use]
     pub fn judge(self, ended: Result<&Ended, &Outcome>) -> (Outcome, Errors) {
         let end = match ended {
@@ -168,8 +169,8 @@ impl<'a> Observer<'a> {
         (Outcome::Right, errors)
     }
 
-    /// When the last flip was: the exact motion from the last state before it says to the last digit when
-    /// that state flips, so that no interpolation stands between the method and its error.
+    /// The time of the last flip. The exact motion from the last state before the flip gives its time to the
+    /// last digit, so that no interpolation adds to the error of the method.
     fn last_flip(&self) -> Option<f64> {
         let (t, state) = self.last.as_ref()?;
         let omega = self.story.system.omega(&state.momentum);

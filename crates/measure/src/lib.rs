@@ -1,15 +1,15 @@
 //! Error against run time: every stepper of the library on the same bodies, against the truth.
 //!
 //! A [`Contestant`](contestant::Contestant) (a [`Method`](tumbling::step::Method), the exact motion, or a
-//! peer that another crate brings) runs a [`Story`](story::Story), a body let go in some way, at one setting:
-//! a step, or a tolerance. What it ends with is held against the [truth](story::Truth): the exact motion, or
-//! a table of many digits where a torque acts. Never against the method itself at a smaller step.
+//! peer that another crate brings) runs a [`Story`](story::Story), a body with a start, at one setting: a
+//! step, or a tolerance. Its final state is compared with the [truth](story::Truth): the exact motion, or a
+//! table of many digits if a torque acts. It is never compared with the method itself at a smaller step.
 //!
 //! [`campaign`] does that for all of them and writes the [`record`]: files of comma-separated values, whose
 //! heads say what, when, on which machine. The book's figures and chapters are made from those files.
-//! [`costs`] is the record of what a [scene](tumbling_scenes::Scene) costs by its outputs.
+//! [`costs`] is the record of the cost of a [scene](tumbling_scenes::Scene) for different outputs.
 //!
-//! The [`atlas`] measures no time: how each method ends on each hard case under torques.
+//! The [`atlas`] measures no time. It shows the result of each method on each hard case under torques.
 #![warn(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 pub mod atlas;

@@ -54,7 +54,7 @@ pub fn run(method: Method, effort: Effort) -> Vec<Long> {
     let (ends, began) = (ends(effort.turns), Instant::now());
     let in_time = |k: &u32| *k == 0 || began.elapsed().as_secs_f64() < effort.long;
     let runs: Vec<_> = (0..effort.starts).take_while(in_time).map(|k| one(method, k, &ends)).collect();
-    // As far as all came through, and then once more what went wrong.
+    // The windows that all starts completed, and then one more row with the error.
     let through = runs.iter().map(|(windows, _)| windows.len()).min().unwrap_or(0);
     let failed = runs.iter().find_map(|(_, outcome)| outcome.as_ref().err());
     let row = |(at, &turns): (usize, &u64)| {
@@ -76,7 +76,7 @@ pub fn run(method: Method, effort: Effort) -> Vec<Long> {
     ends.iter().enumerate().take(through + usize::from(failed.is_some())).map(row).collect()
 }
 
-/// The windows of one start that came through, and what ended it.
+/// The completed windows of one start, and the reason why it ended.
 fn one(method: Method, k: u32, ends: &[u64]) -> (Vec<Window>, Result<(), Outcome>) {
     let mut windows = Vec::new();
     let outcome = start(k).map_err(Outcome::from).and_then(|(system, mut motion, h)| {

@@ -67,7 +67,7 @@ pub fn measure(
         }
         for round in 1..=effort.repeats {
             progress(&format!("{heading}: times, round {round} of {}", effort.repeats));
-            // In turns: whatever slows the machine down for a while meets all alike.
+            // Interleaved, so that a temporary slowdown of the machine affects all equally.
             for rung in rungs.iter_mut().filter(|rung| rung.row.seconds.is_some()) {
                 rung.times.push(rung.time());
             }

@@ -1,4 +1,4 @@
-//! The record: files of comma-separated values whose heads say what, when and on which machine.
+//! The record: files of comma-separated values whose heads state the columns, the date and the machine.
 
 use crate::AnyError;
 use serde::de::DeserializeOwned;
@@ -91,7 +91,7 @@ impl<R: Serialize + DeserializeOwned> Record<R> {
     /// As a file has it.
     ///
     /// # Errors
-    /// A row that has no form in such a file.
+    /// A row that cannot be written to such a file.
     pub fn write(&self) -> Result<String, AnyError> {
         let head: String = self.head.iter().map(|(key, value)| format!("# {key}: {value}\n")).collect();
         let mut rows = csv::Writer::from_writer(Vec::new());

@@ -1,9 +1,9 @@
-//! On what and when: for the heads of the record.
+//! The machine and the date, for the heads of the record.
 
 use std::process::Command;
 use std::thread::available_parallelism;
 
-/// Whether this is built to be measured: what is built for tests is optimised less.
+/// Whether this build is for measurement: builds for tests are optimised less.
 pub const IS_RELEASE: bool = matches!(env!("BUILT_FOR").as_bytes(), b"release");
 
 /// The head of a record: what its columns are, then when it was measured, on which machine, built by what.

@@ -1,4 +1,4 @@
-//! The stories: bodies let go in some way, and where they truly are at the end.
+//! The stories: bodies with a start, and their true states at the end.
 
 use crate::AnyError;
 use crate::drive::{Components, Drive, digits};
@@ -8,7 +8,7 @@ use tumbling::exact::FreeMotion;
 use tumbling::step::{State, Stepper, System, Torque};
 use tumbling::{Body, Error, Inertia};
 
-/// A body let go in some way, and where it truly is at the end.
+/// A body with a start, and its true state at the end.
 #[derive(Debug, Clone)]
 pub struct Story {
     /// One word or two: the key in the record.
@@ -25,7 +25,7 @@ pub struct Story {
     pub start: State<f64>,
     /// When it ends, s.
     pub end: f64,
-    /// Where it truly is then.
+    /// Its true state then.
     pub truth: Truth,
 }
 
@@ -38,7 +38,7 @@ pub struct Phase {
     pub system: System<f64>,
 }
 
-/// Where a body truly is at the end of its story.
+/// The true state of a body at the end of its story.
 #[derive(Debug, Clone)]
 pub struct Truth {
     /// Attitude, and momentum in body axes.
@@ -80,7 +80,7 @@ struct Table {
 }
 
 impl Story {
-    /// The spin at the start, rad/s: what a step is judged by.
+    /// The spin at the start, rad/s, to which the length of a step is compared.
     #[must_use]
     pub fn speed(&self) -> f64 {
         self.system.omega(&self.start.momentum).norm()

@@ -1,4 +1,4 @@
-//! What the record says, in ratios.
+//! The conclusions from the record, as ratios.
 
 use crate::contestant::Group;
 use crate::long::slope;

@@ -1,10 +1,10 @@
-//! A drawing, as read, and as an SVG that every program shows.
+//! A drawing, as read, and as an SVG that every program can show.
 
 use crate::error::Error;
 use crate::letters;
 use resvg::usvg::{Tree, WriteOptions};
 
-/// An SVG drawing with its letters set, its title and its description.
+/// An SVG drawing with its text laid out, its title and its description.
 #[derive(Debug)]
 pub struct Drawing {
     pub(crate) tree: Tree,
@@ -12,14 +12,15 @@ pub struct Drawing {
     pub(crate) description: String,
 }
 
-/// What only a browser understands: elsewhere such a colour is black or missing.
+/// Colour syntax that only a browser understands: in other programs such a colour is black or missing.
 const BROWSERS_OWN: [&str; 3] = ["var(", "currentColor", "<style"];
 
 impl Drawing {
     /// Reads an SVG document.
     ///
     /// # Errors
-    /// What is no SVG, colours that depend on the page around the drawing, or letters that the fonts lack.
+    /// Input that is not SVG, colours that depend on the page around the drawing, or characters that the
+    /// fonts lack.
     pub fn read(svg: &str) -> Result<Self, Error> {
         if let Some(what) = BROWSERS_OWN.into_iter().find(|what| svg.contains(what)) {
             return Err(Error(format!("the drawing has `{what}`, which only a browser understands")));
@@ -39,7 +40,7 @@ impl Drawing {
     }
 
     /// The drawing as SVG with colours as attributes and letters as outlines, so that it needs neither a
-    /// style sheet nor a font. It is as wide as this many pixels, or as wide as it was.
+    /// style sheet nor a font. Its width is this many pixels, or its own width by default.
     #[must_use]
     pub fn svg(&self, width: Option<u32>) -> String {
         let how = WriteOptions { coordinates_precision: 3, transforms_precision: 5, ..Default::default() };

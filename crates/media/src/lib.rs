@@ -1,8 +1,8 @@
-//! Drawings in SVG, made into files that other programs show alike: plain SVG, PNG, PDF, films.
+//! Converts SVG drawings to files that look the same in all programs: plain SVG, PNG, PDF, films.
 //!
-//! A [`Drawing`] is read from an SVG document whose colours are plain. Its letters are set in the fonts that
-//! this crate carries, so that a file looks the same on a machine that has none. A [`Film`](film::Film) takes
-//! pictures of drawings, one after another, as a GIF.
+//! A [`Drawing`] is read from an SVG document whose colours do not depend on a page. Its text uses the fonts
+//! in this crate, so that a file looks the same on a machine without them. A [`Film`](film::Film) is a GIF
+//! made from a sequence of pictures of drawings.
 
 mod drawing;
 mod error;

@@ -10,8 +10,8 @@ use svg2pdf::ConversionOptions;
 const POINTS: f64 = 72.0 / 96.0;
 
 impl Drawing {
-    /// As a PDF page of the drawing's size, or as wide as this many pixels at 96 to the inch. Its letters are
-    /// text in embedded fonts, so that they can be searched and copied.
+    /// The drawing as a PDF page of its own size, or with this width in pixels at 96 to the inch. Its text
+    /// uses embedded fonts, so that it can be searched and copied.
     ///
     /// # Errors
     /// What the converter reports.

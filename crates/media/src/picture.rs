@@ -19,10 +19,10 @@ pub struct Picture {
 }
 
 impl Drawing {
-    /// In this many pixels from left to right; what the drawing leaves open is white.
+    /// The drawing as a picture of this width in pixels; where nothing is drawn it is white.
     ///
     /// # Errors
-    /// No pixels at all, or more than memory has room for.
+    /// No pixels, or more than the memory limit allows.
     pub fn picture(&self, width: u32) -> Result<Picture, Error> {
         let [w, h] = self.size();
         let scale = f64::from(width) / w;

@@ -1,4 +1,5 @@
-//! Arrays in and out: any shape of times, rows of three or four, attitudes with the scalar first or last.
+//! Conversion of arrays: times of any shape, rows of three or four numbers, attitudes with the scalar first
+//! or last.
 
 use crate::error::{Answer, Refused};
 use nalgebra::{Matrix6, Quaternion, UnitQuaternion, Vector3};
@@ -10,7 +11,7 @@ use pyo3::prelude::*;
 use std::borrow::Cow;
 use std::ops::Deref;
 
-/// Real numbers: an array of any of their types, or what NumPy makes one of.
+/// Real numbers: an array of any real type, or any object that NumPy converts to one.
 pub struct Numbers<'py>(PyArrayLikeDyn<'py, f64, AllowTypeChange>);
 
 impl<'py> Deref for Numbers<'py> {
@@ -30,7 +31,7 @@ impl<'a, 'py> FromPyObject<'a, 'py> for Numbers<'py> {
         let array = numpy.call_method1("asarray", (given,))?;
         let dtype = array.getattr("dtype")?;
         let kind: String = dtype.getattr("kind")?.extract()?;
-        // "O" are numbers of Python's own, of which each says whether it is real.
+        // "O" are Python objects; each of them tells whether it is a real number.
         if masked || !"biufO".contains(&kind) {
             let found = if masked { "a masked array".into() } else { format!("an array of {dtype}") };
             let sentence = format!("{found} is not taken for numbers: give an array of real ones");
@@ -44,7 +45,8 @@ pub type Array<'py> = Bound<'py, PyArrayDyn<f64>>;
 /// Attitudes and spins.
 pub type States<'py> = (Array<'py>, Array<'py>);
 
-/// Row by row: in place where they stand so, else a copy. What stands column by column is one slice too.
+/// The numbers row by row: without a copy if they are stored so. (Column-major arrays are contiguous too, so
+/// the order must be checked.)
 pub fn slice<'a>(numbers: &'a Numbers<'_>) -> Cow<'a, [f64]> {
     match numbers.as_slice() {
         Ok(there) if numbers.is_c_contiguous() => Cow::Borrowed(there),
@@ -52,7 +54,7 @@ pub fn slice<'a>(numbers: &'a Numbers<'_>) -> Cow<'a, [f64]> {
     }
 }
 
-/// An array of this shape, which takes the numbers as they are.
+/// An array of this shape that takes ownership of the numbers.
 pub fn array<'py>(py: Python<'py>, numbers: Vec<f64>, shape: &[usize], last: &[usize]) -> Answer<Array<'py>> {
     Ok(numbers.into_pyarray(py).reshape([shape, last].concat())?)
 }
@@ -75,7 +77,7 @@ pub fn row<const N: usize>(what: &str, numbers: &Numbers<'_>) -> Answer<[f64; N]
     }
 }
 
-/// One row for each of `count` bodies, of which there may be one for all.
+/// One row for each of `count` bodies, or one row for all of them.
 pub fn each<T: Copy>(what: &str, rows: Vec<T>, count: usize) -> Answer<Vec<T>> {
     match rows.len() {
         1 => Ok(vec![rows[0]; count]),
@@ -84,7 +86,7 @@ pub fn each<T: Copy>(what: &str, rows: Vec<T>, count: usize) -> Answer<Vec<T>> {
     }
 }
 
-/// A quaternion as it is written: x, y, z, w, or the scalar first.
+/// A quaternion in the given order: x, y, z, w, or the scalar first.
 #[derive(Clone, Copy)]
 pub struct Order {
     pub scalar_first: bool,
@@ -100,7 +102,8 @@ impl Order {
         if self.scalar_first { [q.w, q.i, q.j, q.k] } else { [q.i, q.j, q.k, q.w] }
     }
 
-    /// Attitudes: numbers in this order, or SciPy's `Rotation`, which names its own; the identity for none.
+    /// Attitudes: numbers in this order, or SciPy's `Rotation`, which defines its own order; the identity if
+    /// none is given.
     pub fn attitudes(self, given: Option<&Bound<'_, PyAny>>) -> Answer<(Vec<UnitQuaternion<f64>>, bool)> {
         let Some(given) = given else { return Ok((vec![UnitQuaternion::identity()], true)) };
         let (numbers, order) = if given.hasattr("as_quat")? {
@@ -145,7 +148,7 @@ pub fn put_matrix(into: &mut Vec<f64>, matrix: &Matrix6<f64>) {
     into.extend(matrix.transpose().iter());
 }
 
-/// Room for numbers, if there is so much memory.
+/// Allocates memory for this many numbers, or fails.
 pub fn room(what: &str, count: u64) -> Answer<Vec<f64>> {
     let mut all = Vec::new();
     match usize::try_from(count).map(|count| all.try_reserve_exact(count)) {
@@ -157,7 +160,7 @@ pub fn room(what: &str, count: u64) -> Answer<Vec<f64>> {
     }
 }
 
-/// Times of flips, if memory holds them.
+/// Times of flips, if they fit in memory.
 pub fn listed<'py>(py: Python<'py>, times: impl Iterator<Item = f64>, count: u64) -> Answer<Array<'py>> {
     let mut all = room("the times of flips", count)?;
     all.extend(times);

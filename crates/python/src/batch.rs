@@ -13,14 +13,15 @@ use std::ops::ControlFlow;
 use tumbling::Body;
 use tumbling_scenes::{Error, InitialState, Outputs, Scene, Times, batch};
 
-/// Many bodies at once, on all cores: free ones in closed form, those under torques each by an adaptive run
-/// that is refined until two runs agree to `accuracy` (rad; of the spin a share).
+/// Many bodies at once, on all cores: free bodies in closed form; under torques, each body by an adaptive run
+/// that is refined until two runs agree to `accuracy` (rad for the attitude, relative for the spin).
 ///
-/// `inertia` is of one body for all (an `Inertia`, or three moments) or of each: moments (n, 3) or tensors
-/// (n, 3, 3), kg m²; `spin` (3,) or (n, 3) in body axes, rad/s; `attitude` None, (4,), (n, 4) or SciPy's
-/// `Rotation`. All bodies are under the same torques.
+/// `inertia` is the same for all bodies (an `Inertia`, or three moments) or one for each: moments (n, 3) or
+/// tensors (n, 3, 3), kg m²; `spin` (3,) or (n, 3) in body axes, rad/s; `attitude` None, (4,), (n, 4) or
+/// SciPy's `Rotation`. All bodies are under the same torques.
 ///
-/// Raises `Error` at the first body that no body is, or whose accuracy cannot be had, with its number.
+/// Raises `Error`, with the number of the body, at the first body that is not valid or whose accuracy cannot
+/// be reached.
 ///
 /// >>> import numpy as np, tumbling
 /// >>> spins = np.column_stack([np.zeros(1000), np.linspace(1, 5, 1000), np.full(1000, 0.01)])
@@ -36,7 +37,7 @@ pub struct Batch {
     order: Order,
 }
 
-/// What is wrong with a body, with its number.
+/// The error of a body, with its number.
 fn of_body(index: usize) -> impl Fn(tumbling::Error) -> Error {
     move |error| Error::Body { index, source: Box::new(error.into()) }
 }

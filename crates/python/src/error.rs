@@ -1,4 +1,4 @@
-//! What the crates refuse, as one exception with their own sentences.
+//! The errors of the crates as one Python exception, with the same messages.
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -18,7 +18,7 @@ pyo3::create_exception!(
      >>> assert caught.kind == 'Impossible' and 'fails by 97.99' in str(caught)"
 );
 
-/// Why a call has no answer.
+/// The reason why a call failed.
 pub enum Refused {
     Library { sentence: String, kind: String, subject: String },
     Python(PyErr),
@@ -31,7 +31,7 @@ impl Refused {
         Self::Library { sentence, kind: kind.into(), subject: subject.into() }
     }
 
-    /// With the kind and the subject of the library's own error where that is the cause.
+    /// With kind and subject if the cause is an error of the library.
     fn of(error: &(dyn std::error::Error + 'static), kind: &str, subject: &str) -> Self {
         let mut cause = Some(error);
         while let Some(one) = cause {

@@ -7,7 +7,7 @@ use crate::judge::times;
 use nalgebra::Vector3;
 use pyo3::prelude::*;
 
-/// What `fit_inertia` finds.
+/// The result of `fit_inertia`.
 ///
 /// >>> import numpy as np, tumbling
 /// >>> w = tumbling.FreeMotion([1, 2, 2.5], spin=[0.5, 2, 0.1]).at(np.arange(300) / 50)[1]
@@ -18,25 +18,27 @@ pub struct FittedInertia(tumbling_judge::FittedInertia);
 
 #[pymethods]
 impl FittedInertia {
-    /// The principal moments in ascending order, of sum 1: multiply them by the trace, if that is known.
+    /// The principal moments in ascending order, scaled to the sum 1: multiply them by the trace of the
+    /// tensor if you know it.
     #[getter]
     fn moments<'py>(&self, py: Python<'py>) -> Answer<Array<'py>> {
         array(py, self.0.moments.as_slice().to_vec(), &[3], &[])
     }
 
-    /// The principal axes in the sensor's: the columns of a 3 x 3 rotation matrix, as the moments stand.
+    /// The principal axes in the axes of the sensor: the columns of a 3 x 3 rotation matrix, in the order of
+    /// the moments.
     #[getter]
     fn axes<'py>(&self, py: Python<'py>) -> Answer<Array<'py>> {
         array(py, self.0.axes.transpose().as_slice().to_vec(), &[3, 3], &[])
     }
 
-    /// The standard errors of the moments, by what is left of the fit.
+    /// The standard errors of the moments, from the residual of the fit.
     #[getter]
     fn stderr<'py>(&self, py: Python<'py>) -> Answer<Array<'py>> {
         array(py, self.0.errors.as_slice().to_vec(), &[3], &[])
     }
 
-    /// The root of the mean square of what is left of a component of the spins, rad/s.
+    /// The root mean square residual of a component of the spins, rad/s.
     #[getter]
     fn residual(&self) -> f64 {
         self.0.residual
@@ -52,13 +54,13 @@ impl FittedInertia {
 /// Fits a body's principal moments and axes to a gyroscope's record of its free motion.
 ///
 /// `t`: the times (n,), s, or the step as one number. `w`: spins (n, 3), rad/s, in the sensor's axes, which
-/// are fixed to the body; a constant bias must be taken off before. `guess`: an inertia in the sensor's axes,
-/// for records whose rows are more than about a radian apart. A free motion determines the moments up to one
-/// common factor: they are given with the sum 1.
+/// are fixed to the body; subtract a constant bias first. `guess`: an inertia in the sensor's axes, for
+/// records whose rows are more than about a radian apart. A free motion determines the moments up to one
+/// common factor: they are scaled to the sum 1.
 ///
 /// Raises `Error` for fewer than four rows, a number that is not finite, a time that does not increase, spins
-/// that no free motion comes near to, and motions that do not determine the moments: a steady spin. Of a body
-/// of which two moments are alike any axes in their plane are principal ones: `repr` says which.
+/// that no free motion approximates, and motions that do not determine the moments, such as a steady spin. If
+/// two moments are equal, all axes in their plane are principal axes: `repr` says which moments these are.
 ///
 /// >>> import numpy as np, tumbling
 /// >>> t = np.arange(500) / 50

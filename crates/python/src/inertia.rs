@@ -11,10 +11,10 @@ use tumbling::solid::{
 };
 
 /// The inertia tensor of a body, kg m², along its own axes: from three moments, or from a 3 x 3 matrix whose
-/// products carry the sign that makes L = I w hold.
+/// products have the sign for which L = I w.
 ///
-/// Those made of a shape or a mesh are about the centre of mass, and know `mass` and `centre`. Wherever an
-/// inertia is asked for, the numbers will do.
+/// Tensors made from a shape or a mesh are about the centre of mass, and have `mass` and `centre`. Every
+/// argument `inertia` also accepts plain numbers.
 ///
 /// Raises `Error` for a tensor that no distribution of mass has.
 ///
@@ -50,7 +50,7 @@ fn tensor(numbers: &Numbers<'_>) -> Answer<tumbling::Inertia> {
     Ok(tumbling::Inertia::from_moments(a, b, c)?)
 }
 
-/// A tensor as it is given: an `Inertia` or its numbers.
+/// A tensor argument: an `Inertia` or its numbers.
 pub struct Given(pub tumbling::Inertia);
 
 impl<'a, 'py> FromPyObject<'a, 'py> for Given {
@@ -71,10 +71,10 @@ impl Inertia {
         Self { tensor: inertia.0, whole: None }
     }
 
-    /// A closed mesh, filled evenly: vertices (n, 3) in m, faces (m, 3) of three vertices each by number
-    /// from 0, counter-clockwise seen from outside; mass in kg, or density in kg/m³.
+    /// A closed mesh of uniform density: vertices (n, 3) in m; faces (m, 3), each with the indices of three
+    /// vertices from 0, counter-clockwise seen from outside; mass in kg, or density in kg/m³.
     ///
-    /// Raises `Error` where the faces do not bound a solid.
+    /// Raises `Error` if the faces do not bound a solid.
     ///
     /// >>> import tumbling
     /// >>> corner = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 6]]
@@ -116,21 +116,21 @@ impl Inertia {
         array(py, self.tensor.principal().frame().transpose().as_slice().to_vec(), &[3, 3], &[])
     }
 
-    /// The mass, kg; None where the tensor was given by its numbers.
+    /// The mass, kg; None if the tensor was given by its numbers.
     #[getter]
     fn mass(&self) -> Option<f64> {
         self.whole.map(|whole| whole.mass())
     }
 
-    /// The centre of mass, m, in the axes of the shape; None where the tensor was given by its numbers.
+    /// The centre of mass, m, in the axes of the shape; None if the tensor was given by its numbers.
     #[getter]
     fn centre<'py>(&self, py: Python<'py>) -> Answer<Option<Array<'py>>> {
         self.whole.map(|whole| array(py, whole.centre().as_slice().to_vec(), &[3], &[])).transpose()
     }
 
-    /// The tensor about another point (m, in the axes of the shape): that of a top about its tip.
+    /// The tensor about another point (m, in the axes of the shape), for example that of a top about its tip.
     ///
-    /// Raises `Error` where no mass is known.
+    /// Raises `Error` if the mass is not known.
     ///
     /// >>> import tumbling
     /// >>> rod = tumbling.Inertia.rod(3, mass=2).about([0, 0, 1.5])
@@ -176,7 +176,7 @@ shapes! {
     cylinder(radius, height) = Cylinder::new;
     /// A hollow cylinder about z, m; mass in kg, or density in kg/m³.
     hollow_cylinder(inner, outer, height) = Cylinder::hollow;
-    /// A cone about z, m, as `tumbling::solid::Cone` stands; mass in kg, or density in kg/m³.
+    /// A cone about z with its base in the plane z = 0, m; mass in kg, or density in kg/m³.
     cone(radius, height) = Cone::new;
     /// A capsule about z by its radius and the length of its cylinder, m; mass in kg, or density in kg/m³.
     capsule(radius, length) = Capsule::new;

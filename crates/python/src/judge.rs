@@ -11,8 +11,8 @@ use pyo3::types::PyDict;
 use std::collections::HashMap;
 use tumbling_judge::{Description, Kind, LawName, Motion, Options, Outcome, Row, judge_described};
 
-/// What the judge says of a record. `str()` is all of it in words, the outcome first; a notebook shows it
-/// with a picture of the spin.
+/// The judge's verdict on a record. `str()` gives the whole verdict in words, the outcome first; a notebook
+/// shows it with a picture of the spin.
 #[pyclass(frozen, module = "tumbling")]
 pub struct Verdict {
     pub verdict: tumbling_judge::Verdict,
@@ -20,7 +20,7 @@ pub struct Verdict {
 
 #[pymethods]
 impl Verdict {
-    /// Whether the record is sound and every law that it shows is kept within the threshold.
+    /// Whether the record is valid and every law that it can show is kept within the threshold.
     #[getter]
     fn passed(&self) -> bool {
         self.verdict.outcome == Outcome::Passed
@@ -32,21 +32,21 @@ impl Verdict {
         self.verdict.outcome.key()
     }
 
-    /// The rule that made the steps; None where the judge does not name one for sure (`str()` has more).
+    /// The rule that made the steps; None if the judge is not certain of one (`str()` has more).
     #[getter]
     fn rule(&self) -> Option<String> {
         let diagnosis = self.verdict.diagnosis.as_ref()?;
         diagnosis.confidence.names_a_rule().then(|| diagnosis.best.rule.name())
     }
 
-    /// Engines that turn bodies by this rule.
+    /// The engines that use this rule.
     #[getter]
     fn engines(&self) -> Vec<String> {
         let named = self.verdict.diagnosis.as_ref().filter(|found| found.confidence.names_a_rule());
         named.map_or_else(Vec::new, |found| found.engines.iter().map(ToString::to_string).collect())
     }
 
-    /// What to do, where something is to be done.
+    /// What to change, if something should be changed.
     #[getter]
     fn advice(&self) -> Option<String> {
         let diagnosis = self.verdict.diagnosis.as_ref()?;
@@ -54,14 +54,14 @@ impl Verdict {
         (!words.is_empty()).then(|| words.join(" "))
     }
 
-    /// What is held against the record, law by law, as the JSON has them: a list of dicts with `law`,
-    /// `words`, `grade`, `most`, `last`, `allowed` and more.
+    /// The errors of the record, law by law, as in the JSON: a list of dicts with `law`, `words`, `grade`,
+    /// `most`, `last`, `allowed` and more.
     #[getter]
     fn laws<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         py.import("json")?.call_method1("loads", (self.verdict.json()["laws"].to_string(),))
     }
 
-    /// All of it as text in JSON, the same as `tumbling-judge --json` prints.
+    /// The whole verdict as JSON text, the same as `tumbling-judge --json` prints.
     fn json(&self) -> String {
         format!("{:#}", self.verdict.json())
     }
@@ -79,7 +79,7 @@ impl Verdict {
     }
 }
 
-/// The largest error allowed: of every law, or by the keys of the laws.
+/// The largest error allowed: one number for every law, or one for each law by its key.
 #[derive(FromPyObject)]
 pub enum Threshold {
     All(f64),
@@ -131,7 +131,7 @@ pub fn times(t: &Numbers<'_>, count: usize) -> Answer<(Vec<f64>, Option<f64>)> {
     }
 }
 
-/// What spins in this frame are.
+/// The kind of spins in this frame.
 pub fn kind(frame: &str) -> Answer<Kind> {
     match frame {
         "world" => Ok(Kind::SpinWorld),
@@ -143,7 +143,7 @@ pub fn kind(frame: &str) -> Answer<Kind> {
     }
 }
 
-/// Times, the step if it alone is given, what the spins are, attitudes and spins.
+/// Times, the step if only that is given, the frame of the spins, attitudes and spins.
 type Record = (Vec<f64>, Option<f64>, Kind, Option<Vec<UnitQuaternion<f64>>>, Vec<[f64; 3]>);
 
 fn record(
@@ -165,22 +165,22 @@ fn record(
     Ok((times, step, kind, attitudes, spins))
 }
 
-/// Judges how an engine turns a body that nothing touches, by arrays of what it did.
+/// Judges how an engine turns a body that nothing touches, from arrays that it recorded.
 ///
 /// `t`: the times (n,), s, or the step as one number. `q`: attitudes (n, 4), body to world, x, y, z, w (with
-/// `scalar_first=True` w, x, y, z, as MuJoCo has them) or SciPy's `Rotation`. `w`: spins (n, 3), rad/s, in
-/// the axes that `frame` names, 'world' or 'body'. One of `q` and `w` may be missing; a spin in world axes
-/// needs `q`. `inertia`: the moments about the body's axes, or the tensor, kg m²; of a tensor with products
-/// the record is turned to its principal axes. Numbers of single precision are judged as such: give the
-/// arrays as they are.
+/// `scalar_first=True` w, x, y, z, as in MuJoCo) or SciPy's `Rotation`. `w`: spins (n, 3), rad/s, in the axes
+/// that `frame` names, 'world' or 'body'. One of `q` and `w` may be missing; a spin in world axes needs `q`.
+/// `inertia`: the moments about the body's axes, or the tensor, kg m²; if the tensor has products, the record
+/// is turned to its principal axes. Numbers of single precision are judged as such: pass the arrays without
+/// converting them.
 ///
-/// `engine` names who made the record. `threshold` is the largest error allowed, of every law or as a dict by
-/// law ('energy', 'momentum', 'direction', 'unit', 'separatrix', 'phase', 'consistency'). `torque` is one
-/// that is constant in the world, N m.
+/// `engine` is the name of the engine that made the record. `threshold` is the largest error allowed, as one
+/// number for every law or as a dict by law ('energy', 'momentum', 'direction', 'unit', 'separatrix',
+/// 'phase', 'consistency'). `torque` is a torque that is constant in the world, N m.
 ///
-/// Raises `Error` for a record that cannot be judged: a number that is not finite in the first two rows, a
-/// time that does not increase. Where a later row has one, the rows before it are judged, and the verdict
-/// says so.
+/// Raises `Error` for a record that cannot be judged: a number that is not finite in the first two rows, or a
+/// time that does not increase. If a later row has a number that is not finite, the rows before it are
+/// judged, and the verdict says so.
 ///
 /// >>> import numpy as np, tumbling
 /// >>> t = np.arange(300) / 60
@@ -222,19 +222,19 @@ pub fn judge(
     Ok(Verdict { verdict: py.detach(|| judge_described(moments, description, rows, &options))? })
 }
 
-/// Whether records of one object are one motion. `str()` is all of it in words.
+/// Whether records of one object show the same motion. `str()` gives the whole result in words.
 #[pyclass(frozen, module = "tumbling")]
 pub struct Comparison(tumbling_judge::Comparison);
 
 #[pymethods]
 impl Comparison {
-    /// Whether all are one motion.
+    /// Whether all records show the same motion.
     #[getter]
     fn passed(&self) -> bool {
         self.0.others.is_empty()
     }
 
-    /// All of it as text in JSON, the same as `tumbling-judge --json` prints for several files.
+    /// The whole result as JSON text, the same as `tumbling-judge --json` prints for several files.
     fn json(&self) -> String {
         format!("{:#}", self.0.json())
     }
@@ -244,11 +244,12 @@ impl Comparison {
     }
 }
 
-/// Compares records of one object that an engine was given in several ways: as a single body, with fixed
-/// children, with its origin off the centre, with its axes turned. They must be one motion.
+/// Compares records of one object that was described to an engine in several ways: as a single body, with
+/// fixed children, with its origin off the centre, with its axes turned. All must show the same motion.
 ///
-/// `records`: a dict by name of tuples (t, q) or (t, q, w), each as `judge` takes them. They are alike up to
-/// `threshold`: of spins a share of the fastest, of attitudes rad. Without one it is a third of the digits.
+/// `records`: a dict by name of tuples (t, q) or (t, q, w), each as for `judge`. `threshold` is the largest
+/// difference allowed: relative to the fastest spin for spins, in rad for attitudes. By default it
+/// corresponds to a third of the digits.
 ///
 /// Raises `Error` for a record that cannot be read, and for two with fewer than two times in common.
 ///

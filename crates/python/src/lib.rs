@@ -14,7 +14,7 @@ mod story;
 mod top;
 mod torque;
 
-/// What stands in the package `tumbling`.
+/// The contents of the package `tumbling`.
 #[pyo3::pymodule]
 mod _tumbling {
     #[pymodule_export]

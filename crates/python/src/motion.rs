@@ -22,12 +22,12 @@ pub fn initial(tensor: &tumbling::Inertia, spin: [f64; 3], attitude: UnitQuatern
 /// The motion of a body that nothing touches, in closed form: at any time, without steps.
 ///
 /// `inertia` is an `Inertia`, three moments or a 3 x 3 tensor (kg m²); `spin` the angular velocity at time 0
-/// in body axes (rad/s); `attitude` takes body to world at time 0: a quaternion x, y, z, w as SciPy's
-/// `Rotation.as_quat` gives it (w, x, y, z with `scalar_first=True`, in what comes out too), or a `Rotation`;
-/// the identity if none is given. Times are in s from the start and may be negative.
+/// in body axes (rad/s); `attitude` takes body to world at time 0: a quaternion x, y, z, w as from SciPy's
+/// `Rotation.as_quat` (w, x, y, z with `scalar_first=True`, also in results), or a `Rotation`; the identity
+/// if none is given. Times are in s from the start and may be negative.
 ///
-/// Raises `Error` for a tensor that no body has, a quaternion whose length is not 1 to a billionth, numbers
-/// that are not finite.
+/// Raises `Error` for a tensor that no body has, a quaternion whose length is not 1 to a billionth, or
+/// numbers that are not finite.
 ///
 /// >>> import numpy as np, tumbling
 /// >>> motion = tumbling.FreeMotion([1, 2, 3], spin=[0, 10, 0.001])
@@ -65,7 +65,7 @@ impl FreeMotion {
     }
 
     /// The state transition matrices (..., 6, 6) from the start to times (...): of attitude error (rad, a
-    /// small rotation vector) and spin error (rad/s), both in body axes. F P F^T carries a covariance P.
+    /// small rotation vector) and spin error (rad/s), both in body axes. A covariance P becomes F P F^T.
     fn state_transition<'py>(&self, py: Python<'py>, times: Numbers<'py>) -> Answer<Array<'py>> {
         let (all, mut found) = (slice(&times), Vec::new());
         py.detach(|| {
@@ -102,7 +102,7 @@ impl FreeMotion {
 
     /// The times after `start` and up to `end` (s) at which the spin about the middle axis changes its sign.
     ///
-    /// Raises `Error` for more of them than memory holds.
+    /// Raises `Error` if there are more than memory can hold.
     fn flips<'py>(&self, py: Python<'py>, start: f64, end: f64) -> Answer<Array<'py>> {
         let flips = self.motion.flips(start, end)?;
         let count = flips.remaining();
@@ -115,7 +115,7 @@ impl FreeMotion {
         Ok(self.motion.next_flip(time)?)
     }
 
-    /// The time after which the spin in body axes comes back, s; None where it does not move or not return.
+    /// The period of the spin in body axes, s; None if the spin is constant or does not return.
     #[getter]
     fn period(&self) -> Answer<Option<f64>> {
         Ok(self.motion.period()?)

@@ -8,13 +8,13 @@ use nalgebra::UnitQuaternion;
 use pyo3::prelude::*;
 use tumbling::Body;
 
-/// A body under torques, stepped by a run that keeps the error of each of its own steps below `tolerance`;
-/// a call that needs more than `budget` steps of the run is refused.
+/// A body under torques, with adaptive internal steps that keep the error of each below `tolerance`. A call
+/// that needs more than `budget` internal steps raises `Error`.
 ///
-/// `inertia`, `spin` and `attitude` are those of a `FreeMotion`; torques act in the order of the list. The
-/// tolerance is of a step: `expected_error` says how far errors add up.
+/// `inertia`, `spin` and `attitude` are as for `FreeMotion`; torques act in the order of the list. The
+/// tolerance applies to each internal step: `expected_error` estimates how errors accumulate.
 ///
-/// Raises `Error` for what no body or no torque is, and where the steps cannot go on.
+/// Raises `Error` for a body or a torque that is not valid, and if the steps cannot continue.
 ///
 /// Damping in proportion to the tensor slows the spin down and does nothing else:
 ///
@@ -50,8 +50,8 @@ impl Stepper {
         Ok(Self { stepper: stepper.with_torques(laws(torques))?, order })
     }
 
-    /// Goes on to each of the times (...) in turn, forth or back; attitude (..., 4) and spin in body axes
-    /// (..., 3; rad/s) there.
+    /// Advances to each of the times (...) in turn, forward or backward, and returns attitude (..., 4) and
+    /// spin in body axes (..., 3; rad/s).
     fn run<'py>(&mut self, py: Python<'py>, times: Numbers<'py>) -> Answer<States<'py>> {
         let Self { stepper, order } = self;
         order.at_each(py, &times, |t| {
@@ -60,17 +60,18 @@ impl Stepper {
         })
     }
 
-    /// Goes on to the time `end` (s); the times on the way at which the spin about the middle axis changes
-    /// its sign, each found to rounding.
+    /// Advances to the time `end` (s) and returns the times on the way at which the spin about the middle
+    /// axis changes its sign, each accurate to rounding.
     fn flips<'py>(&mut self, py: Python<'py>, end: f64) -> Answer<Array<'py>> {
         let flips = py.detach(|| self.stepper.flips(end))?;
         let count = flips.len() as u64;
         listed(py, flips.into_iter(), count)
     }
 
-    /// Goes on by `h` seconds; the state transition matrix (6, 6) of that step, as `FreeMotion` has it.
+    /// Advances by `h` seconds and returns the state transition matrix (6, 6) of that step, as in
+    /// `FreeMotion`.
     ///
-    /// Without torques it is that of the free motion:
+    /// Without torques it equals that of the free motion:
     ///
     /// >>> import numpy as np, tumbling
     /// >>> body = dict(inertia=[1, 2, 2.5], spin=[0.1, 2, 0.3])
@@ -83,7 +84,8 @@ impl Stepper {
         array(py, all, &[6, 6], &[])
     }
 
-    /// An estimate of how far off the attitude will be after a step of `h` seconds, rad; the stepper stays.
+    /// An estimate of the error of the attitude after a step of `h` seconds, rad. The stepper does not
+    /// advance.
     fn expected_error(&self, py: Python<'_>, h: f64) -> Answer<f64> {
         Ok(py.detach(|| self.stepper.expected_error(h))?)
     }

@@ -1,4 +1,4 @@
-//! The kit's stories, run by a step of the user's.
+//! The kit's stories, run with a step function of the user.
 
 use crate::arrays::{Numbers, Order, row};
 use crate::error::{Answer, Refused};
@@ -9,10 +9,10 @@ use pyo3::prelude::*;
 use tumbling::attitude::rotation_matrix;
 use tumbling_judge::{Description, Kind, Row, judge_described};
 
-/// More steps than this take longer than anybody waits.
+/// More steps than this would take too long.
 const MOST_STEPS: f64 = 1e8;
 
-/// A start of a free body from the judge's kit, and what becomes of it.
+/// A test case of the judge's kit: a free body with its start.
 ///
 /// >>> import tumbling
 /// >>> story = tumbling.Story.named('box-5')
@@ -28,13 +28,13 @@ pub struct Story {
 
 #[pymethods]
 impl Story {
-    /// All of them.
+    /// All stories.
     #[staticmethod]
     fn all() -> Vec<Self> {
         tumbling_judge::Story::all().into_iter().map(|story| Self { story }).collect()
     }
 
-    /// The one of this name. Raises `Error` where there is none.
+    /// The story with this name. Raises `Error` if there is none.
     #[staticmethod]
     fn named(name: &str) -> Answer<Self> {
         let names = || Self::all().iter().map(|one| one.name().to_string()).collect::<Vec<_>>().join(", ");
@@ -55,11 +55,11 @@ impl Story {
         self.story.moments
     }
 
-    /// The verdict on a run in steps of `dt` seconds. `step` takes a pair (attitude (4,), spin (3,)) and
-    /// `dt`, and returns the pair one step further.
+    /// Runs the story in steps of `dt` seconds and returns the verdict. `step` takes a pair (attitude (4,),
+    /// spin (3,)) and `dt`, and returns the pair one step further.
     ///
     /// The attitude is x, y, z, w (with `scalar_first=True` w, x, y, z), body to world; the spin is in the
-    /// axes that `frame` names, rad/s; both are arrays of `dtype`. What the judge allows is the kit's.
+    /// axes that `frame` names, rad/s; both are arrays of `dtype`. The limits are those of the kit.
     #[pyo3(signature = (step, dt, *, frame="body", scalar_first=false, dtype=None))]
     fn run(
         &self,

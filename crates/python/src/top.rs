@@ -8,11 +8,11 @@ use tumbling::Body;
 
 /// A symmetric top under its weight, in closed form at any time.
 ///
-/// `inertia` is that about the fixed point (kg m²), `arm` goes from there to the centre of mass (m, body
-/// axes), `weight` (N) pulls along the world's -z. `spin` (body axes, rad/s) and `attitude` as those of a
-/// `FreeMotion`.
+/// `inertia` is the tensor about the fixed point (kg m²), `arm` is the vector from there to the centre of
+/// mass (m, body axes), `weight` (N) pulls along the world's -z. `spin` (body axes, rad/s) and `attitude` are
+/// as for `FreeMotion`.
 ///
-/// Raises `Error` where two moments across the arm differ, or the arm is off its principal axis.
+/// Raises `Error` if the two moments across the arm differ, or if the arm is not along a principal axis.
 ///
 /// >>> import math, numpy as np, tumbling
 /// >>> leaning = [math.sin(0.25), 0, 0, math.cos(0.25)]  # by 0.5 rad
@@ -56,13 +56,13 @@ impl LagrangeTop {
         self.top.lean().into()
     }
 
-    /// How fast the arm goes round the vertical on average, rad/s.
+    /// The mean rate at which the arm precesses about the vertical, rad/s.
     #[getter]
     fn precession_rate(&self) -> f64 {
         self.top.precession_rate()
     }
 
-    /// From one highest place of the arm to the next, s; None where the lean is constant.
+    /// The time from one highest position of the arm to the next, s; None if the lean is constant.
     #[getter]
     fn period(&self) -> Answer<Option<f64>> {
         Ok(self.top.period()?)

@@ -1,4 +1,4 @@
-//! Torques by what makes them.
+//! The kinds of torques.
 
 use crate::arrays::{Numbers, row};
 use crate::error::Answer;
@@ -7,9 +7,9 @@ use pyo3::prelude::*;
 use tumbling::PrincipalMoments;
 use tumbling::step::System;
 
-/// A torque on a body, by what makes it.
+/// A torque on a body.
 ///
-/// Raises `Error` for numbers that no torque has.
+/// Raises `Error` for numbers that are not valid.
 ///
 /// >>> import tumbling
 /// >>> weight = tumbling.Torque.gravity(arm=[0, 0, 0.1], weight=9.81)
@@ -57,8 +57,8 @@ impl Torque {
         checked(Law::gravity(&vector("arm", &arm)?, weight))
     }
 
-    /// `arm` (body axes) x `field` (world axes), N m: a magnetic moment (A m²) in a field (T); a spring that
-    /// turns the arm to the field, with the product of their lengths for stiffness (N m/rad).
+    /// `arm` (body axes) x `field` (world axes), N m: a magnetic moment (A m²) in a field (T), or a spring
+    /// that turns the arm toward the field, with the product of their lengths as stiffness (N m/rad).
     #[staticmethod]
     fn aligning(arm: Numbers<'_>, field: Numbers<'_>) -> Answer<Self> {
         checked(Law::Aligning { arm: vector("arm", &arm)?, field: vector("field", &field)? })
@@ -71,13 +71,15 @@ impl Torque {
         checked(Law::gravity_gradient(&vector("toward", &toward)?, &vector("orbit", &orbit)?))
     }
 
-    /// Viscous drag, N m s about each principal axis: the torque is minus the coefficients times the spin.
+    /// Viscous drag, with coefficients in N m s about the principal axes: the torque is minus the
+    /// coefficients times the spin.
     #[staticmethod]
     fn damping(coefficients: Numbers<'_>) -> Answer<Self> {
         checked(Law::Damping(vector("coefficients", &coefficients)?))
     }
 
-    /// Dissipation inside a body that is not quite rigid, in s/(kg m²): it keeps the momentum's length.
+    /// Internal dissipation of a body that is not quite rigid, in s/(kg m²). It keeps the length of the
+    /// momentum.
     #[staticmethod]
     fn dissipation(strength: f64) -> Answer<Self> {
         checked(Law::Dissipation(strength))

@@ -1,16 +1,17 @@
-//! The bodies of a scene, however many: planned one by one, answered side by side.
+//! Many bodies of a scene: planned one by one, answered side by side.
 //!
-//! Bodies whose motion is known in closed form are answered in lanes; those that stand still or are driven by
-//! a torque each by itself. Blocks of 256 bodies at 16 times come out in order: the memory needed grows with
-//! neither the times nor, beyond some blocks, the bodies. With the feature `threads` several blocks are
-//! worked on at once, and within a block each driven body on any thread, its plan too.
+//! Bodies whose motion is known in closed form are answered in lanes; bodies whose outputs are constant, or
+//! that are driven by a torque, are answered one at a time. The answers come in order, in blocks of 256
+//! bodies at 16 times, so the memory needed does not grow with the number of times nor, beyond some blocks,
+//! with the number of bodies. With the feature `threads` several blocks are computed at once, and within a
+//! block each driven body may be planned and answered on any thread.
 //!
-//! Driven bodies have no lanes. A step by Taylor series is made of rows of four numbers already, which the
-//! compiler takes as vectors. Four bodies in lanes by this series, each with steps of its own length and the
-//! bits that it has alone, were slower than one by one in a build for any x86-64, and faster only with
-//! `-C target-cpu=native`; that did not pay for the code.
+//! Driven bodies have no lanes. A step by Taylor series already consists of rows of four numbers, which the
+//! compiler turns into vector instructions. A version with four bodies in lanes, each with its own step
+//! length and the same bits as alone, was slower than one body at a time in a build for any x86-64, and
+//! faster only with `-C target-cpu=native`; that did not justify the code.
 //!
-//! An answer has the bits of [`Scene::run`].
+//! An answer has the same bits as that of [`Scene::run`].
 //!
 //! ```
 //! use nalgebra::Vector3;
@@ -47,25 +48,25 @@ use crate::lanes::Lanes;
 use crate::plan::Plan;
 use crate::scene::Scene;
 use crate::states::{Answer, States};
-use multiversion::multiversion;
+#[cfg(target_arch = "x86_64")]
+use multiversion::{multiversion, target::match_target};
 use nalgebra::{UnitQuaternion, Vector3};
 #[cfg(feature = "threads")]
 use rayon::prelude::*;
 use std::ops::{ControlFlow, Range};
 use tumbling::exact::{Batch, FreeMotion, Instant};
-use tumbling::laws::Rounding;
 
 /// The number of bodies that are sorted, worked on and put out together.
 const TILE: usize = 256;
 
-/// The number of instants that a tile is answered at before its answers are put out: they fit the processor's
-/// second cache with it.
+/// The number of instants for which a tile is answered before its answers are output: tile and answers
+/// together fit the second-level cache.
 const INSTANTS: u64 = 16;
 
 /// The number of tiles in work at once, on any number of threads, so that the order is always the same.
 const AT_ONCE: usize = 32;
 
-/// Fewer bodies than this do not repay the lanes.
+/// With fewer bodies than this, lanes are not worth their cost.
 const WORTH: usize = 3;
 
 /// Some bodies of a scene at some of its times.
@@ -75,10 +76,10 @@ pub struct Block<'a> {
     pub bodies: Range<usize>,
     /// The numbers of the times.
     pub times: Range<u64>,
-    /// All bodies at the first of these times, then all at the next; none of a body that has no answer (any
-    /// more).
+    /// All bodies at the first of these times, then all at the next; `None` for a body that has no answer, or
+    /// none any more.
     pub answers: &'a [Option<Answer>],
-    /// Bodies that have no answer from here on, by their number in the scene, with what is wrong.
+    /// The bodies that have no answer from this block on: their numbers in the scene and the errors.
     pub wrong: &'a [(usize, Error)],
 }
 
@@ -91,9 +92,9 @@ impl Block<'_> {
     }
 }
 
-/// Answers all of a scene. `work` gets block after block, with the feature `threads` several at once on as
-/// many threads; `take` gets the result of each, in order, on this thread: all times of the first bodies,
-/// then of those after them. It may break off.
+/// Answers a whole scene. `work` is called with one block after the other, or, with the feature `threads`,
+/// with several blocks at once on as many threads. `take` is called with each result, in order, on this
+/// thread: all times of the first bodies, then of the next bodies. It may stop the run.
 pub fn run<R: Send>(
     scene: &Scene,
     work: impl Fn(&Block<'_>) -> R + Sync,
@@ -137,7 +138,7 @@ struct ActiveTile<'p> {
     scene: &'p Scene,
     first: usize,
     plans: &'p [Result<Plan<'p>, Error>],
-    /// Those that go in lanes.
+    /// The bodies answered in lanes.
     lanes: Answers,
     /// The places in the tile of the bodies in the lanes, in their order there.
     places: Vec<usize>,
@@ -145,52 +146,42 @@ struct ActiveTile<'p> {
     alone: Vec<(usize, States<'p>)>,
     room: Vec<Option<Answer>>,
     wrong: Vec<(usize, Error)>,
-    /// Those that have no answer any more.
+    /// The bodies that have no answer any more.
     failed: Vec<bool>,
 }
 
-/// Takes the number of a time, that of a body, its spin and its attitude.
+/// Called with the number of a time, the number of a body, its spin and its attitude.
 type Put<'a> = dyn FnMut(usize, usize, Vector3<f64>, Option<UnitQuaternion<f64>>) + 'a;
 
 /// Answers bodies at some times.
 type Answers = Box<dyn Fn(&[f64], &mut Put<'_>) -> Result<(), tumbling::Error> + Send>;
 
-/// Free motions in as many lanes as this processor's vectors are worth, with attitudes or spins alone.
+/// Free motions in the best number of lanes for this processor, with attitudes or only spins. The bits do not
+/// depend on it: the compiler does not fuse a product and a sum by itself.
+#[cfg_attr(target_arch = "x86_64", multiversion(targets("x86_64+avx2+fma")))]
 pub(crate) fn side_by_side(motions: &[FreeMotion], attitudes: bool) -> Answers {
+    // A macro, since a closure is compiled for the vectors of the function that it stands in.
+    macro_rules! in_lanes {
+        ($T:ty) => {
+            if attitudes {
+                let batch = Batch::<$T>::new(motions);
+                Box::new(move |times, put| {
+                    batch.each(times, |time, body, at: Instant| put(time, body, at.omega, Some(at.attitude)))
+                })
+            } else {
+                let batch = Batch::<$T, Vector3<f64>>::new(motions);
+                Box::new(move |times, put| batch.each(times, |time, body, spin| put(time, body, spin, None)))
+            }
+        };
+    }
+    // With fused product sums two vectors of four: the processor works on one while it waits for the other.
     #[cfg(target_arch = "x86_64")]
-    if is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma") {
-        // Two vectors of four: the processor works on one while it waits for the other.
-        return in_lanes::<Lanes<8, true>>(motions, attitudes);
+    match_target! {
+        "x86_64+avx2+fma" => in_lanes!(Lanes<8, true>),
+        _ => in_lanes!(Lanes<4, false>),
     }
-    in_lanes::<Lanes<4, { cfg!(any(target_arch = "aarch64", target_feature = "fma")) }>>(motions, attitudes)
-}
-
-pub(crate) fn in_lanes<T: Rounding + Send + 'static>(motions: &[FreeMotion], attitudes: bool) -> Answers {
-    if attitudes {
-        let batch = Batch::<T>::new(motions);
-        return Box::new(move |times, put| {
-            let put = |time, body, at: Instant| put(time, body, at.omega, Some(at.attitude));
-            with_vectors(
-                #[inline(always)]
-                || batch.each(times, put),
-            )
-        });
-    }
-    let batch = Batch::<T, Vector3<f64>>::new(motions);
-    Box::new(move |times, put| {
-        let put = |time, body, spin| put(time, body, spin, None);
-        with_vectors(
-            #[inline(always)]
-            || batch.each(times, put),
-        )
-    })
-}
-
-/// Does some work, in which all is inlined, in the version for the processor that it runs on. The bits stay:
-/// the compiler fuses no product and sum by itself.
-#[multiversion(targets("x86_64+avx2+fma"))]
-fn with_vectors<R>(work: impl FnOnce() -> R) -> R {
-    work()
+    #[cfg(not(target_arch = "x86_64"))]
+    in_lanes!(Lanes<4, { cfg!(target_arch = "aarch64") }>)
 }
 
 impl<'p> ActiveTile<'p> {

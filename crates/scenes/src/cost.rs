@@ -1,13 +1,13 @@
-//! What an answer, and what a step costs: processor instructions, as counted.
+//! The cost of an answer and of a step, in counted processor instructions.
 
 use crate::plan::{Plan, Strategy};
 
-/// Processor instructions that an answer is expected to take.
+/// The expected number of processor instructions for an answer.
 ///
 /// Counted by valgrind (`cargo run --release -p tumbling-measure --example scene_costs`; the record is
-/// `crates/measure/record/scenes.csv`) on one machine, an x86-64, and rounded; on another they differ, their
-/// ratios less. The steps of a driven body are those of its trial run, or more where states are requested
-/// more often.
+/// `crates/measure/record/scenes.csv`) on one machine, an x86-64, and rounded; on other machines the counts
+/// differ, and their ratios differ less. The number of steps of a driven body is that of its trial run, or
+/// more where states are requested more often.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cost {
     /// Once, to make the plan.
@@ -16,8 +16,8 @@ pub struct Cost {
     pub state: f64,
 }
 
-/// A plan with elliptic functions: two thirds of it for the sensitivities that bound their accuracy, where
-/// that is in question.
+/// A plan with elliptic functions: two thirds of it are the sensitivities that bound the accuracy, which are
+/// computed only where the accuracy is in doubt.
 const ELLIPTIC: f64 = 28_000.0;
 
 impl Plan<'_> {

@@ -1,5 +1,5 @@
-//! How a body under torques is stepped: a tolerance is chosen by the accuracy, and then tried; it is stepped
-//! again with a finer one, until two runs agree.
+//! How a body under torques is stepped: a tolerance is chosen from the accuracy and tried; the body is
+//! stepped again with finer tolerances until two runs agree.
 
 use crate::cost;
 use crate::error::{Error, within};
@@ -19,13 +19,13 @@ const COMPARED: u64 = 32;
 /// and the number of equal parts of the span at whose ends they are.
 const INNER: u32 = 16;
 
-/// How often an accuracy is tried that may be attainable where the one requested is not.
+/// How many coarser accuracies are tried if the one requested cannot be reached.
 const OFFERS: usize = 8;
 
 /// The run that the trials showed to be accurate enough.
 ///
-/// An accuracy is offered instead only where a plan for it was made: the smallest difference that two runs
-/// showed is a bad guess, for it is small by chance where all of it is rounding.
+/// The error offers another accuracy only if a plan for it succeeded. The smallest difference between two
+/// runs would be a bad guess: it may be small by chance where it consists of rounding alone.
 pub(crate) fn chosen(start: &Checked, body: &Body, scene: &Scene) -> Result<Driven, Error> {
     let requested = scene.accuracy();
     let mut found = chosen_to(requested, start, body, scene);
@@ -74,9 +74,9 @@ fn chosen_to(accuracy: f64, start: &Checked, body: &Body, scene: &Scene) -> Resu
     Ok(Driven { stepper, tolerance, difference, steps, trials: budget.spent, stiff })
 }
 
-/// Times at which runs are compared, in order: some of those requested, evenly chosen, with the last, and
-/// ever closer to the first, where what fades fast is still there; and some between, for at one instant alone
-/// two wrong runs may meet.
+/// Times at which runs are compared, in order: a selection of those requested, evenly chosen, with the last,
+/// and denser towards the first, where fast transients still exist; and some times between, because two wrong
+/// runs may agree at a single instant.
 fn compared(scene: &Scene) -> Vec<f64> {
     let last = scene.times().count().saturating_sub(1);
     let every = scene.times().count().div_ceil(COMPARED).max(1);
@@ -90,10 +90,10 @@ fn compared(scene: &Scene) -> Vec<f64> {
     times
 }
 
-/// The least tolerance that an adaptive [`Stepper`] takes: below it a step's error is rounding.
+/// The least tolerance that an adaptive [`Stepper`] accepts: below it the error of a step is rounding.
 const LEAST_TOLERANCE: f64 = 4.0 * f64::EPSILON;
 
-/// What trial runs may take, and what they took.
+/// The budget of the trial runs, and their cost.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Budget {
     /// The number of steps left.
@@ -140,12 +140,13 @@ impl Trial<'_> {
         Ok(stepper.with_torques(self.torques.iter().cloned())?)
     }
 
-    /// Refines until two runs agree to half of the accuracy, and takes the finer, or to a tenth, and takes
-    /// the coarser; in at most the steps of the budget in all. Returns the tolerance, the difference from the
-    /// other run and the number of steps.
+    /// Refines until two runs agree to half of the accuracy (and then uses the finer) or to a tenth of it
+    /// (and then uses the coarser), with at most the steps of the budget in total. Returns the tolerance, the
+    /// difference from the other run and the number of steps.
     ///
-    /// A tolerance is finer by a hundred, which costs a quarter more: errors fall with it on average only,
-    /// and where the motion multiplies them two runs ten times apart were seen to be wrong by the same.
+    /// Each tolerance is a hundredth of the one before, which costs a quarter more. Errors decrease with the
+    /// tolerance only on average: where the motion amplifies errors, two runs with tolerances ten times apart
+    /// were observed to have the same error.
     fn refined(&self, first: f64, budget: &mut Budget) -> Result<(f64, f64, usize), Error> {
         let (all, steps) = (budget.left, self.turned / cost::RADIANS);
         // Known to take more steps than two runs may.
@@ -163,7 +164,7 @@ impl Trial<'_> {
                 (Ok(a), Ok(b)) => self.apart(a, b),
                 _ => f64::INFINITY,
             };
-            // What is so much better than requested is right by the coarser run already.
+            // If the runs agree this much better than requested, the coarser run is accurate enough.
             for (tolerance, run, share) in [(tolerance, &coarse, 0.1), (finer, &fine, 0.5)] {
                 if difference <= share * self.accuracy
                     && let Ok(Run { steps, .. }) = run
@@ -175,8 +176,8 @@ impl Trial<'_> {
             (coarse, tolerance) = (fine, finer);
         }
         match coarse {
-            // Agreement is half of the accuracy; as much again, for roundings differ with the steps that
-            // another accuracy leads to.
+            // Runs must agree to half of the accuracy; another factor of two, since another accuracy leads to
+            // other steps and roundings.
             _ if 4.0 * best < 1.0 => {
                 Err(Error::Unattainable { requested: self.accuracy, attainable: 4.0 * best })
             }
@@ -213,9 +214,10 @@ impl Trial<'_> {
         Ok(())
     }
 
-    /// The largest difference of spin between two runs, or of energy, relative to the largest so far, or the
-    /// largest angle between their attitudes, or the angle turned between their flips; of all but the spin
-    /// where they are requested. Infinite where one is not a number, or only one of the two runs has a flip.
+    /// The largest difference between two runs: in spin and energy, relative to the largest so far, in the
+    /// angle between attitudes, and in the angle turned between their flips. All but the spin are compared
+    /// only if they are requested. Infinite where a value is not a number, or only one of the two runs has a
+    /// flip.
     fn apart(&self, a: &Run, b: &Run) -> f64 {
         let Outputs { energy: rich, attitude, flips, .. } = self.outputs;
         let (mut fastest, mut richest, mut worst) = (0.0_f64, 0.0_f64, 0.0_f64);
@@ -252,7 +254,7 @@ fn largest_angle(a: &Run, b: &Run) -> f64 {
         let [p, q] = [one, other].map(|state| UnitQuaternion::from_quaternion(state.attitude));
         let (minus, plus) = (p.coords - q.coords, p.coords + q.coords);
         let chord = minus.norm_squared().min(plus.norm_squared());
-        // With room for the rounding of two attitudes that agree.
+        // A margin for the rounding of two attitudes that agree.
         if chord + 1e-30 < 0.9 * longest {
             continue;
         }

@@ -47,14 +47,14 @@ pub enum Error {
         /// What is wrong with it.
         source: tumbling::Error,
     },
-    /// The accuracy requested is finer than can be had.
+    /// The accuracy requested is finer than the motion permits.
     Unattainable {
         /// The accuracy requested.
         requested: f64,
-        /// The finest that can be had, or that was observed where a torque acts.
+        /// The finest accuracy possible; under a torque, the finest that was observed.
         attainable: f64,
     },
-    /// No two trial runs agreed within the steps allowed to them.
+    /// No two trial runs agreed within the number of steps allowed.
     Disagreement {
         /// The accuracy requested.
         requested: f64,
@@ -88,7 +88,7 @@ pub enum Field {
 }
 
 impl Error {
-    /// The field of the initial state that is wrong, where it is one.
+    /// The wrong field of the initial state, if the error is about one.
     #[must_use]
     pub fn field(&self) -> Option<Field> {
         match self {

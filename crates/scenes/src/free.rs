@@ -7,8 +7,8 @@ use crate::scene::Outputs;
 use nalgebra::Vector3;
 use tumbling::exact::{FreeMotion, Regime};
 
-/// The closed form may be off by this number of its own roundings, each as large as the motion makes that of
-/// an input.
+/// The number of roundings by which the closed form may be off, each as large as the effect of rounding an
+/// input.
 const ROUNDINGS: f64 = 16.0;
 
 /// The cheapest way to the outputs of a motion up to the time `end`.
@@ -59,9 +59,9 @@ fn coarsening(body: &Checked) -> f64 {
     share(&body.rounded.moments, &body.moments.vector()).max(share(&body.rounded.omega, &speed)).max(1.0)
 }
 
-/// Refuses an accuracy finer than the conditioning of the motion permits. Where a bound that costs nothing
-/// does not decide, the derivatives of the motion by its initial spin and its moments do, at the end and at
-/// the last flip, where the spin moves the most.
+/// Refuses an accuracy finer than the conditioning of the motion permits. If a cheap bound is not conclusive,
+/// the derivatives of the motion by its initial spin and moments decide, at the end and at the last flip,
+/// where the spin changes most.
 fn attainable(
     motion: &FreeMotion,
     regime: Regime,

@@ -16,8 +16,8 @@ pub enum Start {
 
 /// A body at the start of a scene: its tensor, attitude, and spin or momentum, in any axes.
 ///
-/// A plain description; it is checked when the body is [planned](crate::Scene::plan). A [`Body`] converts
-/// into it.
+/// It is a plain description, which is checked when the body is [planned](crate::Scene::plan). A [`Body`]
+/// converts into it.
 ///
 /// ```
 /// use nalgebra::{UnitQuaternion, Vector3};
@@ -35,9 +35,9 @@ pub struct InitialState {
     /// The diagonal of the inertia tensor in body axes, kg m²: the principal moments where the products are
     /// zero.
     pub moments: Vector3<f64>,
-    /// The entries xy, xz, yz of the tensor, kg m², signed so that `L = I w` holds. Damping that differs from
-    /// axis to axis acts along the principal axes, which have no order if these are not zero: such a body is
-    /// refused.
+    /// The entries xy, xz, yz of the tensor, kg m², signed so that `L = I w` holds. Damping that differs
+    /// between axes acts along the principal axes. If the products are not zero, these axes have no defined
+    /// order, so a body with such damping is refused.
     pub products: Vector3<f64>,
     /// Body to world.
     pub attitude: UnitQuaternion<f64>,
@@ -69,7 +69,7 @@ impl InitialState {
     /// The body.
     ///
     /// # Errors
-    /// [`Error::Field`] with the field that no body has, and why.
+    /// [`Error::Field`] with the field that is invalid, and why.
     pub fn body(&self) -> Result<Body, Error> {
         let inertia = Inertia::new(self.moments.into(), self.products.into());
         let inertia = inertia.map_err(|error| self.of_tensor(error))?;
@@ -84,7 +84,7 @@ impl InitialState {
     /// Its free motion, answered in its own axes and in the world.
     ///
     /// # Errors
-    /// As [`body`](Self::body), or as [`FreeMotion::new`].
+    /// The errors of [`body`](Self::body) or of [`FreeMotion::new`].
     pub fn motion(&self) -> Result<FreeMotion, Error> {
         match self.start {
             Start::Spin(omega) if self.products == Vector3::zeros() => {
@@ -94,7 +94,7 @@ impl InitialState {
         }
     }
 
-    /// The error of the field that is meant: the products where a body can have the moments without them.
+    /// The error with the right field: the products, if a body could have the moments without them.
     fn of_tensor(&self, error: tumbling::Error) -> Error {
         let alone = self.products != Vector3::zeros() && PrincipalMoments::try_from(self.moments).is_ok();
         Error::of_field(if alone { Field::Products } else { Field::Moments })(error.into())
@@ -111,7 +111,7 @@ impl InitialState {
         attitude::checked(self.attitude).map_err(|error| Error::of_field(Field::Attitude)(error.into()))
     }
 
-    /// Checked, with what its plan goes by.
+    /// The checked state, with the values that its plan needs.
     pub(crate) fn checked(&self) -> Result<Checked, Error> {
         let attitude = self.checked_attitude()?;
         let products = self.products.iter().zip(["xy", "xz", "yz"]);
@@ -142,8 +142,8 @@ impl InitialState {
         Ok(Checked { inertia, omega, attitude, moments, along, rounded })
     }
 
-    /// What the way from these numbers to those along the principal axes has rounded: the moments of a tensor
-    /// relative to the largest of them, a turned momentum relative to its length.
+    /// The rounding in the conversion of these numbers to principal axes: of the moments of a tensor relative
+    /// to the largest of them, of a rotated momentum relative to its length.
     fn rounded(&self, moments: &Vector3<f64>, omega: &Vector3<f64>, framed: bool) -> Rounded {
         let (largest, length) = (moments.max(), moments.component_mul(omega).norm());
         let turned = matches!(self.start, Start::Momentum(_)) && self.attitude != UnitQuaternion::identity();

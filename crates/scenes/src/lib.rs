@@ -1,9 +1,9 @@
-//! Scenes: bodies, the torques on them and the outputs requested; answered in the cheapest way that is
-//! accurate enough.
+//! Scenes: bodies, the torques on them and the outputs requested. They are answered in the cheapest way that
+//! is accurate enough.
 //!
 //! A [`Scene`] is a plain value. [`Scene::plan`] chooses for one of its bodies how to answer: a [`Plan`]
-//! explains in words what it leaves out ([`Plan::explain`]), and gives the states one after another
-//! ([`Plan::states`]), so that a long run takes no more memory than a short one. [`batch`] answers many
+//! explains in words what it leaves out ([`Plan::explain`]), and returns the states one after another
+//! ([`Plan::states`]), so that a long run needs no more memory than a short one. [`batch`] answers many
 //! bodies in lanes and on all cores.
 //!
 //! ```
@@ -23,13 +23,13 @@
 //!
 //! # Accuracy
 //!
-//! One number is the error allowed in every state: the angle of the attitude (rad), the spin relative to the
-//! largest spin that the motion has had, and the energy relative to the largest that it has had; of a flip
-//! under a torque, how far the body turns while it is late (rad). A free body is answered in closed form, as
-//! accurately as its conditioning permits; a finer accuracy is refused, with the finest that can be had.
-//! Under a torque a tolerance is chosen and then tried: the run is compared with a finer one, and refined
-//! until the two agree to half of the accuracy, or to a tenth if the coarser is to answer. That is evidence,
-//! not proof.
+//! One number is the error allowed in every state: in the angle of the attitude (rad), in the spin relative
+//! to the largest spin so far, and in the energy relative to the largest energy so far. For a flip under a
+//! torque it is the angle that the body turns during the error in time (rad). A free body is answered in
+//! closed form, as accurately as its conditioning permits; a finer accuracy is refused, and the error states
+//! the finest possible. Under a torque a tolerance is chosen and then tried: the run is compared with a finer
+//! one and refined until the two agree to half of the accuracy (the finer run is used) or to a tenth of it
+//! (the coarser one is used). That is evidence, not proof.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))] // of clippy.toml
 

@@ -29,7 +29,7 @@ impl Scene {
     ///
     /// # Errors
     /// [`Error::Body`] with a field that no body has, [an output that it does not have](Error::Undefined), an
-    /// accuracy that [cannot be had](Error::Unattainable), or a motion that leaves `f64`.
+    /// accuracy that [cannot be reached](Error::Unattainable), or a motion beyond the range of `f64`.
     pub fn plan(&self, index: usize) -> Result<Plan<'_>, Error> {
         let of_body = |source| Error::Body { index, source: Box::new(source) };
         let body = self.bodies().get(index).ok_or_else(|| {
@@ -93,10 +93,11 @@ impl<'a> Plan<'a> {
     }
 
     /// The flips up to the end of the scene, in order: the instants at which the spin along the middle axis
-    /// changes sign. Of a free body without a step of its motion; of a body with two equal moments none.
+    /// changes sign. For a free body no motion is stepped. A body with two equal moments has no flips.
     ///
     /// # Errors
-    /// As [`FreeMotion::flips`], or under a torque as [`Stepper::flips`](tumbling::step::Stepper::flips).
+    /// The errors of [`FreeMotion::flips`], or under a torque of
+    /// [`Stepper::flips`](tumbling::step::Stepper::flips).
     pub fn flips(&self) -> Result<FlipTimes, Error> {
         let end = self.scene.times().end();
         if let Some(motion) = &self.motion {
@@ -116,7 +117,7 @@ impl<'a> Plan<'a> {
     /// The path of the spin in the body, along its principal axes, from energy and momentum alone.
     ///
     /// # Errors
-    /// Under a torque, or a period beyond `f64`.
+    /// A torque acts, or the period is beyond `f64`.
     pub fn polhode(&self) -> Result<Polhode, Error> {
         refuse_polhode_of_driven(self.scene, true)?;
         Ok(Polhode::new(self.start.moments, &self.start.along)?)
@@ -139,7 +140,7 @@ pub enum FlipTimes {
 }
 
 impl FlipTimes {
-    /// The number of flips still to come, without a visit to each.
+    /// The number of remaining flips, without computing each.
     #[must_use]
     pub fn remaining(&self) -> u64 {
         match self {
@@ -164,7 +165,7 @@ impl Iterator for FlipTimes {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Strategy {
-    /// No output that moves is requested: all of it follows from what is conserved.
+    /// No output that changes with time is requested: all outputs follow from conserved quantities.
     Nothing,
     /// The outputs are constant: the spin of a steady motion, and the attitude of a body at rest.
     Constant,
@@ -195,13 +196,13 @@ pub struct Driven {
 }
 
 impl Driven {
-    /// The largest difference between two trial runs: the one that is taken and one of another tolerance.
+    /// The largest difference between two trial runs: the one used and one with another tolerance.
     #[must_use]
     pub fn observed_difference(&self) -> f64 {
         self.difference
     }
 
-    /// The number of steps of the run that is taken.
+    /// The number of steps of the run used.
     #[must_use]
     pub fn steps(&self) -> usize {
         self.steps

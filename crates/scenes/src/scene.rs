@@ -21,10 +21,10 @@ pub struct Scene {
 impl Scene {
     /// Bodies under the same torques, with the same outputs at the same times.
     ///
-    /// Torques that are zero at all times are left out, and a window of time within another becomes one
-    /// window; times are those of the scene. Vectors of a torque that are given in body axes are in each
-    /// body's own, but for a [`Damping`](Torque::Damping), which is along its principal axes. A torque given
-    /// by a function is refused when a body is planned.
+    /// Torques that are zero at all times are left out, and nested windows of time are merged into one; times
+    /// are those of the scene. Vectors of a torque in body axes are in the axes of each body, except for a
+    /// [`Damping`](Torque::Damping), which is along its principal axes. A torque given by a function is
+    /// refused when a body is planned.
     ///
     /// An invalid body is refused when that body is [planned](Self::plan); the others are answered.
     ///
@@ -41,8 +41,8 @@ impl Scene {
     /// ```
     ///
     /// # Errors
-    /// No body; a torque that is not valid; times that [cannot be had](Times::validate); an accuracy that is
-    /// not above zero and below 1, or below 2 epsilon, which no state meets.
+    /// No body; a torque that is not valid; times that are [not valid](Times::validate); an accuracy that is
+    /// not above zero and below 1, or that is below 2 epsilon, which no state can reach.
     pub fn new<B: Into<InitialState>>(
         bodies: impl IntoIterator<Item = B>,
         torques: Vec<Torque<f64>>,
@@ -56,7 +56,7 @@ impl Scene {
         }
         let any = PrincipalMoments::new(1.0, 1.0, 1.0)?;
         for (index, torque) in torques.iter().enumerate() {
-            // Torques are checked with the body on which they act; here any will do.
+            // Torques are checked together with a body; here any body will do.
             System::with(any, vec![torque.clone()]).map_err(|source| Error::Torque { index, source })?;
         }
         times.validate()?;
@@ -99,7 +99,7 @@ impl Scene {
     }
 }
 
-/// What is requested of each body.
+/// The outputs requested for each body.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Outputs {
     /// The angular velocity in body axes, at each time.
@@ -112,12 +112,12 @@ pub struct Outputs {
     pub angle_to_momentum: bool,
     /// The instants up to the end at which the spin along the middle axis changes sign.
     pub flips: bool,
-    /// The path of the spin in the body. Of free bodies alone.
+    /// The path of the spin in the body, for free bodies only.
     pub polhode: bool,
 }
 
 impl Outputs {
-    /// None of them.
+    /// No output.
     pub const NOTHING: Self = Self {
         spin: false,
         attitude: false,
@@ -127,7 +127,7 @@ impl Outputs {
         polhode: false,
     };
 
-    /// Whether any of them belongs to a time.
+    /// Whether any of the outputs is a function of time.
     #[must_use]
     pub fn states(self) -> bool {
         self.spin || self.attitude || self.energy || self.angle_to_momentum

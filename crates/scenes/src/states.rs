@@ -23,7 +23,7 @@ pub struct Answer {
     pub angle_to_momentum: Option<f64>,
 }
 
-/// The states of one body, in order of time. After an error there are no more.
+/// The states of one body, in order of time. It ends after an error.
 #[derive(Debug, Clone)]
 pub struct States<'a> {
     plan: &'a Plan<'a>,
@@ -37,9 +37,9 @@ pub struct States<'a> {
 type SpinAndAttitude = (Option<Vector3<f64>>, Option<UnitQuaternion<f64>>);
 
 impl Scene {
-    /// Answers all of it, one body after the other ([`batch`](crate::batch) answers many side by side):
-    /// `take` gets the number of each body with its states in order of time, or with what is wrong with it;
-    /// then the next is answered.
+    /// Answers the whole scene, one body after the other ([`batch`](crate::batch) answers many side by side).
+    /// `take` is called with the number of each body and its states in order of time, or its error, before
+    /// the next body is answered.
     pub fn run(&self, mut take: impl FnMut(usize, Result<Answer, Error>)) {
         for index in 0..self.bodies().len() {
             match self.plan(index) {
@@ -94,7 +94,7 @@ impl Plan<'_> {
         })
     }
 
-    /// The motion that its states are of, if it is that of a free body that moves.
+    /// The motion behind its states, if the body is free and its outputs change with time.
     pub(crate) fn moving(&self) -> Option<&FreeMotion> {
         let moves = !matches!(self.strategy, Strategy::Nothing | Strategy::Constant);
         self.motion.as_deref().filter(|_| moves)

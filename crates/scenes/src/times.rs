@@ -7,8 +7,8 @@ use crate::error::{Error, not_negative, positive, within};
 pub enum Times {
     /// These, in ascending order and none before the start.
     Given(Vec<f64>),
-    /// From the start in equal steps up to the end of the span, which is one of them where it is a multiple
-    /// of the step.
+    /// From the start in equal steps up to the end of the span, which is included where it is a multiple of
+    /// the step.
     Every {
         /// From one to the next, s.
         step: f64,
@@ -31,7 +31,7 @@ impl Times {
         Self::Every { step, span }
     }
 
-    /// Whether a scene can have them.
+    /// Checks that these times are valid for a scene.
     ///
     /// # Errors
     /// An empty list; a time that is not finite, negative or before its predecessor; a step that is not above

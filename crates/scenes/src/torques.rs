@@ -5,8 +5,8 @@ use crate::initial_state::Checked;
 use nalgebra::Vector3;
 use tumbling::step::Torque;
 
-/// A torque as a scene keeps it: none if it is zero at all times; in one window of time where it had several,
-/// and without a window where that is all of time.
+/// A torque as a scene stores it: `None` if it is zero at all times; with one window of time instead of
+/// several, and without a window that covers all times.
 pub(crate) fn simplified(torque: Torque<f64>) -> Option<Torque<f64>> {
     let (mut torque, mut from, mut to) = (torque, f64::NEG_INFINITY, f64::INFINITY);
     while let Torque::During { start, end, torque: inner } = torque {
@@ -31,7 +31,7 @@ fn is_zero(torque: &Torque<f64>) -> bool {
     }
 }
 
-/// Whether it takes energy, whatever the body does.
+/// Whether it always dissipates energy, whatever the body does.
 pub(crate) fn is_damping(torque: &Torque<f64>) -> bool {
     match torque {
         Torque::During { torque, .. } => is_damping(torque),
@@ -46,7 +46,7 @@ pub(crate) struct Rates {
     pub(crate) spin: f64,
     /// The fastest damping or dissipation, 1/s.
     decay: f64,
-    /// Of the torques that take no energy, on average over the scene's time, N m.
+    /// The mean size, over the scene's time, of the torques that do not dissipate energy, N m.
     mean: f64,
     /// The fastest libration about where a torque points, rad/s.
     libration: f64,
@@ -90,7 +90,7 @@ impl Rates {
                 self.spin = self.spin.max(orbit.norm());
                 0.5 * most
             }
-            // In resonance with the spin it pushes one way, all the time.
+            // In resonance with the spin it acts in the same direction all the time.
             Torque::Periodic { amplitude, rate, .. } => {
                 self.spin = self.spin.max(rate.abs());
                 amplitude.norm()

@@ -50,7 +50,7 @@ pub enum Section {
     },
 }
 
-/// What the mass of a [`Part`] is given by.
+/// How the mass of a [`Part`] is given.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Fill {
     /// By its mass, kg.
@@ -106,8 +106,8 @@ impl Part {
         }
     }
 
-    /// Its inertia about its middle in the body's axes, by the laws alone: to a few units in the last place,
-    /// and unchecked.
+    /// Its inertia about its middle in the body's axes, by the bare formulas: accurate to a few units in the
+    /// last place, and unchecked.
     pub(super) fn inertia(&self) -> Matrix3<f64> {
         let (mass, length) = (self.mass, self.length());
         let [across, y, along] = match self.section {

@@ -1,4 +1,4 @@
-//! The sizes of the named bodies. Where they come from stands at [`super::NamedBody`].
+//! The sizes of the named bodies. [`super::NamedBody`] states their sources.
 
 use super::{Fill, Part, Section};
 use crate::number::functions::sin_cos;

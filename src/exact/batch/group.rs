@@ -9,16 +9,16 @@ use crate::number::{Gather, Rounding, splat};
 use alloc::vec::Vec;
 use nalgebra::{Quaternion, UnitQuaternion};
 
-/// In the lanes that are only copies.
+/// Marks the lanes that are only copies.
 const NOBODY: usize = usize::MAX;
 
-/// Bodies of one kind: those without a mount first, then those that are turned in the world alone, then those
-/// whose principal axes are turned in the body too.
+/// Bodies of one kind: first the bodies without a mount, then the bodies turned only in the world, then the
+/// bodies whose principal axes are turned in the body too.
 #[derive(Debug, Clone)]
 pub(super) struct Group<T, K, A> {
     /// Which body is in each lane of each block.
     bodies: Vec<usize>,
-    /// What takes seconds to scaled time.
+    /// The factor from seconds to scaled time.
     clocks: Vec<T>,
     spins: Vec<K>,
     /// Empty if only spins are requested.
@@ -114,7 +114,7 @@ impl<T: Rounding, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
                         turn = frame.attitude_of_body(product(&world, &turn));
                     }
                 }
-                // Where no time has passed at all the start itself is the answer.
+                // At time zero the start itself is the answer.
                 let any_starts = T::any(time.abs().lt(splat::<T>(f64::from_bits(1))));
                 for (lane, &body) in bodies.iter().enumerate() {
                     let starts = any_starts && time.lane(lane) == 0.0;

@@ -9,7 +9,8 @@ const NEAR: [f64; 2] = [3e-3, 5e-3];
 
 /// `R_F(x², y², z²)` for three numbers not below zero, at most one of them zero (two zeros give infinity).
 ///
-/// Takes the roots, so that 1e-200 and its like come through: the first duplication uses them as they are.
+/// Accepts the roots, so that values such as 1e-200 do not underflow: the first duplication uses the roots
+/// directly.
 pub(crate) fn rf_of_roots<T: Real>(x: T, y: T, z: T) -> T {
     let shared = x * y + y * z + z * x;
     if shared == T::zero() {
@@ -37,8 +38,8 @@ pub(crate) fn rf_of_roots<T: Real>(x: T, y: T, z: T) -> T {
     sum / mean.sqrt()
 }
 
-/// What the series of the first kind leaves out at most, of numbers whose distances from their mean are at
-/// most this one: the term of order `n` is below a fifth of its power.
+/// A bound on the terms omitted from the series of the first kind, for numbers whose distances from their
+/// mean are at most this one: the term of order `n` is below a fifth of its power.
 fn first_rest<T: Real>(most: T) -> T {
     let square = most * most;
     let fourth = square * square;

@@ -1,4 +1,4 @@
-//! The constants of an elliptic motion, from what stays the same in it and the spin at the start.
+//! The constants of an elliptic motion, from its conserved quantities and the spin at the start.
 
 use super::range_reduction::Reduction;
 use super::{ComplementaryAttitude, ComplementarySpin, Constants, DirectAttitude, DirectSpin};
@@ -54,8 +54,8 @@ struct Prepared<T> {
 }
 
 impl<T: Real> EllipticMotion<T> {
-    /// Refuses a push so small relative to the spin that no `f64` holds their ratio even when it is scaled
-    /// up: 1e-570.
+    /// Refuses a deviation from the middle axis so small relative to the spin that `f64` cannot hold their
+    /// ratio even when scaled up: 1e-570.
     pub(crate) fn new(motion: &Asymmetric<T>, omega: &[T; 3]) -> Result<Self, Error> {
         let preparation = Preparation::new(motion, omega)?;
         let Preparation { modulus, complement, scaled_complement, quarter, rate, .. } = preparation;
@@ -302,8 +302,9 @@ impl<'a, T: Real> Preparation<'a, T> {
     /// The amplitudes scaled, and Jacobi's argument at the start shifted back, by roundings, so that the
     /// start comes out as it was given; from the functions as the series give them there.
     ///
-    /// Of the relative errors of the across and middle components, what they differ by is the phase's; what
-    /// they share, weighed so that the one near zero does not count, is the amplitude's.
+    /// The difference between the relative errors of the across and middle components is corrected in the
+    /// phase; their common part, weighted so that a component near zero does not count, is corrected in the
+    /// amplitude.
     fn meeting_the_start(&self, [sn, cn, dn]: [T; 3]) -> ([T; 3], T) {
         let [across, middle, circled] = self.amplitudes.map(DoubleDouble::hi);
         let mut amplitudes = [across, middle, self.sign * circled];
@@ -329,8 +330,8 @@ fn of_length_one<T: Real>(pair: Pair<T>) -> Pair<T> {
     pair.scaled(T::one() / pair.length())
 }
 
-/// Sine and cosine of the phase `pi u/(2K)` at the start; from whichever end is nearer, so that both keep
-/// their digits.
+/// Sine and cosine of the phase `pi u/(2K)` at the start; from the nearer end, so that both keep their
+/// digits.
 pub(crate) fn phase_at_start<T: Real>([sn, cn, dn]: [T; 3], complement: T, quarter: T) -> [T; 2] {
     let phase = |u: T| (pi::<T>() * 0.5 * u / quarter).sin_cos();
     // (C11)

@@ -77,8 +77,8 @@ impl<T: Real> Reduction<T> {
     // Not inlined: the separatrix is rare, and all other motions are faster without this code.
     #[inline(never)]
     fn without_return(&self, time: T) -> ReducedArgument<T> {
-        // Beyond the end of the range the spin has long come to rest on the middle axis: any argument that
-        // large will do.
+        // Beyond the end of the range the spin reached the middle axis long before: any argument that large
+        // gives the same result.
         let (run, beyond) = (self.rate * time, splat::<T>(1e300));
         let end = DoubleDouble::from(beyond * self.rate.hi().sign() * time.sign());
         self.reduced(
@@ -104,7 +104,7 @@ impl<T: Rounding> Reduction<T> {
         let near_saddle = (self.quarter.hi() * 0.5).lt(from_flip.hi());
         let from_saddle = self.quarter.plus(from_flip.times_exact(splat::<T>(-1.0)));
         let distance = DoubleDouble::select(near_saddle, from_saddle, from_flip);
-        // Rounding may leave it a hair beyond the saddle.
+        // Rounding may leave it slightly beyond the saddle.
         let main = distance.hi();
         let x = main.not_below_zero() * self.stretch;
         ReducedArgument {

@@ -18,7 +18,7 @@ use crate::number::{DoubleDouble, Lane, times_power_of_two};
 use core::f64::consts::TAU;
 use nalgebra::Matrix3;
 
-/// Beyond this argument of the separatrix `f64` no longer holds how far the motion is from its end.
+/// Beyond this argument on the separatrix, `f64` cannot represent the distance of the motion from its end.
 const REST: f64 = 700.0;
 
 /// One end of the span: the number of half periods there, `dn dF/dm` without them, and the integral of `cn²`
@@ -56,7 +56,7 @@ pub(crate) struct HalfPeriods {
     pub(crate) argument: f64,
 }
 
-/// From where on the integral is that of the separatrix to rounding.
+/// From here on the integral equals that of the separatrix to rounding.
 const FAR: f64 = 1e100;
 
 impl EllipticMotion {
@@ -127,7 +127,7 @@ impl EllipticMotion {
     /// moments, with the integrals of the squares of the spin less those at the start. Not for the
     /// neighbourhood of whole half periods: there it cancels.
     ///
-    /// Refuses the end of the separatrix, where it is at rest in `f64`.
+    /// Refuses times on the separatrix at which the spin is constant in `f64`.
     pub(crate) fn derivatives(
         &self,
         moments: &[f64; 3],

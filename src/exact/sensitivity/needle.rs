@@ -1,7 +1,7 @@
 //! Thin needles that spin fast about themselves while they hardly turn over.
 //!
-//! Their momentum is small relative to what a change of the spin adds to it, so that what the momentum's
-//! constancy says about the turn is a small difference of large terms. Here the turn is added up from steps
+//! Their momentum is small relative to its change when the spin changes, so computing the rotation from the
+//! conservation of momentum would subtract large, nearly equal terms. Here the rotation is summed over steps
 //! instead, and over whole periods by doubling.
 
 use super::series::{Request, span};
@@ -11,7 +11,7 @@ use nalgebra::Vector3;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
-/// Where the momentum turns the body by less than this over the angle of the spin, adding up is more
+/// If the turn about the momentum, divided by the angle of the spin, is less than this, summation is more
 /// accurate.
 const SLOW: f64 = 1.0;
 /// Above this a number of periods is not exact.

@@ -1,4 +1,5 @@
-//! What stays the same in a top's motion, and how high and low its axis goes: (T1) to (T7) of the book.
+//! The conserved quantities of a top's motion, and the highest and lowest positions of its axis: (T1) to (T7)
+//! of the book.
 
 use crate::number::DoubleDouble;
 #[cfg(not(feature = "std"))]
@@ -17,8 +18,8 @@ pub(super) struct Start {
     pub(super) beta: [f64; 2],
     /// The spin across the axis.
     pub(super) across: [f64; 2],
-    /// The momentum along the axis over the moment across it (T2): the spin of a spherical top that moves
-    /// alike (T3).
+    /// The momentum along the axis over the moment across it (T2): the spin of the spherical top with the
+    /// same motion of the axis (T3).
     pub(super) along: DoubleDouble,
     /// Twice the torque of a level axis over the moment across it (T2): 0 or above.
     pub(super) pull: DoubleDouble,

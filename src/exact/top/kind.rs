@@ -1,4 +1,4 @@
-//! Which kind of motion of a top it is (T23).
+//! The kind of motion of a top (T23).
 
 use super::integrals::Integrals;
 
@@ -40,23 +40,25 @@ pub enum TopRegime {
         /// Whether a small push leaves it nearly upright.
         stable: bool,
     },
-    /// Exactly straight down, turning about its axis or at rest: it leans by 180°, to the bit.
+    /// Exactly straight down, turning about its axis or at rest: the lean is 180° to the last bit.
     Hanging,
-    /// It goes round at a constant lean and rate, to the rounding of the numbers that it is given by: a start
-    /// computed in `f64` from one of the two steady rates counts as steady, up to 16 roundings (2⁻⁵³ each)
-    /// of the terms in balance. The two values of [`lean`](super::LagrangeTop::lean) may then differ by the
-    /// oscillation that these roundings leave. A [`Body`](crate::Body) keeps its momentum in world axes: that
-    /// rounds by more than this if the body spins much faster than it precesses.
+    /// It precesses at a constant lean and rate, to the rounding of the input: a start computed in `f64` from
+    /// one of the two steady rates counts as steady, up to 16 roundings (2⁻⁵³ each) of the terms in balance.
+    /// The two values of [`lean`](super::LagrangeTop::lean) may then differ by the oscillation that these
+    /// roundings leave. A [`Body`](crate::Body) stores its momentum in world axes; if it spins much faster
+    /// than it precesses, rounding that momentum exceeds this limit.
     SteadyPrecession,
-    /// It rises and sinks, and always goes round the same way, or passes exactly through the vertical.
+    /// Its axis rises and sinks, and always precesses in the same direction, or passes exactly through the
+    /// vertical.
     Nutation,
-    /// It rises and sinks, and stands still at each highest place, as a top that was let go without a push.
+    /// Its axis rises and sinks, and stops at each highest position (a cusp), as for a top released with its
+    /// axis at rest.
     Cusped,
-    /// It rises and sinks, and goes backward for a part of each loop.
+    /// Its axis rises and sinks, and precesses backward during part of each loop.
     Looping,
-    /// It has no momentum about its axis: a spherical or a plane pendulum, or one that goes round on a cone.
+    /// It has no momentum about its axis: a spherical, plane or conical pendulum.
     Pendulum,
-    /// It comes from exactly upright and returns there, without end.
+    /// It leaves the exactly upright position and returns to it, in infinite time.
     Separatrix,
 }
 

@@ -1,4 +1,4 @@
-//! How a top's own axes, with its axis of symmetry last, are mounted in the body.
+//! The rotation from a top's own axes, with its axis of symmetry last, to the axes of the body.
 
 use crate::attitude::product;
 use crate::error::{Error, Refusal, Subject};
@@ -81,7 +81,7 @@ pub(super) fn onto_arm(
     Ok((UnitQuaternion::new_normalize(turn), along * (largest * length)))
 }
 
-/// The axis of symmetry of a body without an arm: the one whose two others agree best.
+/// The axis of symmetry of a body without an arm: the one for which the other two moments agree best.
 fn axis_of(moments: PrincipalMoments) -> usize {
     let apart = |axis: usize| (moments[(axis + 1) % 3] - moments[(axis + 2) % 3]).abs();
     (0..3).rev().min_by(|&a, &b| apart(a).total_cmp(&apart(b))).unwrap_or(2)

@@ -30,7 +30,7 @@ pub(crate) fn sin_cos_near_zero<T: Rounding>(x: T) -> (T, T) {
 /// `exp(-x)` and `exp(-x) - 1` of `x = main + rest >= 0`.
 #[inline(always)]
 pub(crate) fn decay<T: Rounding>(main: T, rest: T) -> [T; 2] {
-    // Farther out the rest can be large and has no effect.
+    // For larger arguments the rest can be large, but it has no effect.
     let (zero, farthest) = (splat::<T>(0.0), splat::<T>(FARTHEST));
     let within = main.lt(farthest);
     let (main, rest) = (T::select(within, main, farthest), T::select(within, rest, zero));

@@ -1,5 +1,5 @@
-//! Turns by an averaged spin: Buss's augmented method, and SPIRAL in its synchronous form. With a torque,
-//! between two half kicks of it: a torque held for the whole step would cost an order.
+//! Turns by an averaged spin: Buss's augmented method, and SPIRAL in its synchronous form. With a torque, the
+//! free step lies between two half kicks: a constant torque during the step would reduce the order.
 
 use crate::body::State;
 use crate::number::Analytic;
@@ -7,8 +7,8 @@ use crate::step::system::System;
 use crate::{attitude, dynamics::euler};
 use nalgebra::Vector3;
 
-/// Buss's augmented method of second order [Bus00](crate::references): one turn a step by an averaged spin,
-/// with the term by which turns do not commute.
+/// Buss's augmented method of second order [Bus00](crate::references): one turn for each step by an averaged
+/// spin, with a term for the fact that rotations do not commute.
 pub(crate) fn buss<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     system.between_half_kicks(start, h, |start| {
         let omega = system.omega(&start.momentum);
@@ -28,8 +28,8 @@ pub(crate) fn buss<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> 
 /// SPIRAL in its synchronous form [Val24](crate::references): a turn by the spin, then one by how it changes;
 /// the spin by a Runge-Kutta method of third order.
 ///
-/// Its authors call it of third order: so is its spin, but the error of its attitude falls with the square of
-/// the step, as a test on power series shows. The order of a method is that of the worst.
+/// Its authors state third order. That holds for its spin, but the error of its attitude is of second order,
+/// as a test on power series shows. The order of a method is the lowest of its orders.
 pub(crate) fn spiral<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> State<T> {
     system.between_half_kicks(start, h, |start| {
         let omega = system.omega(&start.momentum);

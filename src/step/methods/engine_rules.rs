@@ -54,8 +54,8 @@ pub(crate) fn semi_implicit<T: Analytic>(system: &System<T>, start: &State<T>, h
     State { attitude: turned(&start.attitude, &system.omega(&momentum), h), momentum }
 }
 
-/// The torques, then the gyroscopic term, then the length as it was between the two; `turned` turns the
-/// attitude by the new spin.
+/// Applies the torques, then the gyroscopic term, then restores the length that the momentum had between the
+/// two; `turned` turns the attitude by the new spin.
 pub(crate) fn rescaled<T: Analytic>(
     system: &System<T>,
     start: &State<T>,

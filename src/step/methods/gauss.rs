@@ -2,9 +2,9 @@
 //! ([But64](crate::references), [HLW06](crate::references)), solved to rounding by iteration or by Newton's
 //! method.
 //!
-//! Their errors of what they conserve are a random walk of roundings, which takes equations that conserve it
-//! also with coefficients as rounded ([HMR08](crate::references)): of a law that holds but for the rounding
-//! of a coefficient, each step misses the same.
+//! Their errors in conserved quantities are a random walk of roundings. This needs equations that conserve
+//! them even with rounded coefficients ([HMR08](crate::references)): if the rounding of a coefficient
+//! violated a law, each step would have the same error.
 
 use super::implicit::{By, Equation, cramer, ratio};
 use crate::attitude;

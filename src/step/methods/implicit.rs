@@ -56,8 +56,8 @@ pub(super) enum By {
 }
 
 impl<N, D> Equation<N, D> {
-    /// A solution to rounding: that which iteration from `guess` reaches, or else Newton's method in these
-    /// units of the unknowns.
+    /// A solution to rounding, by iteration from `guess`, or if that fails by Newton's method in these units
+    /// of the unknowns.
     #[inline(always)]
     pub(super) fn solve<T: Analytic, S: Unknowns<T>>(
         &self,
@@ -150,15 +150,16 @@ impl<N, D> Equation<N, D> {
     }
 }
 
-/// Whether all that still moves is rounding: it moves no less than before, or so much less that the next move
-/// would be far below rounding. What a rule left over in each step would add up along a line.
+/// Whether the remaining changes are rounding: a change is not smaller than the one before, or so much
+/// smaller that the next would be far below rounding. A systematic remainder in each step would add up
+/// linearly.
 fn settled(moved: f64, before: f64, rounding: f64) -> bool {
     let small = moved <= 64.0 * rounding;
     moved == 0.0 || small && (moved >= 0.5 * before || moved * moved <= 1e-6 * rounding * before)
 }
 
-/// Solves `count` linear equations, whose coefficients are the first columns: what they do with the further
-/// columns, the right sides, leaves solutions there.
+/// Solves `count` linear equations, whose coefficients are the first columns: the further columns are the
+/// right sides, which the solutions replace.
 pub(crate) fn eliminate<T: Analytic, const N: usize>(rows: &mut [[T; N]], count: usize) {
     for k in 0..count {
         let pivot = (k..count).max_by(|&i, &j| rows[i][k].size().total_cmp(&rows[j][k].size())).unwrap_or(k);

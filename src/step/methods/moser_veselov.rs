@@ -1,5 +1,5 @@
-//! The discrete Moser-Veselov algorithm [MV91](crate::references), and the same given such moments that its
-//! step is the body's own motion to order 4, 6, 8 or 10 ([MZ05](crate::references),
+//! The discrete Moser-Veselov algorithm [MV91](crate::references), and the same algorithm with altered
+//! moments, for which its step is the body's motion to order 4, 6, 8 or 10 ([MZ05](crate::references),
 //! [HV06](crate::references)).
 //!
 //! One step turns the body by the half-angle tangents `c` (the axis times the tangent of half the angle) that
@@ -11,12 +11,12 @@
 //!
 //! with `K` the moments. Energy, momentum in the world and the length of the attitude are kept by every step
 //! that turns the body by less than a quarter turn (longer ones are refused), and so by any `K` with `1/K_j =
-//! a/I_j + b`, since then the energy of `K` is a sum of the body's own energy and `|L|^2`. All that such a
-//! step can be wrong by is the rates of its two angles, and the two numbers `a` and `b` put those right.
+//! a/I_j + b`, since then the energy of `K` is a sum of the body's own energy and `|L|^2`. So the only errors
+//! of such a step are in the rates of its two angles, and the two numbers `a` and `b` correct these.
 //!
 //! Their powers in `h` come from the exact motion: for it, `1/K_j = 4 p0 p_j / (h (L + L')_j)` with `(p0, p)`
 //! the turn of one step. `crates/proofs/programs/moser_veselov.py` expands this in exact fractions and prints
-//! the sums below. The order of the result is proven of this very code, on power series: up to order 6 of
+//! the sums below. The order of the result is proven for this same code, on power series: up to order 6 of
 //! the whole step; for each order of the altered moments, with the smallest moment about each axis. With them
 //! the motion itself obeys, to that order, the equation that the step solves.
 
@@ -31,7 +31,7 @@ use nalgebra::{Quaternion, Vector3};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
-/// With a torque, between two half kicks of it: then of order 2, whatever the order without.
+/// With a torque, the free step lies between two half kicks; the order is then 2.
 pub(crate) fn step<T: Analytic>(
     system: &System<T>,
     start: &State<T>,

@@ -1,5 +1,5 @@
-//! Runge-Kutta methods: of attitude and momentum as they are, of orders 1, 4 [Kut01](crate::references) and 5
-//! [DP80](crate::references); and of order 4 in the turn since the start of the step
+//! Runge-Kutta methods: for attitude and momentum, of orders 1, 4 [Kut01](crate::references) and 5
+//! [DP80](crate::references); and of order 4 for the rotation vector since the start of the step
 //! [MK98](crate::references).
 
 use super::implicit::ratio;
@@ -17,7 +17,7 @@ pub(crate) fn euler<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) ->
 /// One step of `h` seconds from `start` under the law `rate`, where `plus` moves a state along a rate. Errors
 /// fall as `h^4`.
 ///
-/// The attitude's length is not restored: it drifts at the rate of the error, and shows it.
+/// The length of the attitude is not restored: its drift shows the size of the error.
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};

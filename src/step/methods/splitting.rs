@@ -10,9 +10,9 @@ use crate::step::system::System;
 use nalgebra::Quaternion;
 
 /// Shares of the step, in order; the same backwards from the last on. The weights of a symmetric composition
-/// of a symmetric method of order 2 must have the sum 1 and cubes with the sum 0 to give order 4. Three are
-/// too few for that in fractions, since 2 has no cube root among them, and so are five, since 4 is no sum of
-/// two of their cubes. Of seven, these are by far the smallest with integers up to 60 over a common one: 2
+/// of a symmetric method of order 2 must have the sum 1 and cubes with the sum 0 to give order 4. Three
+/// rational weights are too few, since 2 has no rational cube root, and so are five, since 4 is not a sum of
+/// two rational cubes. Of seven, these are by far the smallest with integers up to 60 over a common one: 2
 /// (12^3 + 17^3 + 19^3) = 30^3.
 const SEVEN: [(i32, u32); 4] = [(19, 66), (17, 66), (12, 66), (-30, 66)];
 
@@ -98,7 +98,7 @@ fn spun<T: Analytic>(motion: &mut State<T>, axis: usize, half_angle: &T) {
 }
 
 /// The splitting of Dullweber, Leimkuhler and McLachlan [DLM97](crate::references): the exact motion of a
-/// symmetric top between two half turns that make up for what the body is not one.
+/// symmetric top between two half turns that correct for the difference between the body and that top.
 ///
 /// The top is symmetric about z, with the moment about x for its two equal ones; the difference is a turn
 /// about y. A body is best given with the two moments first that are nearest to each other. With a torque,

@@ -1,5 +1,5 @@
-//! The rule that engines take today, written out bare as they write it: the explicit gyroscopic step with the
-//! momentum rescaled, then the attitude updated linearly and its length restored. Spin in world axes.
+//! The rule that engines use today, written as they write it: the explicit gyroscopic step with the momentum
+//! rescaled, then the attitude updated linearly and its length restored. Spin in world axes.
 
 use nalgebra::{Matrix3, Quaternion, Vector3};
 use num_traits::Float;

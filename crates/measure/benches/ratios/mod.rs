@@ -22,8 +22,8 @@ fn counted_here(work: &mut dyn FnMut(u32)) {
     (0..1000).for_each(work);
 }
 
-/// Does what the command line asks: measures in units of the first, counts one by name, or only sees that all
-/// run.
+/// Does what the command line requests: measures all relative to the first, counts one by name, or only
+/// checks that all run.
 pub fn run(mut works: Vec<Work>, unit_name: &str) {
     let arguments: Vec<String> = std::env::args().collect();
     if let Some(at) = arguments.iter().position(|a| a == "count") {

@@ -1,4 +1,4 @@
-//! Measures published integrators and a whole engine with the tumbling library, in one run.
+//! Measures published integrators and a whole engine together with the tumbling library, in one run.
 //!
 //! ```text
 //! cargo run --release --manifest-path crates/measure/peers/Cargo.toml -- [--quick] --into FOLDER

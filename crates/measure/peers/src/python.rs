@@ -1,4 +1,4 @@
-//! Published integrators of Python, asked by lines in a process of their own.
+//! Published Python integrators, which run in a separate process and are called by lines of text.
 
 use nalgebra::{Quaternion, Vector3};
 use std::cell::RefCell;

@@ -1,4 +1,4 @@
-//! A body alone in a world of Rapier: the whole engine, its gyroscopic term on, as it comes.
+//! A body alone in a Rapier world: the whole engine with default settings and its gyroscopic term on.
 
 use nalgebra::{Quaternion, Vector3};
 use rapier3d_f64::prelude::*;

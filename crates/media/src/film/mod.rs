@@ -1,5 +1,5 @@
-//! Films: pictures one after another, in few colours, each stored by what it changes. They are GIFs, which
-//! slide programs, messengers and pages all play.
+//! Films: sequences of pictures with few colours, in which each picture stores only its changes. They are
+//! GIFs, which presentation programs, messengers and web pages all play.
 
 mod palette;
 
@@ -28,7 +28,7 @@ impl Film {
     /// A film of pictures of this size, each shown for `milliseconds`, which count in tens.
     ///
     /// # Errors
-    /// What the encoder reports, or a size that the format does not have.
+    /// An error of the encoder, or a size that the format does not support.
     pub fn new(palette: Palette, size: [u32; 2], milliseconds: u16) -> Result<Self, Error> {
         let [Ok(width), Ok(height)] = size.map(u16::try_from) else {
             return Err(Error(format!("a GIF has at most 65535 pixels from side to side, not {size:?}")));
@@ -39,7 +39,8 @@ impl Film {
         Ok(Self { encoder, hundredths, palette, size: [width, height], shown: Vec::new() })
     }
 
-    /// Adds the next picture: the smallest rectangle that holds all changes, the whole of the first.
+    /// Adds the next picture: the smallest rectangle that contains all changes, or the whole picture if it is
+    /// the first.
     ///
     /// # Errors
     /// A picture of another size, or what the encoder reports.

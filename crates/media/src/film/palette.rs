@@ -15,8 +15,8 @@ pub struct Palette {
 pub(super) const AS_BEFORE: u8 = 0;
 
 impl Palette {
-    /// These colours, then those that the pictures have most of; `most` in all, and never more than 255. The
-    /// colours between two others along an edge are many and each rare: they become the nearest.
+    /// These colours, then the most frequent colours of the pictures, `most` in total (at most 255). Along
+    /// edges there are many mixed colours, each of them rare: they are replaced by the nearest colour.
     #[must_use]
     pub fn new(first: &[Rgb], samples: &[Picture], most: usize) -> Self {
         let mut counts: HashMap<Rgb, usize> = HashMap::new();
@@ -27,7 +27,7 @@ impl Palette {
         common.sort_by(|a, b| b.1.cmp(&a.1).then(a.0.cmp(&b.0)));
         let mut colours: Vec<Rgb> = Vec::new();
         for colour in first.iter().copied().chain(common.into_iter().map(|(colour, _)| colour)) {
-            // Not two that nobody tells apart.
+            // Skip a colour that cannot be distinguished from another.
             if colours.len() < most.min(255) && colours.iter().all(|&other| distance(other, colour) > 100) {
                 colours.push(colour);
             }

@@ -1,8 +1,8 @@
 """Free rigid-body rotation in closed form, bodies under torques, and a judge of engines that turn bodies.
 
-All that computes is the Rust library `tumbling`; the results are the same to the last bit. SI units and radians.
-Attitudes take body coordinates to world, as quaternions x, y, z, w like SciPy's (w, x, y, z with `scalar_first=True`);
-spins are in body axes, but for the frame that `judge` is given.
+The Rust library `tumbling` does all computation; the results are the same to the last bit. SI units and radians.
+Attitudes take body coordinates to world, as quaternions x, y, z, w as in SciPy (w, x, y, z with `scalar_first=True`).
+Spins are in body axes, except in `judge` and `compare`, where `frame` names the axes ('world' by default).
 """
 
 from ._tumbling import (

@@ -1,7 +1,8 @@
 //! A scene from the text of a TOML file.
 //!
 //! A body is a table as [`tumbling_bodies`] reads it, with its start: `spin` or `momentum`, and `attitude`.
-//! So it is given by moments, a solid, parts, a mesh, a name of the book, another file, or a link of a robot.
+//! It may be given by moments, a solid, parts, a mesh, the name of a body of the book, another file, or a
+//! link of a robot.
 
 mod torque;
 
@@ -14,13 +15,13 @@ use torque::TorqueTable;
 use tumbling_bodies::{Error, SceneBodies, Spin, Table, from_toml};
 use tumbling_scenes::{Error as SceneError, Field, InitialState, Outputs, Scene, Start, Times};
 
-/// A scene as a file has it.
+/// A scene read from a file.
 #[derive(Debug)]
 pub struct File {
     /// The scene.
     pub scene: Scene,
     text: String,
-    /// Of each body the place, and the places of its fields.
+    /// The position of each body in the text, and the positions of its fields.
     bodies: Vec<(Range<usize>, Fields)>,
 }
 
@@ -51,7 +52,7 @@ enum Want {
 }
 
 impl File {
-    /// An error of a body, at the line of its field where it is one.
+    /// An error in a body, at the line of the field if it is about a field.
     pub fn error(&self, index: usize, error: &SceneError) -> Error {
         let names: &[&str] = match error.field() {
             None => &[],

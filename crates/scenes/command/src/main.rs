@@ -7,12 +7,13 @@
 //! ```
 //!
 //! With `cargo run -p tumbling-scenes-command --features threads -- FILE.toml` a scene of many bodies is
-//! shared out over the processor's cores.
+//! distributed over the processor's cores.
 //!
 //! The columns are those requested: the spin in body axes, rad/s; the attitude, body to world, scalar part
 //! first; the kinetic energy, J; the angle between spin and momentum, rad. Lines are in order of time, all
-//! bodies at each; of more than 256 bodies, block by block. Numbers have 17 digits. Flips and the polhode,
-//! which belong to no one time, are in the summary; where only they are requested it is printed anyway.
+//! bodies at each; of more than 256 bodies, block by block. Numbers have 17 digits. Flips and the polhode do
+//! not belong to a single time; they are in the summary, which is printed in any case if nothing else is
+//! requested.
 //!
 //! A body that cannot be answered gets a line on standard error and the program ends with 1 after answering
 //! the others. It ends with 2 for a file that is no scene, wrong arguments, or answers that cannot be
@@ -95,7 +96,7 @@ fn main() -> ExitCode {
     match answered {
         Ok(0) => ExitCode::SUCCESS,
         Ok(_) => ExitCode::FAILURE,
-        // Who closes the pipe has read what was wanted.
+        // A reader that closes the pipe has read what it wanted.
         Err(error) if error.kind() == ErrorKind::BrokenPipe => ExitCode::SUCCESS,
         Err(error) => {
             complain(&format!("the answers cannot be written: {error}"));
@@ -196,7 +197,7 @@ fn lines(block: &Block<'_>) -> (String, u64, Vec<(usize, Error)>) {
     (text, count, block.wrong.to_vec())
 }
 
-/// A bar where somebody watches, and where the answers do not scroll it away.
+/// A progress bar, if standard error is a terminal and the answers do not scroll it away.
 fn bar(length: u64) -> ProgressBar {
     if !io::stderr().is_terminal() || io::stdout().is_terminal() {
         return ProgressBar::hidden();

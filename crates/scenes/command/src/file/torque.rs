@@ -44,7 +44,7 @@ table! {
     }
 }
 
-/// The fields of each kind of torque, those that may be left out in a list of their own.
+/// The fields of each kind of torque: those required, and those that are optional.
 const KINDS: [(&[&str], &[&str]); 10] = [
     (&["in-body"], &[]),
     (&["in-world"], &[]),
@@ -58,7 +58,7 @@ const KINDS: [(&[&str], &[&str]); 10] = [
     (&["amplitude", "rate"], &["phase"]),
 ];
 
-/// That the fields are those of one kind.
+/// Checks that the fields are those of one kind.
 fn check(text: &str, table: &Spanned<TorqueTable>) -> Result<(), Error> {
     let mut present = table.get_ref().present();
     present.retain(|(field, _)| !["from", "to"].contains(field));
@@ -119,7 +119,7 @@ pub(super) fn read(text: &str, table: &Spanned<TorqueTable>) -> Result<Torque<f6
     })
 }
 
-/// A refusal of the library, at the field that it is about.
+/// An error of the library, at the field that it is about.
 pub(super) fn refused(text: &str, table: &Spanned<TorqueTable>, error: &tumbling::Error) -> Error {
     // Of each subject the fields that it may come from, the first that the table has.
     let long = |t: &TorqueTable| {
