@@ -192,14 +192,16 @@ impl Film {
         canvas.label((14.0, 22.0), &small("spin $!ω$".into()).ink(Ink::Omega));
         canvas.label((14.0, 42.0), &small("momentum $!L$".into()).ink(Ink::Momentum));
         canvas.label((14.0, 62.0), &small(word(self.request.axis).into()).ink(ink_of(self.request.axis)));
-        let name: String = self.name.chars().take(36).collect();
-        let spin = spin_in_words(self.request.spin, self.request.axis);
-        let mut words = format!("{name}, {spin}, {}", share_in_words(self.push));
+        let mut words: String = self.name.chars().take(36).collect();
+        let spun = [share_in_words(self.push), spin_in_words(self.request.spin, self.request.axis)];
         let [right, mut low] = self.sheet().map(|edge| f64::from(edge) - 14.0);
         if self.request.square {
-            canvas.label((14.0, low), &small(words.split_off(name.len()).split_off(2)));
-            low -= 22.0;
+            for line in spun {
+                canvas.label((14.0, low), &small(line));
+                low -= 22.0;
+            }
         } else {
+            words = format!("{words}, {}, {}", spun[1], spun[0]);
             canvas.label((right, 22.0), &small("the spin's path in the body".into()).end());
         }
         canvas.label((14.0, low), &small(words));
