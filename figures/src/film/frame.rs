@@ -58,7 +58,7 @@ impl Film {
     /// How it draws arrows.
     #[must_use]
     pub fn projection(&self) -> Projection {
-        Projection { fastest: self.fastest }
+        Projection { fastest: self.fastest / self.share }
     }
 
     /// The spin as the camera sees it at this share of the film, rad/s, z upwards.
@@ -117,7 +117,7 @@ impl Film {
         }
         let attitude = self.motion.attitude(share * self.length.motion)?;
         let momentum = self.seen_from(share, &attitude) * self.momentum.normalize();
-        canvas.arrow(BODY, arrows.at(&(momentum * MOMENTUM)), Pen::new(Ink::Momentum, 3.6));
+        canvas.arrow(BODY, arrows.at(&(momentum * MOMENTUM * self.share)), Pen::new(Ink::Momentum, 3.6));
         let [x, y] = self.projection().tip(&self.spin_seen(share)?);
         canvas.arrow(BODY, (x, y), Pen::new(Ink::Omega, 3.2));
         canvas.disc(BODY, 3.5, Fill::new(Ink::Text), None);
