@@ -116,14 +116,14 @@ fn stability(subject: &Subject<'_>) -> Result<String, Box<dyn Error>> {
                 format!(
                     "<strong>unstable, it flips.</strong> A slip becomes ten times as large in {} turns ({}), and {} times in each turn.",
                     units::number(10_f64.ln() * subject.spin / (rate * TAU), 3),
-                    units::time(10_f64.ln() / rate),
+                    units::TIME.say(10_f64.ln() / rate),
                     units::number(each, 3)
                 )
             }
             Stability::Libration { rate } => {
                 let turns = format!("in {} turns", units::number(subject.spin / rate, 3));
                 let turns = if turns == "in 1 turns" { "a turn".into() } else { turns };
-                let time = units::time(TAU / rate);
+                let time = units::TIME.say(TAU / rate);
                 format!(
                     "stable. After a slip the spin circles the axis once {turns} ({time}), and stays as near."
                 )
@@ -154,12 +154,17 @@ fn flips(subject: &Subject<'_>) -> Result<String, Box<dyn Error>> {
             out + "<p>It never flips: at least two of its principal moments are equal.</p></section>\n"
         );
     }
-    out += "<table><caption>Spun about axis 2 with a slip about axis 3</caption>\n<tr><th scope=\"col\">slip, as a part of the spin</th>\
-            <th scope=\"col\">time between flips</th><th scope=\"col\">turns</th></tr>\n";
-    for exponent in 1..=9 {
-        let time = subject.flip_time(10_f64.powi(-exponent))?;
-        let turns = units::number(time * subject.spin / TAU, 3);
-        out += &row(&raised(-exponent), &[units::time(time), turns]);
+    let times: Result<Vec<_>, _> = (1..=9).map(|n| subject.flip_time(10_f64.powi(-n))).collect();
+    let times = times?;
+    let (second, unit) = units::TIME.of(times[0]);
+    let [turns, times] = [TAU / subject.spin, second].map(|unit| units::column(&times, unit));
+    let _ = writeln!(
+        out,
+        "<table><caption>Spun about axis 2 with a slip about axis 3</caption>\n<tr><th scope=\"col\">slip, as a part of the spin</th>\
+         <th scope=\"col\">time between flips, {unit}</th><th scope=\"col\">turns</th></tr>"
+    );
+    for (exponent, cells) in (1..).zip(times.into_iter().zip(turns)) {
+        out += &row(&raised(-exponent), &<[String; 2]>::from(cells));
     }
     out += "</table>\n";
     Ok(out + "</section>\n")

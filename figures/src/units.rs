@@ -3,11 +3,13 @@
 use crate::picture::raised;
 
 /// Units of one kind by their size, smallest first, and from which value on each is taken.
-struct Units(&'static [(f64, &'static str, f64)]);
+pub(crate) struct Units(&'static [(f64, &'static str, f64)]);
 
-const LENGTH: Units =
+/// Lengths in m: `7.8 mm`.
+pub(crate) const LENGTH: Units =
     Units(&[(1e-9, "nm", 0.0), (1e-6, "µm", 1e-6), (1e-3, "mm", 1e-3), (1.0, "m", 1.0), (1e3, "km", 1e3)]);
-const MASS: Units = Units(&[
+/// Masses in kg: `200 g`.
+pub(crate) const MASS: Units = Units(&[
     (1e-9, "µg", 0.0),
     (1e-6, "mg", 1e-6),
     (1e-3, "g", 1e-3),
@@ -15,7 +17,8 @@ const MASS: Units = Units(&[
     (1e3, "t", 1e4),
     (1.0, "kg", 1e8),
 ]);
-const TIME: Units = Units(&[
+/// Times in s: `3.2 h`.
+pub(crate) const TIME: Units = Units(&[
     (1e-6, "µs", 0.0),
     (1e-3, "ms", 1e-3),
     (1.0, "s", 1.0),
@@ -28,12 +31,13 @@ const MOMENT: Units =
     Units(&[(1e-9, "g mm²", 0.0), (1e-7, "g cm²", 1e-7), (1e-4, "kg cm²", 1e-4), (1.0, "kg m²", 1e-2)]);
 
 impl Units {
-    fn of(&self, value: f64) -> (f64, &'static str) {
+    /// The size of the unit that suits this value, and its name.
+    pub(crate) fn of(&self, value: f64) -> (f64, &'static str) {
         let fits = self.0.iter().rev().find(|(_, _, from)| value.abs() >= from * (1.0 - 1e-9));
         fits.or(self.0.first()).map_or((1.0, ""), |&(size, name, _)| (size, name))
     }
 
-    fn say(&self, value: f64) -> String {
+    pub(crate) fn say(&self, value: f64) -> String {
         if value == 0.0 {
             return format!("0 {}", self.of(1.0).1);
         }
@@ -42,30 +46,19 @@ impl Units {
     }
 }
 
-/// A length in m: `7.8 mm`.
-pub(crate) fn length(m: f64) -> String {
-    LENGTH.say(m)
-}
-
 /// A place in m, in one unit: `(0, 20, −300) mm`.
 pub(crate) fn place(m: &nalgebra::Vector3<f64>) -> String {
     let (size, name) = LENGTH.of(m.amax());
     format!("({}) {name}", m.iter().map(|x| number(x / size, 3)).collect::<Vec<_>>().join(", "))
 }
 
-/// A mass in kg: `200 g`.
-pub(crate) fn mass(kg: f64) -> String {
-    MASS.say(kg)
-}
-
-/// A time in s: `3.2 h`.
-pub(crate) fn time(s: f64) -> String {
-    TIME.say(s)
-}
-
-/// The unit for times up to this one, s, and its name.
-pub(crate) fn time_unit(longest: f64) -> (f64, &'static str) {
-    TIME.of(longest)
+/// Positive numbers, measured in this unit, with equal decimals, such that the smallest has three digits.
+pub(crate) fn column(all: &[f64], unit: f64) -> Vec<String> {
+    let power = (all.iter().copied().fold(f64::INFINITY, f64::min) / unit).log10().floor();
+    let decimals = (2.0 - power).max(0.0) as usize;
+    let plain = (-3.0..5.0).contains(&power);
+    let all = all.iter().map(|x| x / unit);
+    all.map(|x| if plain { format!("{x:.decimals$}") } else { significant(x, 3) }).collect()
 }
 
 /// Moments of inertia in one unit, kg m² or a part or a power of ten of it, and the unit's name.
@@ -84,7 +77,7 @@ pub(crate) fn moments(all: &[f64]) -> (Vec<String>, String) {
     let digits = (3 - (largest / size).log10().floor() as i32).clamp(0, 5) as usize;
     let written = all
         .iter()
-        .map(|&x| if tiny { number(x / size, 4) } else { with_minus(format!("{:.digits$}", x / size)) });
+        .map(|&x| if tiny { significant(x / size, 4) } else { with_minus(format!("{:.digits$}", x / size)) });
     (written.collect(), name)
 }
 
@@ -95,6 +88,15 @@ fn with_minus(text: String) -> String {
 
 /// A number with at most this number of significant digits: plain, or with a power of ten where that is long.
 pub(crate) fn number(x: f64, digits: usize) -> String {
+    written(x, digits, true)
+}
+
+/// A number with this number of significant digits, zeros at its end too, as those above and below it.
+pub(crate) fn significant(x: f64, digits: usize) -> String {
+    written(x, digits, false)
+}
+
+fn written(x: f64, digits: usize, short: bool) -> String {
     if x == 0.0 || !x.is_finite() {
         return if x == 0.0 { "0".into() } else { "none".into() };
     }
@@ -102,7 +104,8 @@ pub(crate) fn number(x: f64, digits: usize) -> String {
     let Some((mantissa, power)) = text.split_once('e') else { return text };
     let power: i32 = power.parse().unwrap_or(0);
     let trimmed = |text: &str| -> String {
-        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text.into() }
+        let few = short && text.contains('.');
+        if few { text.trim_end_matches('0').trim_end_matches('.').into() } else { text.into() }
     };
     if (-3..5).contains(&power) {
         let decimals = usize::try_from(digits as i32 - 1 - power).unwrap_or(0);
@@ -129,7 +132,7 @@ pub(crate) fn turning(spin: f64) -> String {
     match number(turns, 3).as_str() {
         "1" => "one turn a second".into(),
         text if turns > 1.0 => format!("{text} turns a second"),
-        _ => format!("one turn in {}", time(1.0 / turns)),
+        _ => format!("one turn in {}", TIME.say(1.0 / turns)),
     }
 }
 
@@ -139,22 +142,20 @@ mod tests {
 
     #[test]
     fn a_unit_suits_its_number_from_a_dice_to_a_planetoid() {
-        assert_eq!(length(0.0078), "7.8 mm");
-        assert_eq!(length(1240.0), "1.24 km");
+        assert_eq!([0.0078, 1240.0, 2e-9].map(|m| LENGTH.say(m)), ["7.8 mm", "1.24 km", "2 nm"]);
         assert_eq!(place(&nalgebra::Vector3::new(0.0, 0.02, -0.3)), "(0, 20, −300) mm");
-        assert_eq!([mass(0.001), mass(0.9995), mass(4.0)], ["1 g", "1000 g", "4 kg"]);
-        assert_eq!([mass(1e-9), mass(2e-6), length(2e-9)], ["1 µg", "2 mg", "2 nm"]);
-        assert_eq!([mass(2.5e4), mass(1e12)], ["25 t", "10¹² kg"]);
-        assert_eq!([time(0.004), time(90.0), time(1e5), time(4e5)], ["4 ms", "90 s", "27.8 h", "4.63 days"]);
+        let masses = [0.001, 0.9995, 4.0, 1e-9, 2e-6, 2.5e4, 1e12].map(|kg| MASS.say(kg));
+        assert_eq!(masses, ["1 g", "1000 g", "4 kg", "1 µg", "2 mg", "25 t", "10¹² kg"]);
+        assert_eq!([0.004, 90.0, 1e5, 4e5].map(|s| TIME.say(s)), ["4 ms", "90 s", "27.8 h", "4.63 days"]);
         assert_eq!(moments(&[10.0 / 12.0, 13.0 / 12.0, -5.0 / 12.0]).0, ["0.833", "1.083", "−0.417"]);
         assert_eq!(moments(&[1e17, 2.5e16]), (vec!["1.000".into(), "0.250".into()], "× 10¹⁷ kg m²".into()));
         assert_eq!(moments(&[4e-4, 1e-4]).1, "kg cm²");
-        assert_eq!(moments(&[1.31e-5, 7.2e-8]), (vec!["131".into(), "0.72".into()], "g cm²".into()));
+        assert_eq!(moments(&[1.31e-5, 7.2e-8]), (vec!["131.0".into(), "0.7200".into()], "g cm²".into()));
+        assert_eq!(column(&[84.0, 140.4, 600.0], 60.0), ["1.40", "2.34", "10.00"]);
+        assert_eq!([0.001, 4e-9, 1234.0].map(|x| significant(x, 2)), ["0.0010", "4.0 × 10⁻⁹", "1200"]);
         assert_eq!([number(-3.0e-7, 3), number(0.1, 3), number(12345.0, 3)], ["−3 × 10⁻⁷", "0.1", "12300"]);
-        assert_eq!(
-            [turning(std::f64::consts::TAU), turning(0.1), turning(10.0)],
-            ["one turn a second", "one turn in 62.8 s", "1.59 turns a second"]
-        );
+        let spins = [std::f64::consts::TAU, 0.1, 10.0].map(turning);
+        assert_eq!(spins, ["one turn a second", "one turn in 62.8 s", "1.59 turns a second"]);
     }
 
     #[test]

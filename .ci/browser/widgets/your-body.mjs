@@ -111,6 +111,8 @@ async function typing(page, wants, { tell, fill, choose, wrong }) {
     const asks = await tell("asks");
     wants(`a phone of ${m}: ${asks}`, says === "" ? asks === "" : asks.includes(says));
   }
+  const hardest = (200e-3 * (77e-3 ** 2 + 160e-3 ** 2)) / 12 / 1e-4;
+  wants(`a phone's moments are in the unit of its sheet: ${await tell("axis-3")}`, (await tell("axis-3")).startsWith(`${hardest.toFixed(3)} kg cm²`));
   await choose("tube");
   const sizes = () => Promise.all(["a", "b", "c"].map(async (name) => Number(await page.inputValue(`#your-body-${name}`))));
   wants(`a tube as large as the box, its hole smaller than itself: ${await sizes()}`, (await sizes())[0] < (await sizes())[1] && (await sizes())[2] === 160 && !(await page.isVisible(wrong)));

@@ -31,16 +31,16 @@ pub(crate) struct Arguments {
 /// A body that cannot be computed with, or a file that cannot be written.
 pub(crate) fn run(arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     let html = arguments.out.join(format!("{}.html", folder_name(&arguments.body.name)));
+    let page = tumbling_figures::report(&arguments.body, arguments.engine)?;
     // The book's letters travel with the page.
-    let style = format!("<style>{}", fonts()?);
-    let page = tumbling_figures::report(&arguments.body, arguments.engine)?.replacen("<style>", &style, 1);
-    write_changed(&html, page.as_bytes())?;
+    write_changed(&html, page.replacen("<style>", &format!("<style>{}", fonts()?), 1).as_bytes())?;
+    say!("{}", html.display());
     let Some(browser) = browser::found() else {
-        say!("{}\n{NO_BROWSER} It fits one sheet.", html.display());
+        say!("{NO_BROWSER} It fits one sheet.");
         return Ok(());
     };
     let pdf = html.with_extension("pdf");
     write_changed(&pdf, &browser::pdf(&browser, &html)?)?;
-    say!("{}, and .html", pdf.display());
+    say!("{}", pdf.display());
     Ok(())
 }

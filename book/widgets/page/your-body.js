@@ -5,7 +5,7 @@ tumblingLive.widget("your-body", async (stage, from) => {
     const { load, module, fixed, short, raised, draw, arrow, drawing, sayer } = tumblingLive;
     const [body, exact] = await Promise.all([...["your-body", "tumble"].map(module), load(`${from}live.bodies.js`), load(`${from}your-body.saves.js`), load(`${from}your-body.shapes.js`)]);
     const { dot, cross, rows, clock } = tumblingLive.bodies;
-    const { typed, refused, exactly, around, within, question, faces, laid, seen, robot, fromText, gapsDrawn } = tumblingLive.yourBodyShapes;
+    const { typed, refused, inUnit, exactly, around, within, question, faces, laid, seen, robot, fromText, gapsDrawn } = tumblingLive.yourBodyShapes;
     const field = (id) => stage.querySelector(`#your-body-${id}`);
     const shown = (what) => stage.querySelector(`[data-shows=${what}]`);
     const say = sayer(stage);
@@ -283,7 +283,8 @@ tumblingLive.widget("your-body", async (stage, from) => {
     function tell() {
         const { moments, axes, equal, growth, circles, flips } = found;
         const direction = (axis) => axis.map((x) => x.toFixed(3).replace("-0.000", "0.000").replace("-", "−")).join(", ");
-        moments.forEach((moment, k) => { shown(`axis-${k + 1}`).textContent = `${digits(moment, 4)} kg m², along (${direction(axes[k])})`; });
+        const [numbers, unit] = inUnit(moments);
+        numbers.forEach((moment, k) => { shown(`axis-${k + 1}`).textContent = `${digits(moment, 4)} ${unit}, along (${direction(axes[k])})`; });
         const never = { 1: "moments 2 and 3 are equal: it never flips", 2: "moments 1 and 2 are equal: it never flips", 3: "all moments are equal: any spin stays as it is" }[equal];
         shown("growth").textContent = never ?? `unstable, it flips: a slip becomes ${digits(Math.exp(growth * 2 * Math.PI))} times as large in each turn, ten times in ${digits(Math.log(10) / (growth * 2 * Math.PI))} turns`;
         shown("circles").textContent = equal === 3 ? "the same" : [0, 2].filter((k) => circles[k / 2] > 0).map((k) => `axis ${k + 1}: stable, circled ${turns(circles[k / 2])}`).join("; ");

@@ -21,6 +21,13 @@ tumblingLive.yourBodyShapes = (() => {
         return `“${text.trim()}” is not read as a number for ${called}.${either} Write it such as 12.5${units}.`;
     }
 
+    const MOMENT = [[1e-2, 1, "kg m²"], [1e-4, 1e-4, "kg cm²"], [1e-7, 1e-7, "g cm²"], [0, 1e-9, "g mm²"]];
+    /** Moments, kg m², in the unit that the command `report` gives them, and that unit. */
+    function inUnit(moments) {
+        const [, size, unit] = MOMENT.find(([from]) => Math.max(...moments) >= from * (1 - 1e-9));
+        return [moments.map((x) => x / size), unit];
+    }
+
     /** Volumes, m³, of what is not thin, and the box around each that its sizes go over to when the kind changes, and back. */
     const VOLUMES = {
         box: (a, b, c) => a * b * c, ball: (r) => (4 / 3) * Math.PI * r ** 3, cylinder: (r, h) => Math.PI * r * r * h, tube: (i, r, h) => Math.PI * (r * r - i * i) * h,
@@ -167,5 +174,5 @@ tumblingLive.yourBodyShapes = (() => {
             if (gap.length > 0) path(svg, `live-curve ${look}`, gap.map((y, x) => at(x, y)));
         });
     }
-    return { typed, refused, exactly, around: AROUND, within: WITHIN, question, faces, laid, seen, robot, fromText, gapsDrawn };
+    return { typed, refused, inUnit, exactly, around: AROUND, within: WITHIN, question, faces, laid, seen, robot, fromText, gapsDrawn };
 })();

@@ -68,6 +68,10 @@ pub(crate) fn decimal_comma(text: &str, at: usize) -> String {
 fn bad_number(field: &str, value: &toml::Spanned<DeValue<'_>>) -> Option<(String, Range<usize>, String)> {
     let number = match value.get_ref() {
         DeValue::Float(number) => number.as_str(),
+        DeValue::Integer(it) if u64::from_str_radix(it.as_str().trim_matches('-'), it.radix()).is_err() => {
+            let why = format!("{it} is too long for a whole number; write it with a power, such as 1e20");
+            return Some((field.to_owned(), value.span(), why));
+        }
         DeValue::Array(list) => return list.iter().find_map(|item| bad_number(field, item)),
         DeValue::Table(table) => return table.iter().find_map(|(key, item)| bad_number(key.get_ref(), item)),
         _ => return None,
@@ -75,11 +79,9 @@ fn bad_number(field: &str, value: &toml::Spanned<DeValue<'_>>) -> Option<(String
     let read: f64 = number.replace('_', "").parse().ok()?;
     let mantissa = number.split(['e', 'E']).next().unwrap_or_default();
     let why = match read {
-        0.0 if mantissa.contains(|digit| matches!(digit, '1'..='9')) => {
-            "is closer to zero than any number that can be computed with"
-        }
+        0.0 if mantissa.contains(|digit| matches!(digit, '1'..='9')) => "is too near zero to compute with",
         x if x.is_finite() => return None,
-        _ => "is no finite number that can be computed with",
+        _ => "is no finite number to compute with",
     };
     Some((field.to_owned(), value.span(), format!("{number} {why}")))
 }

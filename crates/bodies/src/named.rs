@@ -14,15 +14,17 @@ use tumbling::body::named::{NamedBody, Part, Section};
 
 impl BodyModel {
     /// A body of the library by its name (`box`, `book`, `phone`, `remote-control`, `hammer`,
-    /// `tennis-racket`, `wing-nut`, `t-handle`), or from a file: `FILE.toml`, `FILE.urdf`, or
-    /// `FILE.urdf#LINK`.
+    /// `tennis-racket`, `wing-nut`, `t-handle`; `racket` and `the wing nut` will do), or from a file:
+    /// `FILE.toml`, `FILE.urdf`, or `FILE.urdf#LINK`.
     ///
     /// # Errors
     /// A file that cannot be read, with the line, the field and the rule that it breaks; an unknown name.
     ///
     /// ```
     /// use tumbling_bodies::BodyModel;
-    /// assert_eq!(BodyModel::load("wing-nut")?.name, "the wing nut");
+    /// for called in ["wing-nut", "The wing nut", "wingnut", "nut"] {
+    ///     assert_eq!(BodyModel::load(called)?.name, "the wing nut");
+    /// }
     /// assert!(BodyModel::load("hamer").unwrap_err().to_string().contains("`hammer`"));
     /// # Ok::<(), tumbling_bodies::Error>(())
     /// ```
@@ -32,7 +34,10 @@ impl BodyModel {
 
     /// Like [`load`](Self::load), with paths relative to a folder.
     pub(crate) fn load_from(argument: &str, files: &Files<'_>) -> Result<Self, Error> {
-        if let Some(body) = NamedBody::ALL.into_iter().find(|&body| word(body) == argument) {
+        // The name, however its words are joined, or one of them alone.
+        let called = argument.to_lowercase().replace("the ", "").replace(['-', ' ', '_'], "");
+        let is = |it: String| it.split('-').any(|one| one == called) || it.replace('-', "") == called;
+        if let Some(body) = NamedBody::ALL.into_iter().find(|&body| is(word(body))) {
             return Self::named(body);
         }
         let (path, link) = argument.split_once('#').map_or((argument, None), |(a, b)| (a, Some(b)));
@@ -54,10 +59,10 @@ impl BodyModel {
             ))),
             _ => {
                 let names = NamedBody::ALL.map(|body| format!("`{}`", word(body))).join(", ");
-                let why = format!(
-                    "`{argument}` is neither a body of the book ({names}) nor a file that ends in .toml or .urdf"
-                );
-                Err(Error::new(why))
+                Err(Error::new(format!(
+                    "`{argument}` is neither a body of the book ({names}) nor a file that ends in .toml or .urdf; \
+                     examples/bodies has a coin and others"
+                )))
             }
         })?;
         if model.name.is_empty() {

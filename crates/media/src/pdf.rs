@@ -28,10 +28,7 @@ impl Drawing {
         let scale = width.map_or(1.0, |width| f64::from(width) / w) * POINTS;
         let (wide, high) = ((w * scale) as f32, (h * scale) as f32);
         let mut pdf = Pdf::new();
-        let mut top = pdf.catalog(catalog);
-        top.pages(pages).lang(TextStr("en"));
-        top.viewer_preferences().display_doc_title(true);
-        top.finish();
+        pdf.catalog(catalog).pages(pages).lang(TextStr("en")).viewer_preferences().display_doc_title(true);
         pdf.pages(pages).kids([page]).count(1);
         let mut sheet = pdf.page(page);
         sheet.media_box(Rect::new(0.0, 0.0, wide, high)).parent(pages).contents(content);

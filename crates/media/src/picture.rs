@@ -25,8 +25,8 @@ impl Drawing {
     /// No pixels, or more than the memory limit allows.
     pub fn picture(&self, width: u32) -> Result<Picture, Error> {
         let [w, h] = self.size();
-        let scale = f64::from(width) / w;
-        let height = (h * scale).round() as u32;
+        let scale = (f64::from(width) / w) as f32;
+        let height = (h * f64::from(width) / w).round() as u32;
         let too_many = || Error(format!("{width} × {height} pixels are no picture, or too large a one"));
         // A limit on memory: 700 megabytes for the pixmap and its copy.
         if u64::from(width) * u64::from(height) > 100_000_000 {
@@ -34,7 +34,6 @@ impl Drawing {
         }
         let mut pixmap = Pixmap::new(width, height).ok_or_else(too_many)?;
         pixmap.fill(Color::WHITE);
-        let scale = scale as f32;
         resvg::render(&self.tree, Transform::from_scale(scale, scale), &mut pixmap.as_mut());
         // On white everything is opaque, so nothing needs dividing by its opacity.
         let pixels = pixmap.data().chunks_exact(4).map(|p| [p[0], p[1], p[2]]).collect();

@@ -28,15 +28,9 @@ impl Curve {
         Ok(self.inertia.about_axis(&self.plane[1])? / self.inertia.about_axis(&self.plane[0])?)
     }
 
-    /// The direction of the widest gap and the gap, degrees, by golden sections.
+    /// The direction of the widest gap and the gap, degrees: there the diagonal halves it.
     fn widest(&self) -> Result<(f64, f64), Error> {
-        let (mut a, mut b) = (0.0, 90.0);
-        let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
-        for _ in 0..50 {
-            let (p, q) = (b - golden * (b - a), a + golden * (b - a));
-            if self.gap(p)? < self.gap(q)? { a = p } else { b = q }
-        }
-        let at = 0.5 * (a + b);
+        let at = self.ratio()?.sqrt().recip().atan().to_degrees();
         Ok((at, self.gap(at)?))
     }
 }

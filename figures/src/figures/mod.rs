@@ -46,60 +46,60 @@ mod work_torque;
 /// another body, and what it then shows.
 macro_rules! figures {
     ($($draw:path, $name:literal, $chapter:literal, $shows:literal
-       $(=> $kind:ident :: $of_body:ident, $of_it:literal)?;)*) => {
+       $(=> $of_body:path, $of_it:literal)?;)*) => {
         &[$(Figure {
             name: $name,
             shows: $shows,
             chapter: $chapter,
             draw: $draw,
-            of_body: figures!(@ $($kind::$of_body, $of_it)?),
+            of_body: figures!(@ $($of_body, $of_it)?),
         }),*]
     };
     (@) => { None };
-    (@ $kind:ident :: $of_body:ident, $shows:literal) => {
-        Some(Follows { shows: $shows, draw: of_body::$kind::$of_body })
+    (@ $of_body:path, $shows:literal) => {
+        Some(Follows { shows: $shows, draw: $of_body })
     };
 }
 
 /// In the order of the book.
 pub(crate) static ALL: &[Figure] = figures! {
     cover::draw, "cover", "about", "The paths that the spin of a tumbling body can take, on the ellipsoid of equal energy"
-        => polhodes::cover, "The paths that its spin can take, on the ellipsoid of equal energy";
+        => of_body::polhodes::cover, "The paths that its spin can take, on the ellipsoid of equal energy";
     three_tosses::draw, "three-tosses", "toss-a-book", "Three tosses of one book, drawn after each turn"
-        => tosses::draw, "Three tosses, drawn after each turn";
+        => of_body::tosses::draw, "Three tosses, drawn after each turn";
     rod_two_ways::draw, "rod-two-ways", "matrix-mass", "One rod, two moments: about its length and end over end";
     turning_place::draw, "turning-place", "matrix-mass", "A point of a turning body, and its velocity";
     hammer::draw, "hammer", "principal-axes", "A hammer made of two solids, and its principal axes";
     moments_gallery::draw, "moments-gallery", "principal-axes", "The book's bodies and their three principal moments";
     moments_map::draw, "moments-map", "principal-axes", "Every rigid body is a point in one triangle"
-        => moments::on_map, "Its place among all rigid bodies";
+        => of_body::moments::place::<false>, "Its place among all rigid bodies";
     two_arrows::draw, "two-arrows", "two-arrows", "A flat plate spun off its axes: the angular momentum leans to the hard axis"
-        => arrows::turned, "Spun off its axes: the angular momentum leans to the hard axis";
+        => of_body::arrows::turned, "Spun off its axes: the angular momentum leans to the hard axis";
     gap_curve::draw, "gap-curve", "two-arrows", "The angle between spin and momentum, for every direction of the spin and several bodies"
-        => gaps::draw, "The angle between spin and momentum, for every direction of the spin";
+        => of_body::gaps::draw, "The angle between spin and momentum, for every direction of the spin";
     box_moments::draw, "box-moments", "worked-example", "The box of the worked example, its edges and its three moments"
-        => moments::draw, "Its principal axes and its three moments";
+        => of_body::moments::draw, "Its principal axes and its three moments";
     box_arrows::draw, "box-arrows", "worked-example", "The box seen along z, its spin, its momentum and the gap between them"
-        => arrows::one, "Spin and momentum between two of its axes";
+        => of_body::arrows::one, "Spin and momentum between two of its axes";
     turning_tensor::draw, "turning-tensor", "body-and-world", "The box turns, and its tensor in world axes turns with it";
     torque::draw, "torque", "eulers-equations", "A torque about one axis turns a box at rest about another";
     seen_from_body::draw, "seen-from-body", "eulers-equations", "An arrow fixed in the room, seen from a turning body";
     three_spins::draw, "three-spins", "eulers-equations", "The same small slip about each of the three axes: two wobble, one flips"
-        => spins::three, "The spin in body axes, thrown about each axis in turn";
+        => of_body::spins::three, "The spin in body axes, thrown about each axis in turn";
     two_rods::draw, "two-rods", "why-the-middle-one", "Two crossed rods, spun about each axis and tilted from it in two ways, and how their masses are pulled outward";
     engines_energy::draw, "engines-energy", "three-pitfalls", "Energy of a free box: the right engine, and the one with a frozen tensor";
     engines_paths::draw, "engines-paths", "three-pitfalls", "Spin about the middle axis: the right engine flips, two wrong ones refuse";
     polhodes::draw, "polhodes", "dzhanibekov", "Paths of the spin on the ellipsoid of equal energy, with the separatrix"
-        => polhodes::draw, "The paths of its spin on the ellipsoid of equal energy";
+        => of_body::polhodes::draw, "The paths of its spin on the ellipsoid of equal energy";
     wobble_growth::draw, "wobble-growth", "dzhanibekov", "A small wobble about the middle axis grows as theory says, until it flips"
-        => flips::growth, "How a small slip grows until it flips";
+        => of_body::flips::growth, "How a small slip grows until it flips";
     flip_time::draw, "flip-time", "dzhanibekov", "Time between flips against the slip"
-        => flips::time, "The time between flips against the slip";
+        => of_body::flips::time, "The time between flips against the slip";
     moments_map::draw_growth, "flip-map", "dzhanibekov", "How fast a slip off the middle axis grows, for every rigid body"
-        => moments::on_growth_map, "How fast a slip grows, among all rigid bodies";
+        => of_body::moments::place::<true>, "How fast a slip grows, among all rigid bodies";
     coin::draw, "coin", "coin", "A thrown plate: its axis and its spin circle its momentum";
     jacobi::draw, "jacobi", "exact-motion", "The components of the spin are Jacobi's three functions"
-        => spins::jacobi, "Its spin in Jacobi’s elliptic functions";
+        => of_body::spins::jacobi, "Its spin in Jacobi’s elliptic functions";
     flip_time_deep::draw, "flip-time-deep", "exact-motion", "Time between flips down to the smallest slip that a computer knows";
     series_terms::draw, "series-terms", "closed-form", "Number of terms that the two series of the closed form need";
     closed_form::complements, "complements", "closed-form", "The complement of the modulus for starts next to the middle axis";

@@ -58,7 +58,7 @@ impl Film {
     /// How it draws arrows.
     #[must_use]
     pub fn projection(&self) -> Projection {
-        Projection { fastest: self.fastest }
+        Projection { fastest: self.fastest / self.share }
     }
 
     /// The spin as the camera sees it at this share of the film, rad/s, z upwards.
@@ -117,7 +117,7 @@ impl Film {
         }
         let attitude = self.motion.attitude(share * self.length.motion)?;
         let momentum = self.seen_from(share, &attitude) * self.momentum.normalize();
-        canvas.arrow(BODY, arrows.at(&(momentum * MOMENTUM)), Pen::new(Ink::Momentum, 3.6));
+        canvas.arrow(BODY, arrows.at(&(momentum * MOMENTUM * self.share)), Pen::new(Ink::Momentum, 3.6));
         let [x, y] = self.projection().tip(&self.spin_seen(share)?);
         canvas.arrow(BODY, (x, y), Pen::new(Ink::Omega, 3.2));
         canvas.disc(BODY, 3.5, Fill::new(Ink::Text), None);
@@ -192,14 +192,16 @@ impl Film {
         canvas.label((14.0, 22.0), &small("spin $!ω$".into()).ink(Ink::Omega));
         canvas.label((14.0, 42.0), &small("momentum $!L$".into()).ink(Ink::Momentum));
         canvas.label((14.0, 62.0), &small(word(self.request.axis).into()).ink(ink_of(self.request.axis)));
-        let name: String = self.name.chars().take(36).collect();
-        let spin = spin_in_words(self.request.spin, self.request.axis);
-        let mut words = format!("{name}, {spin}, {}", share_in_words(self.push));
+        let mut words: String = self.name.chars().take(36).collect();
+        let spun = [share_in_words(self.push), spin_in_words(self.request.spin, self.request.axis)];
         let [right, mut low] = self.sheet().map(|edge| f64::from(edge) - 14.0);
         if self.request.square {
-            canvas.label((14.0, low), &small(words.split_off(name.len()).split_off(2)));
-            low -= 22.0;
+            for line in spun {
+                canvas.label((14.0, low), &small(line));
+                low -= 22.0;
+            }
         } else {
+            words = format!("{words}, {}, {}", spun[1], spun[0]);
             canvas.label((right, 22.0), &small("the spin's path in the body".into()).end());
         }
         canvas.label((14.0, low), &small(words));

@@ -62,6 +62,8 @@ pub struct Film {
     surfaces: Vec<Surface>,
     /// Of the body as drawn, points to the metre.
     scale: f64,
+    /// How long arrows are drawn: seen from the body they swing down to the words.
+    share: f64,
     length: Length,
     /// Principal axes as columns, in the body's.
     frame: Matrix3<f64>,
@@ -106,6 +108,7 @@ impl Film {
             motion,
             momentum,
             scale: 1.0,
+            share: if length.camera == Camera::Body { 0.74 } else { 1.0 },
             surfaces,
             length,
             frame: model.principal().frame(),

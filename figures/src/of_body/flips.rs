@@ -9,7 +9,7 @@ use nalgebra::Vector3;
 /// The time between flips for pushes from 1e-9 to 1e-1.
 pub(crate) fn time(subject: &Subject<'_>) -> Drawing {
     let longest = 1.12 * subject.flip_time(1e-10)?;
-    let (unit, name) = units::time_unit(longest);
+    let (unit, name) = units::TIME.of(longest);
     let canvas = Canvas::sized(500, 450);
     canvas.label((14.0, 24.0), &Label::new(subject.heading()).bold());
     let (x, y) = (Scale::log(1e-10..1.0), 0.0..longest / unit);
@@ -29,23 +29,23 @@ pub(crate) fn time(subject: &Subject<'_>) -> Drawing {
     let decade = 2.0 * 10_f64.ln() / (subject.growth() * subject.spin);
     let right = (480.0, 108.0);
     canvas.label(right, &Label::new("a slip ten times smaller:").end());
-    let label = Label::new(format!("{} longer", units::time(decade))).end().bold();
+    let label = Label::new(format!("{} longer", units::TIME.say(decade))).end().bold();
     canvas.label((right.0, right.1 + 22.0), &label);
     canvas.described(format!(
         "Time between two flips of {} spun about its middle axis, {}, against the slip: from {} at a slip of 0.1 to {} at 1e-9, \
          nearly a straight line over a logarithmic axis, {} for each factor of ten.",
         subject.name(),
         units::turning(subject.spin),
-        units::time(subject.flip_time(0.1)?),
-        units::time(subject.flip_time(1e-9)?),
-        units::time(decade)
+        units::TIME.say(subject.flip_time(0.1)?),
+        units::TIME.say(subject.flip_time(1e-9)?),
+        units::TIME.say(decade)
     ))
 }
 
 /// The angle between spin and middle axis after three small pushes, until the first flip is over.
 pub(crate) fn growth(subject: &Subject<'_>) -> Drawing {
     let longest = 1.12 * subject.flip_time(1e-6)?;
-    let (unit, name) = units::time_unit(longest);
+    let (unit, name) = units::TIME.of(longest);
     let canvas = Canvas::sized(500, 470);
     canvas.label((14.0, 24.0), &Label::new(subject.heading()).bold());
     let (x, y) = (0.0..longest / unit, Scale::log(1e-8..100.0));
@@ -64,21 +64,21 @@ pub(crate) fn growth(subject: &Subject<'_>) -> Drawing {
             .collect();
         plot.curve(points?.into_iter().map(|(t, angle)| (t, angle.max(1e-8))), Pen::new(Ink::Text, 2.2))?;
         let half = plot.at(0.5 * whole / unit, 3.0);
-        let words = Label::new(units::time(0.5 * whole)).middle();
+        let words = Label::new(units::TIME.say(0.5 * whole)).middle();
         canvas.label_at_first(&[0.0, -22.0].map(|down| (half.0, half.1 + down)), &words);
         let start = plot.at(whole / unit, push);
         let power = Label::new(power_of_ten(exponent)).end().size(15.5);
         canvas.label_at_first(&[16.0, 34.0].map(|down| (start.0 - 4.0, start.1 + down)), &power);
-        said.push(format!("after {push:.0e} rad it flips at {}", units::time(0.5 * whole)));
+        said.push(format!("after {push:.0e} rad it flips at {}", units::TIME.say(0.5 * whole)));
     }
     let fold = 1.0 / (subject.growth() * subject.spin);
-    let words = format!("grows e-fold in {}", units::time(fold));
+    let words = format!("grows e-fold in {}", units::TIME.say(fold));
     canvas.label_at_first(&[(472.0, 384.0), (472.0, 362.0)], &Label::new(words).end().bold());
     canvas.described(format!(
         "{} spun about its middle axis with small slips about the largest. On a logarithmic scale the angle between spin and \
          middle axis grows along a straight line, by a factor of e in {}: {}.",
         subject.name(),
-        units::time(fold),
+        units::TIME.say(fold),
         said.join("; ")
     ))
 }

@@ -50,7 +50,7 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
         // Above the curves, or right of those that leave no room above.
         let y = 96.0 + 22.0 * row as f64;
         canvas.line((206.0, y - 5.0), (240.0, y - 5.0), pen);
-        let words = Label::new(format!("{between}: {}°", units::number(widest, 3))).size(15.5);
+        let words = Label::new(format!("{between}: {}°", units::significant(widest, 3))).size(15.5);
         canvas.label((248.0, y), &words.halo(Ink::Paper));
     }
     if subject.kind == Kind::Ball {

@@ -131,10 +131,11 @@ impl<'a> Subject<'a> {
 
     /// Its sizes and mass in words: `77 mm × 7.8 mm × 160 mm, 200 g`.
     pub(crate) fn sizes(&self) -> String {
-        let sides = self.model.sides.map(|sides| sides.map(units::length).join(" × "));
-        let reach = || format!("{} from its centre to its farthest point", units::length(self.model.reach()));
+        let sides = self.model.sides.map(|sides| sides.map(|x| units::LENGTH.say(x)).join(" × "));
+        let reach =
+            || format!("{} from its centre to its farthest point", units::LENGTH.say(self.model.reach()));
         let size = sides.or_else(|| self.model.has_size().then(reach));
-        let mass = self.model.mass.map(units::mass);
+        let mass = self.model.mass.map(|x| units::MASS.say(x));
         let known: Vec<String> = size.into_iter().chain(mass).collect();
         if known.is_empty() { "mass and size not given".into() } else { known.join(", ") }
     }

@@ -46,10 +46,10 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
 }
 
 /// Its place in the triangle of all bodies, with lines of equal growth or without.
-fn place(subject: &Subject<'_>, growth: bool) -> Drawing {
+pub(crate) fn place<const GROWTH: bool>(subject: &Subject<'_>) -> Drawing {
     let (canvas, plot) = map()?;
     edges(&canvas, &plot);
-    if growth {
+    if GROWTH {
         growth_lines(&canvas, &plot)?;
         growth_key(&canvas, &plot);
     }
@@ -72,12 +72,4 @@ fn place(subject: &Subject<'_>, growth: bool) -> Drawing {
         subject.name(),
         subject.growth()
     ))
-}
-
-pub(crate) fn on_map(subject: &Subject<'_>) -> Drawing {
-    place(subject, false)
-}
-
-pub(crate) fn on_growth_map(subject: &Subject<'_>) -> Drawing {
-    place(subject, true)
 }

@@ -33,7 +33,7 @@ struct Panel<'a> {
 
 impl<'a> Panel<'a> {
     fn new(canvas: &'a Canvas, top: f64, end: f64, last: bool, most: f64) -> Self {
-        let (unit, name) = units::time_unit(end);
+        let (unit, name) = units::TIME.of(end);
         let x = 0.0..end / unit;
         let plot = Plot::new(canvas, [52.0, top, 440.0, top + 130.0], x, -most..most);
         let times = units::ticks(end / unit).into_iter();
@@ -101,7 +101,7 @@ pub(crate) fn three(subject: &Subject<'_>) -> Drawing {
         "The spin of {} in body axes over {}, thrown about each principal axis in turn with the same slip of {PUSH} of the spin \
          about both others. The component about the axis of the throw: {}.",
         subject.name(),
-        units::time(end),
+        units::TIME.say(end),
         said.join("; ")
     ))
 }

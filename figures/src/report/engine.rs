@@ -116,14 +116,14 @@ fn needed(rule: Option<Method>, subject: &Subject<'_>) -> Result<Option<u32>, Bo
 fn share(error: f64) -> String {
     match error {
         ..1e-12 => "to rounding".into(),
-        1e-12..1e-3 => units::number(error, 2),
+        1e-12..1e-3 => units::significant(error, 2),
         10.0.. => "more than 1000 %".into(),
-        _ => format!("{} %", units::number(100.0 * error, 2)),
+        _ => format!("{} %", units::significant(100.0 * error, 2)),
     }
 }
 
 pub(super) fn section(subject: &Subject<'_>) -> Result<String, Box<dyn Error>> {
-    let frame = units::time(TAU / subject.spin / f64::from(FRAMES));
+    let frame = units::TIME.say(TAU / subject.spin / f64::from(FRAMES));
     let mut out = format!(
         "<section><h2>The step that an engine needs</h2>\n<p>{TURNS} turns at {FRAMES} frames a turn (a frame each {frame}), {}: \
          greatest errors, and the fewest frames a turn with energy and momentum right to 1 % and the attitude at the end to {:.0}°</p>\n<table><tr><th scope=\"col\">rule</th>\
@@ -139,7 +139,7 @@ pub(super) fn section(subject: &Subject<'_>) -> Result<String, Box<dyn Error>> {
         let cells = match run(rule, subject, FRAMES)? {
             Some(errors) => {
                 let needed = needed(rule, subject)?;
-                let angle = format!("{}°", units::number(errors.attitude.to_degrees(), 2));
+                let angle = format!("{}°", units::significant(errors.attitude.to_degrees(), 2));
                 let needed = needed.map_or(format!("more than {MOST}"), |frames| frames.to_string());
                 [share(errors.energy), share(errors.momentum), angle, needed]
             }

@@ -65,7 +65,8 @@ fn what_is_wrong_is_named_with_its_line_and_its_field() {
         ("mass = 1\nname = \"a\\u0000b\"\nsides = [1, 2, 3]", "line 2, `name`: '\\0' is not a character"),
         (&format!("name = '{}'\nmoments = [1, 2, 2]", "n".repeat(2_000_000)), "`name`: a name of 2000000"),
         ("sides = [1, 2, 3]\nmass = 1\nattitude = [1, 0, 0, 0]", "line 3, `attitude`: it is of a body"),
-        ("moments = [1, 2, 1e-400]", "line 1, `moments`: 1e-400 is closer to zero"),
+        ("moments = [1, 2, 1e-400]", "line 1, `moments`: 1e-400 is too near zero"),
+        ("sides = [1, 2, 3]\nmass = 90_000_000_000_000_000_000", "`mass`: 90000000000000000000 is too long"),
         ("sides = [1, 2, 3]\nmass = 1\nat = [1e10, 0, 0]", "line 3, `at`: so far away that rounding"),
     ] {
         let error = format!("{}\n", body(text).unwrap_err());

@@ -60,7 +60,7 @@ fn a_wrong_file_is_refused_by_line_field_and_what_was_expected() {
         (refusal("[1, 2.0, 2.5]", "[1, 2.0]"), "line 7, `moments`: 3 numbers are expected here, not 2"),
         (refusal("2.5]", "inf]"), "line 7, `moments`: inf is no finite number"),
         (refusal("2.5]", "1e999]"), "line 7"),
-        (refusal("0.1, 1.0", "1e-400, 1.0"), "line 8, `spin`: 1e-400 is closer to zero"),
+        (refusal("0.1, 1.0", "1e-400, 1.0"), "line 8, `spin`: 1e-400 is too near zero"),
         (refusal("spin = [0.1, 1.0, 0.2]\n", ""), "line 6: `spin` or `momentum` of this body is missing"),
         (refusal("moments = [1", "moments = [1,, 1"), "line 7"),
         (torque("pull = [1, 0, 0]"), "line 7, `pull`: no such field."),
