@@ -1,15 +1,17 @@
 //! The law of motion as polynomials: what the recurrences of the series need of a body and its torques.
 
-use super::largest;
 use super::sums::{Lanes, lanes};
-use crate::number::Analytic;
+use super::{Run, largest, signed};
+use crate::number::{Analytic, DoubleDouble};
 use crate::step::system::System;
 use crate::step::torques::{Gradient, Periodic, WorldVector};
 use alloc::vec::Vec;
 use nalgebra::Vector3;
+use num_traits::FromPrimitive;
 
 /// Angular acceleration by spin, attitude and time, in a unit of time, all of it polynomial or periodic; in
-/// rows as the series are.
+/// rows as the series are. Its time is counted from that of the system, so that it keeps its digits however
+/// late that is.
 #[derive(Debug, Clone)]
 pub(super) struct Law<T: nalgebra::Scalar> {
     /// `(I2 - I3) / I1` and so on round.
@@ -25,7 +27,7 @@ pub(super) struct Law<T: nalgebra::Scalar> {
     pub(super) periodic: Vec<PeriodicLaw<T>>,
 }
 
-impl<T: Analytic + Copy> Law<T> {
+impl<T: Analytic + Copy + FromPrimitive> Law<T> {
     /// That of a system in units of this number of seconds, if none of its torques is a function.
     pub(super) fn of(system: &System<T>, unit: T) -> Option<Self> {
         let (inverse, sum) = (&system.inverse, &system.sum);
@@ -41,20 +43,14 @@ impl<T: Analytic + Copy> Law<T> {
             coupling: lanes(coupling),
             constant: lanes(sum.constant.component_mul(inverse).map(squared).into()),
             decay: damping.iter().any(|x| !x.is_zero()).then(|| lanes(damping.into())),
-            dissipation: (!sum.dissipation.is_zero()).then(|| {
-                let strength = sum.dissipation / unit;
-                DissipationLaw {
-                    moments: lanes((*system.moments()).into()),
-                    acceleration: lanes(system.moments().map(|moment| strength / moment).into()),
-                }
+            dissipation: (!sum.dissipation.is_zero()).then(|| DissipationLaw {
+                moments: lanes((*system.moments()).into()),
+                acceleration: lanes(system.moments().map(|moment| sum.dissipation / unit / moment).into()),
             }),
             gradients: sum
                 .gradients
                 .iter()
-                .map(|gradient| {
-                    let acceleration = coupling.map(|x| x * squared(gradient.strength));
-                    GradientLaw::new(gradient, lanes(acceleration), unit)
-                })
+                .map(|one| GradientLaw::new(one, coupling, unit, system.time))
                 .collect(),
             world: sum
                 .world
@@ -69,13 +65,13 @@ impl<T: Analytic + Copy> Law<T> {
         };
         for torque in &sum.periodic {
             let acceleration = torque.amplitude.component_mul(inverse).map(squared);
-            law.add_periodic(torque, &lanes(acceleration.into()), unit);
+            law.add_periodic(torque, &lanes(acceleration.into()), unit, system.time);
         }
         Some(law)
     }
 
-    fn add_periodic(&mut self, torque: &Periodic<T>, acceleration: &Lanes<T>, unit: T) {
-        let (sine, cosine) = Analytic::sin_cos(&torque.phase);
+    fn add_periodic(&mut self, torque: &Periodic<T>, acceleration: &Lanes<T>, unit: T, start: T) {
+        let (sine, cosine) = turned(torque.phase, torque.rate, start);
         let (cosine, sine) = (acceleration.map(|x| x * cosine), acceleration.map(|x| -(x * sine)));
         if let Some(one) = self.periodic.iter_mut().find(|one| one.rate == torque.rate) {
             for i in 0..4 {
@@ -87,6 +83,15 @@ impl<T: Analytic + Copy> Law<T> {
             self.periodic.push(PeriodicLaw { rate, rate_in_units, cosine, sine });
         }
     }
+}
+
+/// Sine and cosine of a phase that grows at a rate (rad/s) for a time (s), however many turns: their product
+/// is taken without its rounding.
+fn turned<T: Analytic + Copy + FromPrimitive>(phase: T, rate: T, time: T) -> (T, T) {
+    let angle = DoubleDouble::product(signed(rate), signed(time));
+    let [(p, q), (s, c), (t, d)] = [signed(phase), angle.hi(), angle.lo()].map(|x| Analytic::sin_cos(&x));
+    let (s, c) = (s * d + c * t, c * d - s * t);
+    (Run::number(p * c + q * s), Run::number(q * c - p * s))
 }
 
 /// How fast the torques of a system change its motion.
@@ -152,7 +157,7 @@ pub(super) struct WorldLaw<T> {
 }
 
 /// What periodic torques of one rate do: the angular acceleration by the cosine and by the sine of rate times
-/// time.
+/// time from the system's on.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PeriodicLaw<T> {
     /// rad/s.
@@ -182,13 +187,14 @@ pub(super) struct GradientLaw<T> {
     rate: T,
     /// The direction's part along the orbit's axis, in world axes.
     along: Vector3<T>,
-    /// The rest of it, at time zero and a quarter of a turn on.
+    /// The rest of it, at the system's time and a quarter of a turn on.
     across: [Vector3<T>; 2],
 }
 
-impl<T: Analytic + Copy> GradientLaw<T> {
-    fn new(gradient: &Gradient<T>, acceleration: Lanes<T>, unit: T) -> Self {
-        let Gradient { direction, orbit, .. } = gradient;
+impl<T: Analytic + Copy + FromPrimitive> GradientLaw<T> {
+    fn new(gradient: &Gradient<T>, coupling: [T; 3], unit: T, start: T) -> Self {
+        let Gradient { direction, orbit, strength } = gradient;
+        let acceleration = lanes(coupling.map(|x| x * (*strength * unit * unit)));
         let in_units = orbit.map(|x| x * unit);
         let largest = orbit[orbit.map(|x| x.size()).imax()];
         let none = Vector3::repeat(T::zero());
@@ -203,10 +209,15 @@ impl<T: Analytic + Copy> GradientLaw<T> {
         let axis = part.map(|x| x / length);
         let ahead = axis.cross(direction);
         let across = ahead.cross(&axis);
-        Self { rate: largest * length, along: direction - across, across: [across, ahead], ..fixed }
+        let (rate, along) = (largest * length, direction - across);
+        let (sine, cosine) = turned(T::zero(), rate, start);
+        let across = [across * cosine + ahead * sine, ahead * cosine - across * sine];
+        Self { rate, along, across, ..fixed }
     }
+}
 
-    /// The direction at a time (s), in world axes.
+impl<T: Analytic + Copy> GradientLaw<T> {
+    /// The direction at a time (s after the system's), in world axes.
     pub(super) fn direction_at(&self, time: T) -> Vector3<T> {
         let Self { rate, along, across: [across, ahead], .. } = self;
         let (sine, cosine) = Analytic::sin_cos(&(*rate * time));

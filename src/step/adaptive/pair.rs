@@ -6,7 +6,6 @@ use super::{Run, largest, ratio};
 use crate::body::{Rate, State};
 use crate::error::{Error, Subject, representable};
 use crate::number::{Analytic, exponent, times_power_of_two};
-use alloc::sync::Arc;
 use nalgebra::{Quaternion, Vector3};
 use num_traits::FromPrimitive;
 
@@ -70,9 +69,7 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
     /// The estimated error of a step, the larger of attitude's and momentum's, each relative to its own size:
     /// of the differences from a step of order 5 and one of order 3, as [HNW93](crate::references), II.10.
     fn error(&self, run: &Run<T>, end: &State<T>, h: f64) -> f64 {
-        let zero = T::zero();
-        let nothing =
-            State { attitude: Quaternion::new(zero, zero, zero, zero), momentum: Vector3::repeat(zero) };
+        let nothing = difference(end, end);
         let by = |weights: Weights| combined(&nothing, &self.rates, weights, Run::number(h));
         let (fifth, whole, third) = (by(FIFTH), by(STEP), by(THIRD));
         let third = difference(&whole, &third);
@@ -152,17 +149,8 @@ impl<T: Analytic + Copy + FromPrimitive> Pair<T> {
     ) -> Result<State<T>, Error> {
         let mut pair = Self { rates: [self.first; 12], first: self.first, h: duration };
         let end = began + duration;
-        let system = Arc::clone(&run.system);
-        let mut part = Run {
-            time: began,
-            state: *start,
-            duration: end,
-            goal: end,
-            flips: None,
-            variation: None,
-            system,
-            ..*run
-        };
+        let mut part = run.clone();
+        (part.time, part.state, part.duration, part.goal) = (began, *start, end, end);
         let before = run.steps + run.rejected;
         while part.time != end {
             if part.steps + part.rejected > before + SHORTER_STEPS {

@@ -83,7 +83,7 @@ impl<T: Analytic + Copy, const N: usize> Series<T, N> {
         }
     }
 
-    /// The first coefficients at a time (s): the state itself, with its spin in units.
+    /// The first coefficients at a time (s after the system's): the state itself, with its spin in units.
     pub(super) fn begin(&mut self, law: &Law<T>, attitude: &Quaternion<T>, spin: [T; 3], time: T) {
         let in_body = |v: &Vector3<T>| lanes(rotate_inverse(attitude, v).into());
         self.order = 0;

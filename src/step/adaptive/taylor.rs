@@ -41,7 +41,7 @@ impl<T: Analytic + Copy + FromPrimitive> Taylor<T> {
     fn begin(&mut self, run: &Run<T>, state: &State<T>, time: f64) {
         let unit = Run::number(self.unit);
         let spin = run.system.omega(&state.momentum).map(|x| x * unit).into();
-        self.next.begin(&self.law, &state.attitude, spin, run.system.time + Run::number(time));
+        self.next.begin(&self.law, &state.attitude, spin, Run::number(time));
         self.next.extend_to(1, &self.law);
     }
 
