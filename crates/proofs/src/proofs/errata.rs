@@ -40,7 +40,7 @@ proofs! {
             r"With $a^2 = n$ and $x = a\operatorname{tanh}$, where $x'$ is its rate and the derivative of the inverse of the hyperbolic tangent is put in, $\frac{1}{1 - n} - \frac{a}{(1 - n)\lambda} A = \frac{1}{1 - n\operatorname{tanh}^2}$, with $A = x'/(1 - x^2)$.";
             but "a plus before the second term": integral_of_tanh(-1),
         "errata-acceleration": acceleration(false),
-            r"Of a body whose spin is (C7), $\omega = (o_1\operatorname{cn}, o_2\operatorname{sn}, o_3\operatorname{dn})$ along three axes in cyclic order, with the amplitudes (C5), the parameter $m$ as the square of (C4) and the rate (C6) as $\lambda$, the library's Euler's equations want $\omega' = \lambda (-o_1\operatorname{sn}\operatorname{dn}, o_2\operatorname{cn}\operatorname{dn}, -m o_3\operatorname{sn}\operatorname{cn})$.";
+            r"Of a body whose spin is the closed form's, $\omega = (o_1\operatorname{cn}, o_2\operatorname{sn}, o_3\operatorname{dn})$ along three axes in cyclic order, with its amplitudes, the square $m$ of its modulus and the rate $\lambda$ of its argument, the library's Euler's equations want $\omega' = \lambda (-o_1\operatorname{sn}\operatorname{dn}, o_2\operatorname{cn}\operatorname{dn}, -m o_3\operatorname{sn}\operatorname{cn})$.";
             but "the first two exchanged": acceleration(true),
         "errata-precession": precession(1),
             r"Along the motion, the rate of an angle of Euler, $\phi' = M (I_1\omega_1^2 + I_2\omega_2^2)/(M^2 - I_3^2\omega_3^2)$, is $\phi' = \frac{M}{I_3}(1 + \frac{I_{32} I_{31}}{I_1 I_{32} + I_3 I_{21}\operatorname{sn}^2})$.";
