@@ -106,12 +106,13 @@ impl<T: nalgebra::Scalar> Torque<T> {
     /// world's vector `v` in body axes.
     ///
     /// The time is that of the [`Stepper`](crate::step::Stepper), which counts it; a
-    /// [`Method`](crate::step::Method) by itself starts each step at zero. It is rounded: at 1e9 s to 1e-7 s,
-    /// which an adaptive run takes for an error of a torque that changes fast, and makes short steps or
-    /// refuses. Of a [`Periodic`](Self::Periodic) torque and of an orbit it keeps the phase to its last digits.
-    /// Methods with kicks hold time and
+    /// [`Method`](crate::step::Method) by itself starts each step at zero. Methods with kicks hold time and
     /// attitude for each half kick and take the spin within it by the explicit midpoint rule: of the second
     /// order, and reversible where the law does not depend on the spin.
+    ///
+    /// The time is rounded, at 1e9 s to 1e-7 s. An adaptive run takes that for an error if the torque changes
+    /// fast: it makes short steps, or refuses. Of a [`Periodic`](Self::Periodic) torque and of an orbit it
+    /// keeps the phase to its last digits.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
