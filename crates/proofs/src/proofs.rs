@@ -22,6 +22,7 @@ macro_rules! proofs {
 }
 
 pub(crate) mod conserved;
+mod discrete;
 mod engines;
 mod errata;
 mod euler;
@@ -45,7 +46,7 @@ use crate::proof::Proof;
 /// Every proof.
 #[must_use]
 pub fn proofs() -> Vec<&'static Proof> {
-    let parts: [&[Proof]; 17] = [
+    let parts: [&[Proof]; 18] = [
         solids::PROOFS,
         inertia::PROOFS,
         turning::PROOFS,
@@ -59,6 +60,7 @@ pub fn proofs() -> Vec<&'static Proof> {
         integrals::PROOFS,
         sensitivity::PROOFS,
         methods::PROOFS,
+        discrete::PROOFS,
         shares::PROOFS,
         kept::PROOFS,
         position_stage::PROOFS,

@@ -1,8 +1,9 @@
 //! Every body at once: moments, spins, tensors and attitudes made of symbols.
 
-use crate::number::{Derivation, Fraction, Polynomial, Relations};
+use crate::number::{Derivation, Fraction, Polynomial, Relations, Series};
 use nalgebra::{Matrix3, Quaternion, Vector3};
 use num_traits::{One, Zero};
+use tumbling::step::System;
 
 /// Fractions in named variables.
 pub type Vector = Vector3<Fraction>;
@@ -23,6 +24,13 @@ pub fn variables<const N: usize>(names: [&str; N]) -> [Fraction; N] {
 #[must_use]
 pub fn vector(name: &str) -> Vector {
     Vector::from_fn(|i, _| Fraction::variable(&format!("{name}{}", i + 1)))
+}
+
+/// The momentum that the library gives a spin, along principal axes.
+pub(crate) fn momentum(moments: &Vector, omega: &Vector) -> Vector {
+    let [moments, omega] = [moments, omega].map(|v| v.map(Series::constant));
+    let momentum = System::of_numbers(moments, Vec::new()).momentum(&omega);
+    momentum.map(|x| x.coefficient(0).unwrap_or_else(|| Fraction::one() / Fraction::zero()))
 }
 
 /// The symmetric matrix with entries `name_xx`, `name_xy`, ...

@@ -1,8 +1,7 @@
 //! The law of motion as polynomials: what the recurrences of the series need of a body and its torques.
 
-use super::largest;
 use super::sums::{Lanes, lanes};
-use crate::number::functions::sin_cos;
+use crate::number::{DoubleDouble, functions::sin_cos};
 use crate::step::system::System;
 use crate::step::torques::{Gradient, Periodic, WorldVector};
 use alloc::vec::Vec;
@@ -11,7 +10,8 @@ use nalgebra::Vector3;
 use num_traits::Float as _;
 
 /// Angular acceleration by spin, attitude and time, in a unit of time, all of it polynomial or periodic; in
-/// rows as the series are.
+/// rows as the series are. Its time is counted from that of the system, so that it keeps its digits however
+/// late that is.
 #[derive(Debug, Clone)]
 pub(super) struct Law {
     /// `(I2 - I3) / I1` and so on round.
@@ -43,20 +43,14 @@ impl Law {
             coupling: lanes(coupling),
             constant: lanes(sum.constant.component_mul(inverse).map(squared).into()),
             decay: damping.iter().any(|x| *x != 0.0).then(|| lanes(damping.into())),
-            dissipation: (sum.dissipation != 0.0).then(|| {
-                let strength = sum.dissipation / unit;
-                DissipationLaw {
-                    moments: lanes((*system.moments()).into()),
-                    acceleration: lanes(system.moments().map(|moment| strength / moment).into()),
-                }
+            dissipation: (sum.dissipation != 0.0).then(|| DissipationLaw {
+                moments: lanes((*system.moments()).into()),
+                acceleration: lanes(system.moments().map(|moment| sum.dissipation / unit / moment).into()),
             }),
             gradients: sum
                 .gradients
                 .iter()
-                .map(|gradient| {
-                    let acceleration = coupling.map(|x| x * squared(gradient.strength));
-                    GradientLaw::new(gradient, lanes(acceleration), unit)
-                })
+                .map(|one| GradientLaw::new(one, coupling, unit, system.time))
                 .collect(),
             world: sum
                 .world
@@ -71,13 +65,13 @@ impl Law {
         };
         for torque in &sum.periodic {
             let acceleration = torque.amplitude.component_mul(inverse).map(squared);
-            law.add_periodic(torque, &lanes(acceleration.into()), unit);
+            law.add_periodic(torque, &lanes(acceleration.into()), unit, system.time);
         }
         Some(law)
     }
 
-    fn add_periodic(&mut self, torque: &Periodic<f64>, acceleration: &Lanes, unit: f64) {
-        let (sine, cosine) = sin_cos(torque.phase);
+    fn add_periodic(&mut self, torque: &Periodic<f64>, acceleration: &Lanes, unit: f64, start: f64) {
+        let (sine, cosine) = turned(torque.phase, torque.rate, start);
         let (cosine, sine) = (acceleration.map(|x| x * cosine), acceleration.map(|x| -(x * sine)));
         if let Some(one) = self.periodic.iter_mut().find(|one| one.rate == torque.rate) {
             for i in 0..4 {
@@ -89,6 +83,15 @@ impl Law {
             self.periodic.push(PeriodicLaw { rate, rate_in_units, cosine, sine });
         }
     }
+}
+
+/// Sine and cosine of a phase that grows at a rate (rad/s) for a time (s), however many turns: their product
+/// is taken without its rounding.
+fn turned(phase: f64, rate: f64, time: f64) -> (f64, f64) {
+    let angle = DoubleDouble::product(rate, time);
+    let [(p, q), (s, c), (t, d)] = [phase, angle.hi(), angle.lo()].map(sin_cos);
+    let (s, c) = (s * d + c * t, c * d - s * t);
+    (p * c + q * s, q * c - p * s)
 }
 
 /// How fast the torques of a system change its motion.
@@ -154,7 +157,7 @@ pub(super) struct WorldLaw {
 }
 
 /// What periodic torques of one rate do: the angular acceleration by the cosine and by the sine of rate times
-/// time.
+/// time from the system's on.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PeriodicLaw {
     /// rad/s.
@@ -184,13 +187,14 @@ pub(super) struct GradientLaw {
     rate: f64,
     /// The direction's part along the orbit's axis, in world axes.
     along: Vector3<f64>,
-    /// The rest of it, at time zero and a quarter of a turn on.
+    /// The rest of it, at the system's time and a quarter of a turn on.
     across: [Vector3<f64>; 2],
 }
 
 impl GradientLaw {
-    fn new(gradient: &Gradient<f64>, acceleration: Lanes, unit: f64) -> Self {
-        let Gradient { direction, orbit, .. } = gradient;
+    fn new(gradient: &Gradient<f64>, coupling: [f64; 3], unit: f64, start: f64) -> Self {
+        let Gradient { direction, orbit, strength } = gradient;
+        let acceleration = lanes(coupling.map(|x| x * (*strength * unit * unit)));
         let in_units = orbit.map(|x| x * unit);
         let largest = orbit[orbit.map(|x| x.abs()).imax()];
         let (along, across) = (*direction, [Vector3::zeros(); 2]);
@@ -204,10 +208,13 @@ impl GradientLaw {
         let axis = part.map(|x| x / length);
         let ahead = axis.cross(direction);
         let across = ahead.cross(&axis);
-        Self { rate: largest * length, along: direction - across, across: [across, ahead], ..fixed }
+        let (rate, along) = (largest * length, direction - across);
+        let (sine, cosine) = turned(0.0, rate, start);
+        let across = [across * cosine + ahead * sine, ahead * cosine - across * sine];
+        Self { rate, along, across, ..fixed }
     }
 
-    /// The direction at a time (s), in world axes.
+    /// The direction at a time (s after the system's), in world axes.
     pub(super) fn direction_at(&self, time: f64) -> Vector3<f64> {
         let Self { rate, along, across: [across, ahead], .. } = self;
         let (sine, cosine) = sin_cos(*rate * time);

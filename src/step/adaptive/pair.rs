@@ -65,7 +65,7 @@ impl Pair {
     /// The estimated error of a step, the larger of attitude's and momentum's, each relative to its own size:
     /// of the differences from a step of order 5 and one of order 3, as [HNW93](crate::references), II.10.
     fn error(&self, run: &Run, end: &State<f64>, h: f64) -> f64 {
-        let nothing = State { attitude: Quaternion::new(0.0, 0.0, 0.0, 0.0), momentum: Vector3::zeros() };
+        let nothing = difference(end, end);
         let by = |weights: Weights| combined(&nothing, &self.rates, weights, h);
         let (fifth, whole, third) = (by(FIFTH), by(STEP), by(THIRD));
         let third = difference(&whole, &third);

@@ -83,7 +83,7 @@ impl<const N: usize> Series<N> {
         }
     }
 
-    /// The first coefficients at a time (s): the state itself, with its spin in units.
+    /// The first coefficients at a time (s after the system's): the state itself, with its spin in units.
     pub(super) fn begin(&mut self, law: &Law, attitude: &Quaternion<f64>, spin: [f64; 3], time: f64) {
         let in_body = |v: &Vector3<f64>| lanes(rotate_inverse(attitude, v).into());
         self.order = 0;

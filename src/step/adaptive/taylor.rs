@@ -39,7 +39,7 @@ impl Taylor {
     /// Begins the next series at a state and a time, s after the start of the run.
     fn begin(&mut self, run: &Run, state: &State<f64>, time: f64) {
         let spin = run.system.omega(&state.momentum).map(|x| x * self.unit).into();
-        self.next.begin(&self.law, &state.attitude, spin, run.system.time + time);
+        self.next.begin(&self.law, &state.attitude, spin, time);
         self.next.extend_to(1, &self.law);
     }
 

@@ -6,6 +6,7 @@
 
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
 use crate::proof::{Outcome, Residue, same_entries_under, vanishes};
+use crate::proofs::klein::{Change, Motion, motion};
 use crate::symbols::{Vector, changing, pure, square, variables, vector};
 use crate::tex::{Scope, Value};
 use nalgebra::Quaternion;
@@ -39,7 +40,7 @@ proofs! {
             r"With $a^2 = n$ and $x = a\operatorname{tanh}$, where $x'$ is its rate and the derivative of the inverse of the hyperbolic tangent is put in, $\frac{1}{1 - n} - \frac{a}{(1 - n)\lambda} A = \frac{1}{1 - n\operatorname{tanh}^2}$, with $A = x'/(1 - x^2)$.";
             but "a plus before the second term": integral_of_tanh(-1),
         "errata-acceleration": acceleration(false),
-            r"By the derivatives of Jacobi's functions, which are put in, the spin $\omega = (o_1\operatorname{cn}, o_2\operatorname{sn}, o_3\operatorname{dn})$ has the rate $\omega' = \lambda(-o_1\operatorname{sn}\operatorname{dn}, o_2\operatorname{cn}\operatorname{dn}, -m o_3\operatorname{sn}\operatorname{cn})$.";
+            r"Of a body whose spin is the closed form's, $\omega = (o_1\operatorname{cn}, o_2\operatorname{sn}, o_3\operatorname{dn})$ along three axes in cyclic order, with its amplitudes, the square $m$ of its modulus and the rate $\lambda$ of its argument, the library's Euler's equations want $\omega' = \lambda (-o_1\operatorname{sn}\operatorname{dn}, o_2\operatorname{cn}\operatorname{dn}, -m o_3\operatorname{sn}\operatorname{cn})$.";
             but "the first two exchanged": acceleration(true),
         "errata-precession": precession(1),
             r"Along the motion, the rate of an angle of Euler, $\phi' = M (I_1\omega_1^2 + I_2\omega_2^2)/(M^2 - I_3^2\omega_3^2)$, is $\phi' = \frac{M}{I_3}(1 + \frac{I_{32} I_{31}}{I_1 I_{32} + I_3 I_{21}\operatorname{sn}^2})$.";
@@ -186,15 +187,17 @@ fn integral_of_tanh(sign: i64) -> Result<Scope, Residue> {
     Ok(scope.with_all([("a", a), (r"\lambda", rate)]).under(relations(Vec::new())?))
 }
 
-fn acceleration(exchanged: bool) -> Scope {
-    let [a, b, c, m, rate, sn, cn, dn] = variables(["o1", "o2", "o3", "m", "lambda", "sn", "cn", "dn"]);
-    let omega = Vector::new(&a * &cn, &b * &sn, &c * &dn);
-    let mut change = omega.map(|x| Derivation::elliptic(&rate).of(&x));
+fn acceleration(exchanged: bool) -> Result<Scope, Residue> {
+    let Motion { omega, moments, amplitudes, rate, relations, .. } = motion(1, Change::None)?;
+    let omega = Vector::from(omega);
+    let mut change = angular_acceleration(&Vector::from(moments), &omega, &Vector::zeros());
     if exchanged {
         change.swap_rows(0, 1);
     }
-    let scope = functions().with_each("o", &[a, b, c]).with_all([("m", m), (r"\lambda", rate)]);
-    scope.with(r"\omega", omega).with(r"\omega'", change).under(Relations::elliptic())
+    let [x, y, z] = amplitudes;
+    let [h, p, sigma] = variables(["h", "p", "sigma"]);
+    let scope = functions().with_each("o", &[x, y, sigma * z]).with("m", h.pow(2) * p.pow(2));
+    Ok(scope.with(r"\lambda", rate).with(r"\omega", omega).with(r"\omega'", change).under(relations))
 }
 
 fn precession(sign: i64) -> Scope {

@@ -3,7 +3,7 @@
 use crate::equations::slant;
 use crate::number::Fraction;
 use crate::proof::{Residue, positive};
-use crate::symbols::{Vector, diagonal, ordered_moments, variables, vector};
+use crate::symbols::{Vector, diagonal, momentum, ordered_moments, variables, vector};
 use crate::tex::Scope;
 use num_traits::{One, Zero};
 use tumbling::dynamics::euler::{coupling, tensor_times_acceleration};
@@ -55,7 +55,7 @@ fn zero_gap(moments: &Vector, law: impl Fn(&Vector, &Vector) -> Vector) -> Resul
 /// With the larger moment of each pair about the second axis.
 fn lean(pairs: [[usize; 2]; 3]) -> Vec<Scope> {
     let (moments, omega) = (ordered_moments(), vector("omega"));
-    let momentum = diagonal(&moments) * &omega;
+    let momentum = momentum(&moments, &omega);
     let scope = Scope::default().positive(["I1", "a", "b", "omega1", "omega2", "omega3"]);
     let pair = |[i, j]: [usize; 2]| {
         let names = [("L_i", &momentum[i]), ("L_j", &momentum[j]), (r"\omega_i", &omega[i])];
@@ -66,7 +66,7 @@ fn lean(pairs: [[usize; 2]; 3]) -> Vec<Scope> {
 
 fn acute(factor: i64) -> Scope {
     let (moments, omega) = (vector("I"), vector("omega"));
-    let mut momentum = diagonal(&moments) * &omega;
+    let mut momentum = momentum(&moments, &omega);
     momentum.y *= Fraction::from(factor);
     let scope = Scope::default().with_each("I", &moments).with_each(r"\omega", &omega);
     scope.with("L", momentum).with(r"\omega", omega)

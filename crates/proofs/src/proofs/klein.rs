@@ -7,8 +7,8 @@
 use crate::equations::of_motion;
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
 use crate::proof::{Cases, Residue, same_entries_under, same_under, vanishes};
-use crate::symbols::{Vector, diagonal, pure, quaternion, square, variables, vector};
-use crate::tex::{Scope, Value};
+use crate::symbols::{Vector, diagonal, pure, quaternion, square, variables};
+use crate::tex::Scope;
 use nalgebra::Quaternion;
 use num_traits::{One, Zero};
 use tumbling::attitude::{product, rate};
@@ -27,9 +27,6 @@ proofs! {
             the whole rate is (C20). For every body, about either axis, in either sense. That a theta function's angle has this rate is no part of it.";
             but "the zero on the other side": both(|sense| attitude(sense, Change::Zero)),
             but "the theta function's angle reversed": both(|sense| attitude(sense, Change::Angle)),
-        "which-side": sides(1),
-            r"Which end the spin circles is said by one positive and one negative square: $L^2 - 2 E I_2 = I_3 (I_3 - I_2)\omega_3^2 - I_1 (I_2 - I_1)\omega_1^2$; the other two are sums of positive ones: $2 E I_3 - L^2 = I_1 (I_3 - I_1)\omega_1^2 + I_2 (I_3 - I_2)\omega_2^2$ and $L^2 - 2 E I_1 = I_2 (I_2 - I_1)\omega_2^2 + I_3 (I_3 - I_1)\omega_3^2$.";
-            but "the energy negative": sides(-1),
         "limit-coin": coin(1),
             r"Where the middle moment equals the one across, the rate is that of the coin (C38), $\Omega = \frac{I_3 - I_1}{I_1}\omega_3$, the two amplitudes across are equal, and the first number's length is constant.";
             but "the rate reversed": coin(-1),
@@ -240,12 +237,4 @@ fn steady(order: i64, change: Change) -> Result<Scope, Residue> {
     let scope = scope.with(r"\dot{\psi}", limit(&motion.turning));
     let spin = limit(&motion.omega[2]) * Fraction::from(sense);
     Ok(scope.with(r"\omega_3", spin).under(motion.relations))
-}
-
-fn sides(sign: i64) -> Scope {
-    let (moments, omega) = (vector("I"), vector("omega"));
-    let momentum = diagonal(&moments) * &omega;
-    let energy = energy(&omega, &momentum) * Fraction::from(sign);
-    let scope = Scope::default().with_each("I", &moments).with_each(r"\omega", &omega).with("E", energy);
-    scope.with("L", Value::Root(momentum.dot(&momentum)))
 }

@@ -2,13 +2,15 @@
 //!
 //! The method's own step runs on power series whose coefficients are polynomials in the moments and in the
 //! momentum at the start: that it agrees with the motion through a power of the step is then decided for all
-//! of them at once, and no theorem on order conditions stands in between. Of Moser and Veselov's longest
-//! steps the altered moments run, in the equation that the step solves. Two starts in numbers show that it
-//! agrees no further, and which laws it breaks; that it keeps the others for these is a test ([`kept`] proves
-//! why it does). The numbers are chosen so that spin, momentum and attitude have lengths without a root.
+//! of them at once, and no theorem on order conditions stands in between; for Moser and Veselov's two highest
+//! orders [`discrete`] decides it by the equation that the step solves. Two starts in numbers show that a
+//! step agrees no further, and which laws it breaks; that it keeps the others for these is a test ([`kept`]
+//! proves why it does). The numbers are chosen so that spin, momentum and attitude have lengths without a
+//! root.
 //!
 //! The weights of the longest splitting are decimals: [`shares`] proves that exact ones lie next to them.
 //!
+//! [`discrete`]: super::discrete
 //! [`kept`]: super::kept
 //! [`shares`]: super::shares
 
@@ -21,7 +23,6 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 use std::ops::RangeInclusive;
 use tumbling::attitude;
-use tumbling::laws::altered;
 use tumbling::step::{Method, State, System};
 
 macro_rules! methods {
@@ -31,7 +32,7 @@ macro_rules! methods {
                 "One step of the method of this name from the attitude without a turn, in units of the first moment, agrees with the motion of every free body through the power $p = ", $order, "$ of the step, in every component of attitude and momentum; for two starts in exact fractions not through the next, so that its order is no higher. \
                 For these two, the first power of the step at which the method changes the energy is $e = ", $e, "$, the momentum's length $m = ", $m, "$, the momentum in the world $d = ", $d, "$, the attitude's length $l = ", $l, "$, and that at which a step back does not lead to the start $b = ", $b, "$; 0 stands for none through two or four powers more than its order: a test of what is kept, a proof of what is not. \
                 Weights that are no roots of whole numbers stand with 27 digits, and what they leave over has no coefficient above a quintillionth; exact ones lie next to them. \
-                Up to order 6 the whole step runs on letters. Of each step of Moser and Veselov its inverse moments run on letters too, prepared as if the smallest moment were about each axis in turn: with them the motion obeys, through the same power, the equation that the step solves. Of the two orders above 6 only these run on letters.");
+                Up to order 6 the whole step runs on letters. Of the two orders above it, both of Moser and Veselov's step, the equation that the step solves runs on letters: that the motion obeys it is the proof moser-veselov-is-obeyed, and that it has one solution moser-veselov-has-one-solution.");
             Proof {
                 name: $name,
                 part: "step",
@@ -83,7 +84,7 @@ methods! {
 }
 
 /// Every free body and motion, the first moment as the unit.
-fn any() -> (System<Number>, State<Number>) {
+pub(super) fn any() -> (System<Number>, State<Number>) {
     let [j2, j3] = ["J2", "J3"].map(|name| constant(&(Fraction::one() / Fraction::variable(name))));
     (System::of_numbers(Vector3::new(Number::one(), j2, j3), Vec::new()), start())
 }
@@ -169,39 +170,8 @@ fn holds(method: Method, more: usize) -> Outcome {
         agree(&ends, 0..=order)?;
         breaks("the next power does not agree", agree(&ends, order + 1..=order + 1))?;
     }
-    if method == Method::MoserVeselov2 || ALTERED.contains(&method) {
-        by_its_equation(method, order)?;
-    }
     // Above it whole steps on letters take too long.
     if order > 6 { Ok(()) } else { agree(&ends(method, &any(), order)?, 0..=order) }
-}
-
-/// Moser and Veselov's with altered moments.
-const ALTERED: [Method; 4] =
-    [Method::MoserVeselov4, Method::MoserVeselov6, Method::MoserVeselov8, Method::MoserVeselov10];
-
-/// That in a step `h` the motion's own turn, `(w, p)`, obeys `4 w p = h v (L + L')` through this power and no
-/// further with the altered inverse moments `v`, whichever moment is taken for the smallest, and that the
-/// step has the differences of the body's own. Half-angle tangents `p/w` then obey the step's equation
-/// through this power: [`kept`](super::kept) has the algebra. The rest is argued. By the tangents the
-/// equation has the derivative `K`, up to terms with `h`, and that has an inverse: so a single power series
-/// without a constant term solves it, and one that obeys it through a power is that one through this power.
-/// The step's iteration ends only where its change is zero, which is at the solution.
-fn by_its_equation(method: Method, power: usize) -> Outcome {
-    let ((system, start), h) = (any(), Number::step(power + 1));
-    let end = exact(&start, power + 1, |motion| system.rate(motion));
-    let (sum, turn) = (&start.momentum + end.momentum, end.attitude.coords);
-    let turned = turn.xyz().map(|x| x * turn.w.clone() * constant(&Fraction::from(4)));
-    let inverse = system.omega(&Vector3::repeat(Number::one()));
-    let less = Vector3::from_fn(|i, _| inverse[(i + 1) % 3].clone() - inverse[(i + 2) % 3].clone());
-    let [push, sum] = [&start.momentum, &sum].map(|v| v.map(|x| x * h.clone()));
-    (0..3).try_for_each(|axis| {
-        let [altered, differences] = altered(axis, system.moments(), &push, method.info().order);
-        let equation = altered.component_mul(&sum);
-        alike("the differences", method, less.as_slice(), differences.as_slice(), 0..=0)?;
-        let alike = |powers| alike("the equation", method, turned.as_slice(), equation.as_slice(), powers);
-        breaks("it agrees no further", alike(power + 1..=power + 1)).and_then(|()| alike(0..=power))
-    })
 }
 
 /// What a method may keep: twice the energy, the square of the momentum, the momentum in the world times the

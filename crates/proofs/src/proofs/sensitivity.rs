@@ -1,8 +1,9 @@
 //! The derivatives of the motion by its start and by the tensor, by the formulas of the sensitivities,
-//! written here a second time: each obeys the library's laws to first order, and begins as it must.
+//! written here a second time: each obeys the library's laws to first order. How they begin is tested on the
+//! library itself.
 
 use crate::equations::variation;
-use crate::number::{Derivation, Fraction, Relations};
+use crate::number::{Derivation, Fraction};
 use crate::proof::{Residue, same, same_entries};
 use crate::proofs::klein::{Change, both, motion};
 use crate::symbols::{Matrix, Vector, changing, diagonal, pure, symmetric, variables, vector};
@@ -20,9 +21,6 @@ proofs! {
         "sensitivity-of-the-spin": both(|sense| columns(sense, 1)),
             r"The closed form's derivatives by its two constants and by the moments obey Euler's equations to first order: each has the rate $\dot{W} = F$ that the library's law gives, where that of Jacobi's argument at a fixed angle grows at the rate $J' = \eta\operatorname{sn}^2/(2\operatorname{dn}^2)$. For every body, about either axis, in either sense.";
             but "that derivative growing the other way": both(|sense| columns(sense, -1)),
-        "sensitivity-at-the-start": at_the_start(1),
-            r"At the start those derivatives, put together for the three components of the spin and for a moment by the formulas in the code, are $d = 1$ for a component by itself and $n = 0$ for all else.";
-            but "the phase shifted the other way": at_the_start(-1),
         "sensitivity-of-the-attitude": attitude(1),
             r"A small turn of the attitude changes as $e' = w - \omega\times e$ with the change of the spin; so this turn crossed with the momentum, and the momentum's change, turn with the room together, the turn's part along the momentum has the rate $r = w\cdot M$, and with the change of the energy both give the turn.";
             but "e carried along the other way": attitude(-1),
@@ -108,52 +106,6 @@ fn columns(sense: i64, sign: i64) -> Result<Vec<Scope>, Residue> {
         scope.under(motion.relations.clone())
     };
     Ok(["Q", "h", "x1", "p", "q"].map(by).into())
-}
-
-/// The derivatives at the start as the library puts them together: amplitudes, the shift of the phase, and
-/// what goes to the separatrix. `r` and `t` are the logarithmic derivatives by a moment of the quotients of
-/// the amplitudes squared, `R` and `T`; that of `S`, which is their product, is the sum.
-fn at_the_start(sign: i64) -> Vec<Scope> {
-    let [a_x, a_m, a_c, sn, cn, dn, m, kp2] = variables(["AX", "AM", "AC", "sn", "cn", "dn", "m", "kp2"]);
-    let [log_r, log_t] = variables(["r", "t"]);
-    let [zero, half, two] = [Fraction::zero(), Fraction::ratio(1, 2), Fraction::from(2)];
-    let jacobi = Relations::elliptic();
-    let put = |x: &Fraction| x.substitute(&"kp2".into(), &(Fraction::one() - &m));
-    let (root_r, s, t) = (&a_x / &a_m, &m * a_c.pow(2) / a_m.pow(2), &m * a_c.pow(2) / a_x.pow(2));
-    let log_s = &log_r + &log_t;
-    // Of the amplitudes across, in the middle and circled, of k'², and of the phase, over dn.
-    let inputs = [
-        [cn.clone(), &cn / &root_r, zero.clone(), -(&two * &t * &a_x * &cn / a_c.pow(2)), -(&sn / &a_x)],
-        [
-            &root_r * &sn,
-            sn.clone(),
-            &s * &a_m / &a_c * &sn,
-            -(&two * &kp2 * &s * &a_m * &sn / a_c.pow(2)),
-            &cn / &a_m,
-        ],
-        [zero.clone(), zero.clone(), dn.clone(), &two * &m * &dn / &a_c, zero],
-        [
-            &half * &a_x * sn.pow(2) * &log_r,
-            -(&half * &a_m * cn.pow(2) * &log_r),
-            &half * &a_c * &m * sn.pow(2) * &log_s,
-            -(&m * (cn.pow(2) * &log_t + &kp2 * sn.pow(2) * &log_s)),
-            &half * &sn * &cn * &log_r,
-        ],
-    ];
-    let mut all = Vec::new();
-    for (column, [across, middle, around, to_separatrix, phase]) in inputs.iter().enumerate() {
-        let shift = phase * Fraction::from(sign);
-        let change = [
-            across * &cn - &a_x * &sn * &shift,
-            middle * &sn + &a_m * &cn * &shift,
-            around * &dn + &a_c * &sn * (&sn * to_separatrix / (&two * &dn) - &m * &cn / &dn * &shift),
-        ];
-        for (row, change) in change.iter().enumerate() {
-            let name = if row == column { "d" } else { "n" };
-            all.push(Scope::default().with(name, put(change)).under(jacobi.clone()));
-        }
-    }
-    all
 }
 
 fn attitude(sign: i64) -> Result<Scope, Residue> {

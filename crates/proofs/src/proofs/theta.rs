@@ -1,18 +1,20 @@
 //! Theta functions: identities of their quotients and products, each decided in all terms of its infinite
-//! sums, for every nome; and the terms of both sides of Jacobi's imaginary transformation. From these follow
-//! the scale of the argument and the nome of a modulus, as the chapter on the closed form shows.
+//! sums, for every nome; the terms of both sides of Jacobi's imaginary transformation; and bounds of the
+//! terms. From these follow the scale of the argument and the nome of a modulus, as the chapter on the closed
+//! form shows.
 
 use crate::lattice::{Pairs, THETA_1, THETA_2, THETA_3, THETA_4, Theta};
 use crate::number::{Fraction, Polynomial, Relations};
 use crate::proof::Residue;
 use crate::symbols::variables;
 use crate::tex::{Scope, Value};
+use num_traits::One;
 
 proofs! {
     "exact" {
-        "theta-exponents": exponents(2),
-            r"In a product of two theta functions the term of $m = \frac{r + s}{2}$ and $n = \frac{r - s}{2}$ has the nome to the power $m^2 + n^2 = \tfrac{1}{2}(r^2 + s^2)$.";
-            but "a third for the half": exponents(3),
+        "theta-sums-converge": converge(2),
+            r"With $E = 2 b n - r n^2$ for the logarithm of a bound of the term of $n$, where the nome is at most the exponential of minus $r$ and the size of the imaginary part of the argument at most $b$, and $F$ for that of the next term, $E - F > 2$ from $n = (b + 1)/r + s$ on. So from there on each bound is less than a seventh of the one before, and with a factor of four times the square of the number, as two derivatives by the argument or one by the logarithm of the nome bring it, less than four sevenths, if the number is at least one. In the second theta function at zero the powers of the nome, beside a fourth root, are whole numbers times the next ones, and $m (m + 1) > 2 m$ for $m = 1 + s$: the sum is at most twice that root over one less the square of the nome. Here $b$, $r$ and $s$ are positive.";
+            but "the number itself for its square": converge(1),
         "jacobi-by-thetas": jacobi(1, THETA_1),
             r"By $P_{33} = S_{33} + S_{22}$, $P_{44} = S_{33} - S_{22}$, $P_{22} = S_{23} + S_{32}$ and $P_{11} = S_{32} - S_{23}$, products of the theta functions of these numbers, on the left of the sum and of the difference of any two arguments, on the right of twice each argument in the square of the nome, Jacobi's three functions as quotients of theta functions have $\operatorname{sn}^2 + \operatorname{cn}^2 = 1$ and $\operatorname{dn}^2 + k^2\operatorname{sn}^2 = 1$, and the rate of the first is a constant times the two others, for every nome. The constant and which nome belongs to $k$ are no part of it.";
             but "a sign in a square": jacobi(-1, THETA_1),
@@ -38,11 +40,14 @@ proofs! {
 
 const ALL: [Theta; 4] = [THETA_1, THETA_2, THETA_3, THETA_4];
 
-/// The exponents of the sums; `over` is two.
-fn exponents(over: i64) -> Scope {
-    let [r, s] = variables(["r", "s"]);
-    let [m, n] = [&r + &s, &r - &s].map(|x| x / Fraction::from(over));
-    Scope::default().with_all([("r", r), ("s", s), ("m", m), ("n", n)])
+/// The logarithms of what bounds the terms of the sums; `power` is two.
+fn converge(power: u32) -> Scope {
+    let ([b, r, s], one) = (variables(["b", "r", "s"]), Fraction::one());
+    let n = (&b + &one) / &r + &s;
+    let bound = |n: &Fraction| Fraction::from(2) * &b * n - &r * n.pow(power);
+    let scope = Scope::default().with_all([("E", bound(&n)), ("F", bound(&(&n + &one))), ("n", n)]);
+    let scope = scope.with_all([("m", one + &s), ("b", b), ("r", r), ("s", s)]);
+    scope.positive(["b", "r", "s"])
 }
 
 /// Products of each two of four theta functions.

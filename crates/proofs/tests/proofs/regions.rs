@@ -11,8 +11,7 @@ use tumbling_proofs::{Fraction, Polynomial, Relations, Residue, Symbol};
 fn around_an_angle_every_rate_of_change_sums_to_zero() {
     let [cos, sin] = ["cos", "sin"].map(Symbol::new);
     let [c, s] = ["cos", "sin"].map(Polynomial::variable);
-    let full = Polynomial::from(2) * Polynomial::variable("pi");
-    assert_eq!(around(&Polynomial::one(), &cos, &sin), full);
+    assert_eq!(around(&Polynomial::one(), &cos, &sin), Polynomial::from(2) * Polynomial::variable("pi"));
     for i in 0..6 {
         for j in 0..6 {
             let p = c.pow(i) * s.pow(j);
