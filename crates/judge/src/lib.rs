@@ -37,6 +37,6 @@ pub use options::Options;
 pub use read::{FileMistake, Kind, Note};
 pub use rule::{
     Advice, Alteration, Base, Confidence, Diagnosis, Explanation, Jump, Limits, PHYSICS_ENGINES,
-    PhysicsEngine, Rule, Steps, Turn, When,
+    PhysicsEngine, Rule, Turn, When,
 };
 pub use verdict::{Complaint, Outcome, Recording, Section, Seen, Verdict};

@@ -1,12 +1,12 @@
 //! The body of a record, and how each rule that may have made it takes a row one step further.
 
 use crate::read::{Pair, Row, angle_between, ordered, unit};
-use crate::rule::{Alteration, Base, Limits, Rule, Steps, Turn, When, parted, turned_straight};
+use crate::rule::{Alteration, Base, Limits, Rule, Turn, When, parted, turned_straight};
 use crate::thresholds::*;
 use nalgebra::{Quaternion, Vector3};
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Engine, PositionStage, State, System, Torque};
-use tumbling::{Body, Error, Inertia, attitude, dynamics::euler};
+use tumbling::step::{PositionStage, State, System, Torque};
+use tumbling::{Error, attitude, dynamics::euler};
 
 /// An attitude, body to world, and a spin in body axes, rad/s.
 type End = (Quaternion<f64>, Vector3<f64>);
@@ -98,10 +98,14 @@ impl Subject {
             }
             Base::Engine(engine) => engine.step(&self.system, &self.motion(from), h).ok().map(end),
             Base::PositionStage(parts) => self.staged(parts.max(1), from, h),
-            Base::FrozenTensor(first, steps) => {
+            Base::FrozenTensor(first) => {
                 // In the axes that the body had there the tensor is frozen at the identity.
-                let from = Row { attitude: Some(attitude::product(&first.conjugate(), &start)), ..*from };
-                let (q, omega) = self.frozen(steps, &from, h)?;
+                let inside = attitude::product(&first.conjugate(), &start);
+                let world = attitude::rotation_matrix(&inside) * from.omega;
+                let rate = euler::angular_acceleration(&self.moments, &world, &Vector3::zeros());
+                let world = world + rate * h;
+                let q = attitude::product(&attitude::turn(&(world * h)), &inside);
+                let omega = attitude::rotation_matrix(&q).tr_mul(&world);
                 Some((attitude::product(&first, &q), omega))
             }
             Base::MomentumForSpin(mass) => {
@@ -127,23 +131,6 @@ impl Subject {
         Some((attitude, attitude::rotation_matrix(&attitude).tr_mul(&omega)))
     }
 
-    /// The step with the tensor frozen as it stands at the identity.
-    fn frozen(&self, steps: Steps, from: &Row, h: f64) -> Option<End> {
-        let start = from.start();
-        if steps == Steps::Fourth {
-            let [a, b, c] = self.moments.into();
-            let body =
-                Body::spinning(Inertia::from_moments(a, b, c).ok()?, unit(&start), &from.omega).ok()?;
-            let run = Engine::Frozen.run(&body, h, 1).ok()?;
-            let end = run.last().unwrap_or(&body);
-            return Some((end.attitude().into_inner(), end.omega_body()));
-        }
-        let world = attitude::rotation_matrix(&start) * from.omega;
-        let world = world + euler::angular_acceleration(&self.moments, &world, &Vector3::zeros()) * h;
-        let q = attitude::product(&attitude::turn(&(world * h)), &start);
-        Some((q, attitude::rotation_matrix(&q).tr_mul(&world)))
-    }
-
     /// The attitude and spin that a rule makes of a row.
     fn after(&self, rule: &Rule, from: &Row, h: f64) -> Option<End> {
         let start = from.start();
@@ -153,10 +140,15 @@ impl Subject {
             _ => turned(q, omega, h),
         };
         let with = |omega: Vector3<f64>| (by(&start, &omega), omega);
+        // The spin's own equation has no other term: a multiple of it acts for that multiple of the time.
+        let stepped = |from: &Row, term: f64| match term {
+            1.0 => base(from, h),
+            _ => base(from, h * term).map(|end| with(end.1)),
+        };
         let Some(alteration) = rule.alteration else { return base(from, h) };
         match alteration {
-            Alteration::Damped { factor, rate, when, steps: steps @ 2.. } => {
-                let alteration = Alteration::Damped { factor, rate, when, steps: 1 };
+            Alteration::Damped { factor, rate, when, steps: steps @ 2.., term } => {
+                let alteration = Alteration::Damped { factor, rate, when, steps: 1, term };
                 let one = rule.base.in_parts(rule.base.parts() / steps).but(alteration);
                 let end = (0..steps).try_fold(*from, |row, _| self.next(&one, &row, h / f64::from(steps)))?;
                 Some((end.start(), end.omega))
@@ -164,20 +156,17 @@ impl Subject {
             Alteration::OtherMoments(moments, axes) => {
                 let (q, omega) = (start * axes.into_inner(), axes.inverse() * from.omega);
                 let from = Row { attitude: Some(q), omega, ..*from };
-                let (q, omega) = Self::new(moments, None).ok()?.based(rule.base, &from, h)?;
+                let system = System::of_numbers(moments, Vec::new());
+                let other = Self { moments, torque: None, unit: 1.0, system };
+                let (q, omega) = other.based(rule.base, &from, h)?;
                 Some((q * axes.inverse().into_inner(), axes * omega))
             }
-            Alteration::Damped { factor, when: When::Before, .. } => {
-                base(&Row { omega: from.omega * factor, ..*from }, h)
-            }
-            Alteration::Damped { factor, when: When::Beside, .. } => {
-                Some(with(base(from, h)?.1 - from.omega * (1.0 - factor)))
-            }
-            Alteration::Damped { factor, when: When::After, .. } => Some(with(base(from, h)?.1 * factor)),
-            Alteration::Damped { factor, when: When::Turned | When::Open, .. } => {
-                base(from, h).map(|(q, omega)| (q, omega * factor))
-            }
-            // The spin's own equation has no other term: a multiple of it acts for that multiple of the time.
+            Alteration::Damped { factor, when, term, .. } => match when {
+                When::Before => stepped(&Row { omega: from.omega * factor, ..*from }, term),
+                When::Beside => Some(with(stepped(from, term)?.1 - from.omega * (1.0 - factor))),
+                When::After => Some(with(stepped(from, term)?.1 * factor)),
+                When::Turned | When::Open => stepped(from, term).map(|(q, omega)| (q, omega * factor)),
+            },
             Alteration::Term(times) | Alteration::TermOrTimes(times) => Some(with(base(from, h * times)?.1)),
             Alteration::Times(times) => base(from, h * times),
             Alteration::Turned(turn) => {

@@ -29,8 +29,8 @@ pub enum Base {
     PositionStage(u32),
     /// A physics engine's rule, and what the engine adds to it for a fast body.
     Engine(PhysicsEngine),
-    /// The spin in the world by the body's tensor as it stood at this attitude.
-    FrozenTensor(Quaternion<f64>, Steps),
+    /// The spin straight ahead in the world by the body's tensor as it stood at this attitude.
+    FrozenTensor(Quaternion<f64>),
     /// The momentum, divided by this one number, turns the body.
     MomentumForSpin(f64),
     /// The spin by this method, and the attitude straight by the new one: `q + h/2 q w`, its length set to 1
@@ -54,6 +54,8 @@ pub enum Alteration {
         when: When,
         /// The number of such steps from row to row, equal shares of the parts.
         steps: u32,
+        /// What the gyroscopic term is multiplied by besides.
+        term: f64,
     },
     /// The gyroscopic term is multiplied by this number.
     Term(f64),
@@ -100,15 +102,6 @@ impl Turn {
     pub(crate) const fn is_of_rows(self) -> bool {
         matches!(self, Self::Old | Self::Late | Self::Early | Self::Otherwise)
     }
-}
-
-/// Of what order the frozen tensor's spin is stepped.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Steps {
-    /// Straight ahead.
-    First,
-    /// By Runge and Kutta, as [`Engine::Frozen`](tumbling::step::Engine) is.
-    Fourth,
 }
 
 /// Where in a step the spin is damped.
@@ -169,8 +162,10 @@ impl Rule {
     pub(crate) fn neutral(&self) -> Vec<Self> {
         let with = |alteration| Self { alteration: Some(alteration), ..*self };
         match self.alteration {
-            Some(Alteration::Damped { when, steps, .. }) => {
-                vec![with(Alteration::Damped { factor: 1.0, rate: 0.0, when, steps })]
+            Some(Alteration::Damped { factor, rate, when, steps, term }) => {
+                let undamped = with(Alteration::Damped { factor: 1.0, rate: 0.0, when, steps, term });
+                let whole = with(Alteration::Damped { factor, rate, when, steps, term: 1.0 });
+                [undamped].into_iter().chain((term != 1.0).then_some(whole)).collect()
             }
             Some(Alteration::Term(_) | Alteration::TermOrTimes(_)) => {
                 [0.0, 1.0].map(|times| with(Alteration::Term(times))).to_vec()
@@ -325,7 +320,7 @@ pub(crate) fn in_parts(per_row: Option<u32>, all: bool) -> Vec<Rule> {
 }
 
 /// Each of them once.
-fn distinct(all: Vec<Base>) -> Vec<Base> {
+pub(crate) fn distinct(all: Vec<Base>) -> Vec<Base> {
     let is_first = |(i, base): &(usize, Base)| !all[..*i].contains(base);
     all.iter().copied().enumerate().filter(is_first).map(|(_, base)| base).collect()
 }
@@ -340,8 +335,7 @@ pub(crate) fn of_parts(parts: u32) -> Vec<Rule> {
 pub(crate) fn frozen(pairs: &[Pair]) -> Vec<Base> {
     let first = pairs.first().and_then(|pair| pair.from.attitude).map(|q| q / q.norm());
     let other = first.filter(|q| q.imag().norm() > 0.0 && q.norm().is_finite());
-    let frozen = |first| [Steps::First, Steps::Fourth].map(|steps| Base::FrozenTensor(first, steps));
-    [Quaternion::identity()].into_iter().chain(other).flat_map(frozen).collect()
+    [Quaternion::identity()].into_iter().chain(other).map(Base::FrozenTensor).collect()
 }
 
 /// The most spin along an axis of the world after any step.

@@ -10,7 +10,7 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use rules::{BY_THE_NEW, IN_TURN, OUTSIDE, Spin, altered, known, outside};
 use tumbling::attitude::{product, rotation_matrix, turn};
 use tumbling::step::Method;
-use tumbling_judge::{Base, PHYSICS_ENGINES, Steps, Turn, When};
+use tumbling_judge::{Base, PHYSICS_ENGINES, Turn, When};
 
 /// An attitude, body to world, and a spin in body axes, rad/s.
 type Motion = (Quaternion<f64>, Vector3<f64>);
@@ -172,7 +172,7 @@ fn base(chance: &mut Chance, first: Quaternion<f64>, moments: &Vector3<f64>) -> 
         0 => Base::Exact,
         1 => Base::PositionStage(1),
         2 => Base::Straight(chance.of(&[Method::ConstantSpin, Method::SemiImplicitEuler]), 1),
-        3 if chance.below(2) == 0 => Base::FrozenTensor(first, Steps::First),
+        3 if chance.below(2) == 0 => Base::FrozenTensor(first),
         3 => Base::MomentumForSpin(moments.sum() / 3.0),
         4..=7 => Base::Engine(chance.of(PHYSICS_ENGINES)),
         _ => Base::Method(chance.of(Method::ALL), 1),

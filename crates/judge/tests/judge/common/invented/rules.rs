@@ -38,7 +38,7 @@ pub(super) fn known(base: Base, moments: Vector3<f64>) -> Step {
                 let mut engines = PHYSICS_ENGINES.iter().filter(|engine| engine.limits.straight);
                 engines.find(|engine| engine.method == method)?.step(&system, &start, h).ok().map(end)
             }
-            Base::FrozenTensor(first, _) => {
+            Base::FrozenTensor(first) => {
                 let spin = first.conjugate() * (q * Quaternion::from_imag(*omega) * q.conjugate()) * first;
                 let spin = spin.imag() + rate(&moments, &spin.imag()) * h;
                 let world = rotation_matrix(&first) * spin;
