@@ -79,7 +79,10 @@ pub enum Error {
 
 /// What is wrong with a time, s, that is not after the last.
 pub(crate) fn not_later(time: f64, last: f64) -> String {
-    format!("time does not increase: {time} s after {last} s. Write each instant once, in the order of time")
+    let digits = if time == last { ", and times with all their digits" } else { "" };
+    format!(
+        "time does not increase: {time} s after {last} s. Write each instant once, in the order of time{digits}"
+    )
 }
 
 impl fmt::Display for Error {

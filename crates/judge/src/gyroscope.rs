@@ -67,14 +67,14 @@ pub fn fit_inertia(rows: &[(f64, Vector3<f64>)], guess: Option<&Inertia>) -> Res
         }
         None => {
             let third = 1.0 / 3.0;
-            least([third, third, 0.0, 0.0, 0.0].into(), &|numbers| Some(summed(rows, numbers)), &inside)
+            least([third, third, 0.0, 0.0, 0.0].into(), &|numbers| Some(summed(rows, numbers)), &inside, GAIN)
         }
     };
     let mut at = with_spin(&start.ok_or_else(|| steady(0.0))?, &(rows[0].1 / speed));
     for part in FIT_PARTS {
         let some = &rows[..(rows.len() / part).max(FIT_PART_ROWS).min(rows.len())];
         let inside = |at: SVector<f64, 8>| with_spin(&inside(body(&at)), &at.fixed_rows::<3>(5).into());
-        at = least(at, &|at| misses(some, speed, at), &inside).unwrap_or(at);
+        at = least(at, &|at| misses(some, speed, at), &inside, GAIN).unwrap_or(at);
     }
     // In the principal axes the moments are the numbers themselves, and so are their errors.
     let principal = Inertia::try_from(tensor(&inside(body(&at))))?.principal();

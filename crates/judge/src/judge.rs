@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::laws::Trial;
 use crate::options::Options;
-use crate::read::{Known, Note, Raw, Row, Rows, Said, Source};
+use crate::read::{Known, Note, Raw, Rows, Said, Source};
 use crate::rule::{PHYSICS_ENGINES, Subject};
 use crate::thresholds::PROBE_ROWS;
 use crate::verdict::{Verdict, too_far, verdict};
@@ -57,9 +57,30 @@ pub(crate) fn judge_rows(rows: &mut dyn Source, said: Said, options: &Options) -
     let moments = said.moments.ok_or(Error::NoMoments)?;
     PrincipalMoments::try_from(moments)?;
     let subject = Subject::new(moments, said.torque)?;
-    let mut known = Known::of(&mut probe, said, moments);
+    let known = Known::of(&mut probe, said, moments);
+    // Attitudes that are not read as named may be right, and the step wrong.
+    let plain = known.plainly();
+    let mut grid = known.grid;
+    let mut all = vec![begun(known, &probe, &subject)?];
+    all.extend(plain.and_then(|plain| begun(plain, &probe, &subject).ok()));
+    while let Some(mut raw) = rows.next()? {
+        grid.iter_mut().for_each(|grid| grid.put(&mut raw));
+        all.iter_mut().try_for_each(|one| follow(&raw, one))?;
+    }
+    let ended = rows.ended().map(|error| error.to_string());
+    let mut all = all.into_iter().map(|mut trial| {
+        trial.ended.clone_from(&ended);
+        verdict(trial, &subject, options)
+    });
+    let is_named = |x: &Verdict| x.diagnosis.as_ref().is_some_and(|x| x.confidence.names_a_rule());
+    let first = all.next().ok_or(Error::NoRows)?;
+    Ok(if is_named(&first) { first } else { all.find(is_named).unwrap_or(first) })
+}
+
+/// The trial of the rows that the reading was settled by.
+fn begun(mut known: Known, probe: &[Raw], subject: &Subject) -> Result<Trial, Error> {
     let mut waiting = None;
-    let (mut states, stopped) = known.understood(&probe, &mut waiting);
+    let (mut states, stopped) = known.understood(probe, &mut waiting);
     let rest = states.iter().position(|row| row.omega != Vector3::zeros()).unwrap_or(0);
     states.drain(..rest);
     known.said.notes.extend(states.first().filter(|_| rest > 0).map(|first| Note::Rest(first.line)));
@@ -67,27 +88,20 @@ pub(crate) fn judge_rows(rows: &mut dyn Source, said: Said, options: &Options) -
     let first = *states.first().ok_or_else(|| stopped.map_or(Error::OneRow, wrong))?;
     let mut trial = Trial::new(&subject.moments, first, known)?;
     trial.rows = probe.len() as u64;
-    for state in &states {
-        trial.row(state)?;
-    }
-    trial.stopped = stopped;
-    follow(rows, &mut trial, &mut waiting)?;
-    trial.ended = rows.ended().map(|error| error.to_string());
-    Ok(verdict(trial, &subject, options))
+    states.iter().try_for_each(|state| trial.row(state))?;
+    (trial.stopped, trial.waiting) = (stopped, waiting);
+    Ok(trial)
 }
 
-/// The rows after those that the reading was settled by.
-fn follow(rows: &mut dyn Source, trial: &mut Trial, waiting: &mut Option<Row>) -> Result<(), Error> {
-    while let Some(mut raw) = rows.next()? {
-        trial.known.grid.iter().for_each(|grid| grid.put(&mut raw));
-        trial.rows += 1;
-        if trial.stopped.is_some() {
-            continue;
-        }
-        match trial.known.row(&raw, waiting) {
-            Ok(state) => state.iter().try_for_each(|state| trial.row(state))?,
-            Err(stopped) => trial.stopped = Some(stopped),
-        }
+/// One of the rows after those.
+fn follow(raw: &Raw, trial: &mut Trial) -> Result<(), Error> {
+    trial.rows += 1;
+    if trial.stopped.is_some() {
+        return Ok(());
+    }
+    match trial.known.row(raw, &mut trial.waiting) {
+        Ok(state) => state.iter().try_for_each(|state| trial.row(state))?,
+        Err(stopped) => trial.stopped = Some(stopped),
     }
     Ok(())
 }

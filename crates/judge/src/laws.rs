@@ -8,6 +8,7 @@ mod points;
 mod trial;
 
 pub(crate) use curve::Curve;
+use curve::line;
 pub(crate) use followed::Laws;
 use jumps::Errors;
 pub use jumps::Reset;

@@ -44,6 +44,9 @@ pub(crate) const TRIED_IN_PARTS: [usize; 2] = [12, 128];
 pub(crate) const PARTS: [u32; 15] = [2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16];
 /// More of them for rules of order four or less, whose errors show in these too.
 pub(crate) const MORE_PARTS: [u32; 10] = [17, 20, 24, 25, 32, 33, 40, 48, 50, 64];
+/// Steps that rules are compared on, and by how many times as far as the best on these one is no more looked
+/// at.
+pub(crate) const COMPARED: (usize, f64) = (16, 16.0);
 /// Error of a rule in a step, in that of the record, below which it is as good as exact.
 pub(crate) const AS_EXACT: f64 = 0.01;
 /// Errors of the exact motion, in those of the best rule, beyond which no rule in parts comes near to that
@@ -59,6 +62,12 @@ pub(crate) const STRETCHES: usize = 512;
 pub(crate) const POINTS: usize = 256;
 /// Flips whose times are kept.
 pub(crate) const FLIP_TIMES: usize = 512;
+/// Flips from which on it is said how late they are, and what that may leave, as a share of the most that one
+/// is apart.
+pub(crate) const LATE_FLIPS: usize = 3;
+pub(crate) const LATE_LEFT: f64 = 0.02;
+/// Share of the most that a flip is apart below which a part of the lateness is not named.
+pub(crate) const LATE_PART: f64 = 0.1;
 /// Resets listed one by one.
 pub(crate) const RESETS: usize = 16;
 /// Rules named in a list, before "and others".
@@ -293,10 +302,6 @@ pub(crate) const ALTERED: [f64; 2] = [3.0, 32.0];
 /// may.
 pub(crate) const STRAIGHT: [f64; 2] = [16.0, 0.05];
 pub(crate) const TURNS_APART: f64 = 0.25;
-/// Difference in size, as a share of that from row to row, up to which the errors of steps come again; and
-/// after how many rows they may.
-pub(crate) const AGAIN: f64 = 0.2;
-pub(crate) const AGAIN_MOST: usize = 16;
 /// How far from 1 a multiple of the gyroscopic term must be to be seen where no rule fits.
 pub(crate) const TERM_APART: f64 = 0.2;
 /// Rounding from which on numbers have as few digits as half precision or a sensor has.
@@ -358,7 +363,10 @@ pub(crate) const JOLT: f64 = 1e-6;
 /// Shares of a step that are tried: the whole of it, or less where it leads away.
 pub(crate) const FIT_SHARES: [f64; 4] = [1.0, 0.5, 0.1, 0.01];
 /// Gain, as a share, below which a fit has converged.
-pub(crate) const FIT_GAIN: f64 = 1e-12;
+pub(crate) const GAIN: f64 = 1e-12;
+/// And that of a rule's numbers: of the rule that made the steps each round gains nearly all, down to
+/// rounding.
+pub(crate) const RULE_GAIN: f64 = 1e-3;
 /// What may be left of the spins, as a share: more is another motion.
 pub(crate) const FIT_LEFT: f64 = 0.1;
 

@@ -63,8 +63,8 @@ impl Curve {
             return if great { Growth::Stayed } else { Growth::Bounded };
         }
         let ([fast, linear], [even_most, fast_most]) = (POWERS, OF_ITSELF);
-        let (power, of_power) = line(envelope.iter().map(|&(t, size)| (t.ln(), size.ln())));
-        let (exponential, of_exponential) = line(envelope.iter().map(|&(t, size)| (t, size.ln())));
+        let ([_, power], of_power) = line(envelope.iter().map(|&(t, size)| (t.ln(), size.ln())));
+        let ([_, exponential], of_exponential) = line(envelope.iter().map(|&(t, size)| (t, size.ln())));
         let even = |rate: f64| {
             if of_ratio && most > even_most { Growth::Exponential { rate } } else { Growth::Linear { rate } }
         };
@@ -86,8 +86,8 @@ impl Curve {
     }
 }
 
-/// The slope of the line nearest to points, and the mean square of what is left.
-fn line(points: impl Iterator<Item = (f64, f64)> + Clone) -> (f64, f64) {
+/// The line nearest to points, by its value at zero and its slope, and the mean square of what is left.
+pub(super) fn line(points: impl Iterator<Item = (f64, f64)> + Clone) -> ([f64; 2], f64) {
     let n = points.clone().map(|_| 1.0).sum::<f64>().max(1.0);
     let (x, y) = points.clone().fold((0.0, 0.0), |sum, p| (sum.0 + p.0 / n, sum.1 + p.1 / n));
     let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
@@ -97,7 +97,7 @@ fn line(points: impl Iterator<Item = (f64, f64)> + Clone) -> (f64, f64) {
         yy += (p.1 - y) * (p.1 - y);
     }
     let slope = if xx > 0.0 { xy / xx } else { 0.0 };
-    (slope, (yy - slope * xy) / n)
+    ([y - slope * x, slope], ((yy - slope * xy) / n).max(0.0))
 }
 
 #[cfg(test)]

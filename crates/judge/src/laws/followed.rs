@@ -1,7 +1,7 @@
 //! The laws of free motion, each held against the rows as they come.
 
 use crate::law::LawName;
-use crate::laws::{Curve, FlipCount, Law, Point, Stretches};
+use crate::laws::{Curve, FlipCount, Law, Point, Stretches, line};
 use crate::read::{Floor, Pair, Row, in_world, ordered};
 use crate::thresholds::*;
 use nalgebra::Vector3;
@@ -251,7 +251,14 @@ impl Laws {
         let mut count = self.flips.count.clone();
         let exact = self.exact.flips(self.flips.from.min(end), end).ok()?;
         count.exact = exact.remaining();
-        count.first_exact = exact.into_iter().next();
+        let exact: Vec<f64> = exact.take(FLIP_TIMES).collect();
+        count.first_exact = exact.first().copied();
+        let late = exact.iter().zip(&count.times).map(|(exact, found)| (*exact, found - exact));
+        let (line, left) = line(late.clone());
+        let seen = count.apart > self.seen.last.t / self.seen.steps.max(1.0);
+        let all = late.len() as u64 == count.found.min(count.exact) && late.len() >= LATE_FLIPS;
+        let is_line = all && left.sqrt() < LATE_LEFT * count.apart;
+        count.late = Some(line).filter(|_| seen && is_line);
         Some(count)
     }
 

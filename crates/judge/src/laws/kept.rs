@@ -104,6 +104,9 @@ pub struct FlipCount {
     pub apart: f64,
     /// The times of the first 512 in the record, s from its start.
     pub times: Vec<f64>,
+    /// By how much they are later than the exact ones, if that is a share of the time and a number: the
+    /// number, s, and the share.
+    pub late: Option<[f64; 2]>,
     /// When the spin along the axis that it circles first changes sign, s from the start. In the exact motion
     /// it never does.
     pub turned_over: Option<f64>,

@@ -49,6 +49,8 @@ pub(crate) struct Trial {
     pub resets: Vec<Reset>,
     pub gaps: Option<Gaps>,
     last: Option<Row>,
+    /// Of attitudes alone the row whose spin the next one gives.
+    pub waiting: Option<Row>,
     pub rows: u64,
     /// The number of pairs of rows that follow one another, however far apart.
     pub pairs: u64,
@@ -74,6 +76,7 @@ impl Trial {
             resets: Vec::new(),
             gaps: None,
             last: None,
+            waiting: None,
             rows: 0,
             pairs: 0,
             stopped: None,

@@ -32,15 +32,16 @@ pub(crate) fn slopes<const N: usize>(
 pub(crate) fn normal<const N: usize>(along: &[Vec<Vector3<f64>>]) -> SMatrix<f64, N, N> {
     let products = SMatrix::<f64, N, N>::from_fn(|i, j| dot(&along[i], &along[j]));
     // Numbers on which nothing depends stay as they are.
-    products + SMatrix::identity() * (FIT_GAIN * products.diagonal().amax())
+    products + SMatrix::identity() * (GAIN * products.diagonal().amax())
 }
 
-/// Gauss and Newton's way to the numbers that miss a record least; `inside` leads back from those that cannot
-/// be.
+/// Gauss and Newton's way to the numbers that miss a record least, up to where a round gains less than a
+/// share of the squares; `inside` leads back from numbers that cannot be.
 pub(crate) fn least<const N: usize>(
     start: SVector<f64, N>,
     misses: Misses<'_, N>,
     inside: &dyn Fn(SVector<f64, N>) -> SVector<f64, N>,
+    gain: f64,
 ) -> Option<SVector<f64, N>> {
     let mut at = start;
     let mut here = misses(&at)?;
@@ -58,7 +59,7 @@ pub(crate) fn least<const N: usize>(
         });
         let Some((next, there, now)) = better else { break };
         (at, here) = (next, there);
-        if now > before * (1.0 - FIT_GAIN) {
+        if now > before * (1.0 - gain) {
             break;
         }
     }

@@ -16,6 +16,8 @@ pub(crate) struct Grid {
     /// The most significant digits that they have.
     digits: i32,
     pub named: bool,
+    /// The place that the next row has, if none is missing.
+    next: f64,
 }
 
 impl Grid {
@@ -44,31 +46,37 @@ impl Grid {
             half,
             digits,
             named: false,
+            next: 0.0,
         };
         let named = named.map(|step| Self { step, off: 0.0, named: true, ..mean });
         named.into_iter().chain([mean]).find(|grid| grid.explains(probe))
     }
 
-    fn explains(&self, probe: &[Raw]) -> bool {
-        let forward = |rows: &[Raw]| self.place(rows[0].t) < self.place(rows[1].t);
-        probe.windows(2).all(forward) && probe.iter().all(|raw| self.time(raw).is_some())
+    fn explains(mut self, probe: &[Raw]) -> bool {
+        probe.iter().all(|raw| {
+            let next = self.next;
+            let found = self.time(raw);
+            self.next = found.map_or(next, |(place, _)| place + 1.0);
+            self.next > next
+        })
     }
 
-    /// The time from which a row's is rounded, if it is.
-    fn time(&self, raw: &Raw) -> Option<f64> {
-        let time = self.start + self.place(raw.t) * self.step;
+    /// The place of a row, and the time from which its own is rounded, if it is. Where the step is the mean
+    /// of the rows it is the next place: rounding may be near to half a step, and lead to another.
+    fn time(&self, raw: &Raw) -> Option<(f64, f64)> {
         let half = half_of(raw, self.half, self.digits);
-        Some(time).filter(|time| (time - raw.t).abs() <= PRINTED_HALVES * half)
-    }
-
-    fn place(&self, t: f64) -> f64 {
-        ((t - self.start) / self.step).round()
+        let nearest = ((raw.t - self.start) / self.step).round();
+        let places = [if self.named { nearest } else { self.next }, nearest];
+        let times = places.map(|place| (place, self.start + place * self.step));
+        times.into_iter().find(|(_, time)| (time - raw.t).abs() <= PRINTED_HALVES * half)
     }
 
     /// A row at its time.
-    pub(crate) fn put(&self, raw: &mut Raw) {
+    pub(crate) fn put(&mut self, raw: &mut Raw) {
         // A row that is not on it, after all those looked at, keeps its own.
-        raw.t = self.time(raw).unwrap_or(raw.t);
+        if let Some((place, time)) = self.time(raw) {
+            (raw.t, self.next) = (time, place + 1.0);
+        }
     }
 
     /// The rounding that a step so uncertain gives to spins and turns.

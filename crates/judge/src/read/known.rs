@@ -7,7 +7,7 @@ use crate::thresholds::*;
 use nalgebra::Vector3;
 
 /// What a record says of itself.
-#[derive(Default)]
+#[derive(Default, Clone)]
 pub(crate) struct Said {
     pub engine: Option<String>,
     pub kind: Kind,
@@ -23,6 +23,7 @@ pub(crate) struct Said {
 }
 
 /// What it says, and how its numbers are meant.
+#[derive(Clone)]
 pub(crate) struct Known {
     pub said: Said,
     /// The moments judged, kg m².
@@ -40,8 +41,8 @@ pub(crate) type Stopped = Option<(usize, f64)>;
 impl Known {
     /// From the first rows, whose times are put to the grid that they are rounded from.
     pub(crate) fn of(probe: &mut [Raw], mut said: Said, moments: Vector3<f64>) -> Self {
-        let grid = Grid::of(probe, said.step);
-        if let Some(grid) = &grid {
+        let mut grid = Grid::of(probe, said.step);
+        if let Some(grid) = &mut grid {
             said.notes.push(Note::EvenSteps(grid.named, grid.step));
             probe.iter_mut().for_each(|raw| grid.put(raw));
         }
@@ -61,6 +62,12 @@ impl Known {
             single: of_numbers == f64::from(f32::EPSILON),
         };
         Self { said, moments, grid, reading, clock, floor }
+    }
+
+    /// Of attitudes alone that are read otherwise, as they are named.
+    pub(crate) fn plainly(&self) -> Option<Self> {
+        let reading = Reading::plain(Kind::Attitude);
+        (!self.has_spin() && self.reading != reading).then(|| Self { reading, ..self.clone() })
     }
 
     pub(crate) fn has_spin(&self) -> bool {

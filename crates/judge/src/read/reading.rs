@@ -276,7 +276,10 @@ impl Reading {
         let off_side = middle(&asides.collect::<Vec<_>>());
         let on_other_side = off_side < TURNS_AGREE
             && (off_side < NEARER_READING * off(&best) || self.goes_by_law_unlike(&best, pairs, moments));
-        if free && on_other_side { self } else { best }
+        // A turn about the spin's own axis is no momentum's, however far it goes.
+        let across = median(&mut self.pairs(pairs, moments).iter().filter_map(Pair::across));
+        let is_own = best.momentum && across < off(&best);
+        if free && on_other_side || is_own { self } else { best }
     }
 
     /// Whether spins lead to the attitudes, of turns that are too long to be compared with them.

@@ -96,15 +96,8 @@ impl<R: BufRead> Rows<R> {
                          column `t`, is missing";
                     return Err(Error::Line { line, problem: problem.into() });
                 }
-                return Ok(Self {
-                    lines,
-                    columns,
-                    header,
-                    last: None,
-                    fields: Vec::new(),
-                    rows: 0,
-                    ended: None,
-                });
+                let (last, fields, ended) = (None, Vec::new(), None);
+                return Ok(Self { lines, columns, header, last, fields, rows: 0, ended });
             }
         }
         Err(Error::Empty)

@@ -46,6 +46,8 @@ advices! {
          it with all the engine's digits, and judge it again.";
     FASTER: "Errors so close to rounding, or to those of other rules, fit many rules: record a faster spin, or longer steps, and judge it again.";
     MORE_DIGITS: "Write the record with all digits (17 of double precision, 9 of single), and judge it again.";
+    TIMES_DIGITS: "The times have few digits, and leave the step open: write all their digits, or name the step, as in \
+         `# dt: 1/60`, and judge it again.";
     JUMPS: "Something acts on the body at the jumps: turn off contacts, pushes and resets, or look at what happens there.";
     OTHERS: "Most steps are this rule's: find what acts in the others, a limit, damping, a contact or a push.";
     ADDS_UP: "Each step is right to the record's rounding, and over the whole record the laws named here are not kept: \
@@ -105,21 +107,19 @@ advices! {
 impl Advice {
     /// What follows from the rule that fits best and how well it fits; `floor` is the record's rounding,
     /// `jumps` says whether some steps are not the rule's, `turns` whether there are attitudes, `scatter`
-    /// whether these do by more than the digits that are printed, `again` whether some steps are otherwise
-    /// than others.
+    /// whether these do by more than the digits that are printed.
     pub(crate) fn of(
         confidence: Confidence,
         rule: &Rule,
         floor: Floor,
         whole: &Whole,
-        [jumps, turns, scatter, again]: [bool; 4],
+        [jumps, turns, scatter]: [bool; 3],
     ) -> Vec<Self> {
         let is_accurate = *rule == Rule::EXACT || rule.method().is_some_and(|rule| rule.0.info().order > 3);
         let one = match confidence {
             Confidence::NoneFits | Confidence::SmallErrors if jumps => Self::JUMPS,
             Confidence::NoneFits | Confidence::Altered if whole.on_wrong_side => Self::SIDE,
             Confidence::NoneFits | Confidence::Accurate if scatter => Self::TAKEN_BACK,
-            Confidence::NoneFits if again => Self::RESAMPLED,
             Confidence::Interpolated => Self::RESAMPLED,
             Confidence::NoneFits if !floor.few => Self::COMPARE,
             Confidence::Accurate => Self::DRIFTS_ON,
@@ -128,6 +128,7 @@ impl Advice {
             Confidence::SmallErrors if matches!(rule.alteration, Some(Alteration::TermOrTimes(_))) => {
                 Self::of_rule(rule, turns)
             }
+            Confidence::SmallErrors | Confidence::FewDigits if whole.of_few_times => Self::TIMES_DIGITS,
             Confidence::SmallErrors => Self::FASTER,
             Confidence::FewDigits if floor.single && is_accurate => Self::SINGLE,
             Confidence::FewDigits if floor.single => Self::FASTER,
@@ -147,6 +148,8 @@ impl Advice {
         };
         let fine = [Self::NOTHING, Self::KEEPS_ALL, Self::KEEPS_SIZES, Self::KEEPS_MOMENTUM, Self::OF_ORDER];
         // A rule with something altered has a fault of its own, and so has one between jumps.
+        let term = matches!(rule.alteration, Some(Alteration::Damped { term, .. }) if term != 1.0);
+        let term = (term && one == Self::DAMPING).then_some(Self::TERM);
         let more = (confidence.names_a_rule() && (jumps || rule.alteration.is_some()))
             .then(|| Self::of_rule(&if jumps { *rule } else { Rule::plain(rule.base) }, turns))
             .filter(|more| !fine.contains(more));
@@ -155,7 +158,7 @@ impl Advice {
         let is_sound = confidence.names_a_rule() && !jumps && rule.alteration.is_none() && !rule.is_wrong();
         let other = (whole.fails_otherwise && is_sound && *rule != Rule::EXACT).then_some(Self::NOT_THE_RULE);
         let again = Some(Self::EACH_STEP).filter(|x| whole.again && confidence.names_a_rule() && one != *x);
-        [other, Some(one), again, side, more].into_iter().flatten().collect()
+        [other, Some(one), term, again, side, more].into_iter().flatten().collect()
     }
 
     /// What follows from a rule that all steps are made by.

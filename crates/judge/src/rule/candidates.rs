@@ -153,10 +153,15 @@ impl Subject {
             _ => turned(q, omega, h),
         };
         let with = |omega: Vector3<f64>| (by(&start, &omega), omega);
+        // The spin's own equation has no other term: a multiple of it acts for that multiple of the time.
+        let stepped = |from: &Row, term: f64| match term {
+            1.0 => base(from, h),
+            _ => base(from, h * term).map(|end| with(end.1)),
+        };
         let Some(alteration) = rule.alteration else { return base(from, h) };
         match alteration {
-            Alteration::Damped { factor, rate, when, steps: steps @ 2.. } => {
-                let alteration = Alteration::Damped { factor, rate, when, steps: 1 };
+            Alteration::Damped { factor, rate, when, steps: steps @ 2.., term } => {
+                let alteration = Alteration::Damped { factor, rate, when, steps: 1, term };
                 let one = rule.base.in_parts(rule.base.parts() / steps).but(alteration);
                 let end = (0..steps).try_fold(*from, |row, _| self.next(&one, &row, h / f64::from(steps)))?;
                 Some((end.start(), end.omega))
@@ -164,20 +169,17 @@ impl Subject {
             Alteration::OtherMoments(moments, axes) => {
                 let (q, omega) = (start * axes.into_inner(), axes.inverse() * from.omega);
                 let from = Row { attitude: Some(q), omega, ..*from };
-                let (q, omega) = Self::new(moments, None).ok()?.based(rule.base, &from, h)?;
+                let system = System::of_numbers(moments, Vec::new());
+                let other = Self { moments, torque: None, unit: 1.0, system };
+                let (q, omega) = other.based(rule.base, &from, h)?;
                 Some((q * axes.inverse().into_inner(), axes * omega))
             }
-            Alteration::Damped { factor, when: When::Before, .. } => {
-                base(&Row { omega: from.omega * factor, ..*from }, h)
-            }
-            Alteration::Damped { factor, when: When::Beside, .. } => {
-                Some(with(base(from, h)?.1 - from.omega * (1.0 - factor)))
-            }
-            Alteration::Damped { factor, when: When::After, .. } => Some(with(base(from, h)?.1 * factor)),
-            Alteration::Damped { factor, when: When::Turned | When::Open, .. } => {
-                base(from, h).map(|(q, omega)| (q, omega * factor))
-            }
-            // The spin's own equation has no other term: a multiple of it acts for that multiple of the time.
+            Alteration::Damped { factor, when, term, .. } => match when {
+                When::Before => stepped(&Row { omega: from.omega * factor, ..*from }, term),
+                When::Beside => Some(with(stepped(from, term)?.1 - from.omega * (1.0 - factor))),
+                When::After => Some(with(stepped(from, term)?.1 * factor)),
+                When::Turned | When::Open => stepped(from, term).map(|(q, omega)| (q, omega * factor)),
+            },
             Alteration::Term(times) | Alteration::TermOrTimes(times) => Some(with(base(from, h * times)?.1)),
             Alteration::Times(times) => base(from, h * times),
             Alteration::Turned(turn) => {

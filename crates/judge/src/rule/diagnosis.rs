@@ -7,7 +7,7 @@ use crate::rule::confidence::confidence_in;
 use crate::rule::fitted::some;
 use crate::rule::jumps::{Jump, pushes, without};
 use crate::rule::tried::{alike_to_best, explained, tried};
-use crate::rule::unnamed::{Hints, attitudes_scatter, unnamed};
+use crate::rule::unnamed::{attitudes_scatter, times_the_term, unnamed};
 use crate::rule::{
     Advice, Alteration, Base, Confidence, Rule, Subject, When, engine_names, engines, first_named, settings,
 };
@@ -68,8 +68,9 @@ pub struct Diagnosis {
     pub error: Option<f64>,
     /// The steps that are not the rule's, where they are few.
     pub jumps: Vec<Jump>,
-    /// What is seen of the steps where no rule fits.
-    pub(crate) hints: Hints,
+    /// How many times as much as by the gyroscopic term the spin changes, where no rule fits and that is far
+    /// from one.
+    pub(crate) term: Option<f64>,
     /// Whether a faster spin would distinguish the rules that explain the record alike.
     pub(crate) open: bool,
     /// What to do, for each fault that is seen.
@@ -103,6 +104,8 @@ pub(crate) struct Whole {
     pub repeats: bool,
     /// Whether the attitude is turned on the wrong side.
     pub on_wrong_side: bool,
+    /// Whether the step is known from times of few digits alone.
+    pub of_few_times: bool,
 }
 
 impl Diagnosis {
@@ -305,6 +308,7 @@ pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &W
     let pairs = &*if sought { some(all, TRIED_TURNS) } else { all.to_vec() };
     let found = tried(subject, pairs, known, sought);
     let (mut ranked, mut error) = (Ranked::of(&found, floor)?, None);
+    ranked.second = ranked.second.and_then(|second| explained(subject, pairs, second.rule));
     let (mut confidence, mut jumps) = confidence_in(subject, pairs, &ranked, known, whole);
     if confidence == Confidence::Near && drifts_from(subject, pairs, &ranked.best, whole) {
         confidence = Confidence::NoneFits;
@@ -321,7 +325,7 @@ pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &W
         jumps = pushes(subject, pairs, &found, floor);
     }
     let shows = confidence == Confidence::NoneFits && jumps.is_empty() && !sought;
-    let hints = if shows { Hints::of(subject, going, &ranked.best.rule, floor) } else { Hints::default() };
+    let term = if shows { times_the_term(subject, going) } else { None };
     if confidence == Confidence::ToRounding {
         confidence = settled(subject, pairs, &mut ranked, whole, floor);
     } else if confidence == Confidence::MostSteps {
@@ -336,7 +340,6 @@ pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &W
         confidence.names_a_rule() && (confidence != Confidence::ToRounding || best.rule != Rule::EXACT);
     let own: Vec<_> = engines(header, std::iter::once(&best.rule).chain(&alike));
     let leading = first_named(&best.rule, if named { &alike } else { &[] }, own.first().map(|own| own.0));
-    let seen = [!jumps.is_empty(), turns, scatter, hints.again.is_some()];
     Some(Diagnosis {
         best: Explanation { rule: best.rule.times(subject.unit), ..best },
         alike: alike.iter().map(|rule| rule.times(subject.unit)).collect(),
@@ -348,8 +351,8 @@ pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &W
         settings: if whole.fails && named { settings(&own, &leading) } else { Vec::new() },
         leading: leading.iter().map(|rule| rule.times(subject.unit)).collect(),
         error,
-        advice: Advice::of(confidence, &best.rule, floor, whole, seen),
-        hints,
+        advice: Advice::of(confidence, &best.rule, floor, whole, [!jumps.is_empty(), turns, scatter]),
+        term,
         open: alike.iter().any(|rule| is_another(subject, pairs, &best.rule, rule)),
         jumps,
         single: floor.single,

@@ -147,15 +147,17 @@ pub(crate) fn parted(
     // Cut in parts, a step takes the torques' change of spin from its start, the same in the world for all
     // parts.
     let part = h / f64::from(parts);
+    if system.torques().is_empty() {
+        return (0..parts).try_fold(*start, |motion, _| {
+            limits.keep(method, system, &motion, method.step(system, &motion, part)?, part, h)
+        });
+    }
     let push = attitude::rotation_matrix(&start.attitude) * system.omega(&system.torque(start)) * part;
     let free = System::of_numbers(*system.moments(), Vec::new());
     (0..parts).try_fold(*start, |mut motion, _| {
-        if !system.torques().is_empty() {
-            let inside = attitude::rotation_matrix(&motion.attitude).tr_mul(&push);
-            motion.momentum += system.momentum(&inside);
-        }
-        let end = method.step(&free, &motion, part)?;
-        limits.keep(method, system, &motion, end, part, h)
+        let inside = attitude::rotation_matrix(&motion.attitude).tr_mul(&push);
+        motion.momentum += system.momentum(&inside);
+        limits.keep(method, system, &motion, method.step(&free, &motion, part)?, part, h)
     })
 }
 

@@ -2,10 +2,11 @@
 
 use crate::law::LawName;
 use crate::read::{Pair, is_limited, law, least, median, normal, ordered, simplest, slopes, times_the_turn};
-use crate::rule::{Alteration, Base, Rule, Subject, Turn, When, frozen};
+use crate::rule::{Alteration, Base, Rule, Subject, TERMS, Turn, When, distinct, frozen};
 use crate::thresholds::*;
-use nalgebra::{Matrix3, Rotation3, SVector, UnitQuaternion, Vector3};
+use nalgebra::{Matrix2, Matrix3, Matrix3x2, Rotation3, SVector, UnitQuaternion, Vector2, Vector3};
 use tumbling::PrincipalMoments;
+use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::step::Method;
 
 /// The number that takes the momentum to the turn.
@@ -38,7 +39,7 @@ fn misses(subject: &Subject, pairs: &[Pair], rule: &Rule) -> Option<Vec<Vector3<
 /// The number of a rule that misses the spins least, without the steps that are far off: pushes.
 fn number(subject: &Subject, pairs: &[Pair], start: f64, rule: &dyn Fn(f64) -> Rule) -> Option<f64> {
     let fit = |pairs: &[Pair], start: f64| {
-        least([start].into(), &|x| misses(subject, pairs, &rule(x.x)), &|x| x).map(|x| x.x)
+        least([start].into(), &|x| misses(subject, pairs, &rule(x.x)), &|x| x, RULE_GAIN).map(|x| x.x)
     };
     let first = fit(pairs, start)?;
     let off: Vec<f64> = misses(subject, pairs, &rule(first))?.iter().map(Vector3::norm).collect();
@@ -55,8 +56,12 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
     let whens = places(with_attitude, of_spin);
     let (term, turned) = (law(few, &subject.moments).1, with_attitude.then(|| times_the_turn(few)));
     let (mut all, cap) = (Vec::new(), capped(pairs, rounding));
+    let under_drag = term_under_drag(few, &subject.moments);
+    let wrong = TERMS.map(|known| known.0).into_iter().find(|known| (known - under_drag).abs() < TERM_APART);
     for base in [Base::all(), frozen(pairs)].concat() {
-        all.extend(damped(subject, few, (base, 1), whens, rounding));
+        all.extend(damped(subject, few, (base, 1, 1.0), whens, rounding));
+        let wrong = wrong.filter(|_| !base.is_still());
+        all.extend(wrong.into_iter().flat_map(|term| damped(subject, few, (base, 1, term), whens, rounding)));
         if matches!(base, Base::FrozenTensor(..)) {
             continue;
         }
@@ -83,6 +88,21 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
     all
 }
 
+/// How many times as large as it should be the gyroscopic term is beside a drag, by least squares.
+fn term_under_drag(pairs: &[Pair], moments: &Vector3<f64>) -> f64 {
+    let (mut own, mut both) = (Matrix2::zeros(), Vector2::zeros());
+    for Pair { from, to, h } in pairs {
+        let mean = (from.omega + to.omega) / 2.0;
+        let along =
+            Matrix3x2::from_columns(&[angular_acceleration(moments, &mean, &Vector3::zeros()), -mean]);
+        // Each as much, however slow.
+        let weight = mean.norm_squared().powi(-2);
+        own += along.tr_mul(&along) * weight;
+        both += along.tr_mul(&((to.omega - from.omega) / *h)) * weight;
+    }
+    own.lu().solve(&both).map_or(f64::NAN, |numbers| numbers.x)
+}
+
 /// Where damping may be: spins alone do not show whether before or after the turn, nor turns alone on which
 /// side of the row.
 const fn places(with_attitude: bool, of_spin: bool) -> &'static [&'static [When]] {
@@ -103,7 +123,7 @@ pub(super) fn in_steps(subject: &Subject, pairs: &[Pair], rounding: f64, per_row
     for steps in steps.into_iter().filter(|steps| *steps > 1) {
         let bases = Base::all().into_iter().map(|base| base.in_parts(base.parts().saturating_mul(steps)));
         for base in bases.filter(|base| base.parts() > 1) {
-            all.extend(damped(subject, few, (base, steps), whens, rounding));
+            all.extend(damped(subject, few, (base, steps, 1.0), whens, rounding));
         }
     }
     all
@@ -129,6 +149,9 @@ fn of_term(subject: &Subject, few: &[Pair], base: Base, term: f64, turned: Optio
     }
     let fitted = number(subject, few, term, &|times| base.but(Alteration::TermOrTimes(times)));
     let Some(times) = fitted.filter(|times| times.abs() > NEAR_A_TERM[1]) else { return Vec::new() };
+    // Spins made from turns are those of the exact motion, and a wrong term's are off from these.
+    let is_sought = few.iter().any(|pair| pair.to.ahead.is_some());
+    let times = if is_sought && times < 0.0 { times.round().min(-1.0) } else { times };
     let far = (times - 1.0).abs();
     let is_seen = |how: &Alteration| match how {
         Alteration::Times(own) => (own - 1.0).abs() > NEAR_A_TERM[1],
@@ -157,7 +180,7 @@ fn of_still(few: &[Pair], base: Base, turned: Option<f64>) -> Vec<Rule> {
 /// Turns in the wrong place or by the wrong spin.
 fn of_turns() -> Vec<Rule> {
     let (mut all, turned) = (Vec::new(), |base: Base, turn| base.but(Alteration::Turned(turn)));
-    for base in Base::all().into_iter().chain(Base::every()) {
+    for base in distinct(Base::all().into_iter().chain(Base::every()).collect()) {
         all.extend([Turn::Old, Turn::Late, Turn::Early].map(|turn| turned(base, turn)));
     }
     for base in Base::all().into_iter().chain([Base::PositionStage(1)]) {
@@ -203,7 +226,7 @@ pub(crate) fn other_bodies(subject: &Subject, pairs: &[Pair], rounding: f64) -> 
         };
         Some(few.iter().map(miss).collect())
     };
-    let Some(start) = least([named.x, named.y, 0.0, 0.0, 0.0].into(), &linear, &inside) else {
+    let Some(start) = least([named.x, named.y, 0.0, 0.0, 0.0].into(), &linear, &inside, GAIN) else {
         return Vec::new();
     };
     let rule = |base: Base, numbers: &SVector<f64, 5>| {
@@ -215,7 +238,7 @@ pub(crate) fn other_bodies(subject: &Subject, pairs: &[Pair], rounding: f64) -> 
     };
     let fitted = |base: Base| {
         let misses = |numbers: &SVector<f64, 5>| misses(subject, &few, &rule(base, numbers)?);
-        let found = least(start, &misses, &inside)?;
+        let found = least(start, &misses, &inside, RULE_GAIN)?;
         // What the record does not determine is not the engine's body, nor is what hardly differs.
         let here = misses(&found)?;
         let left = (here.iter().map(Vector3::norm_squared).sum::<f64>() / here.len() as f64).sqrt();
@@ -272,11 +295,11 @@ pub(crate) fn inside(numbers: SVector<f64, 5>) -> SVector<f64, 5> {
 fn damped(
     subject: &Subject,
     pairs: &[Pair],
-    (base, steps): (Base, u32),
+    (base, steps, term): (Base, u32, f64),
     groups: &[&[When]],
     rounding: f64,
 ) -> Vec<Rule> {
-    let rule = |factor, rate, when| base.but(Alteration::Damped { factor, rate, when, steps });
+    let rule = |factor, rate, when| base.but(Alteration::Damped { factor, rate, when, steps, term });
     let below = 1.0 - DAMPED.max(DAMPED_ROUNDINGS * rounding);
     let mut all = Vec::new();
     for whens in groups {

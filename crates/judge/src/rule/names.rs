@@ -67,7 +67,7 @@ impl Alteration {
                 let about = format!(" about axes turned by {degrees:.1} degrees from the record's");
                 format!("other moments ({x}, {y}, {z}){}", if degrees < 0.05 { "" } else { &about })
             }
-            Self::Damped { factor, rate, when, .. } => {
+            Self::Damped { factor, rate, when, term, .. } => {
                 let (lost, rate) = (1.0 - factor, readable(*rate));
                 let when = match when {
                     When::Before => ", before the gyroscopic term",
@@ -76,7 +76,9 @@ impl Alteration {
                     When::Turned => ", after the turn",
                     When::Open => "",
                 };
-                format!("damping left on ({rate}/s: {lost:.3e} of the spin each step{when})")
+                let term =
+                    if *term == 1.0 { String::new() } else { format!(", {}", Self::Term(*term).name()) };
+                format!("damping left on ({rate}/s: {lost:.3e} of the spin each step{when}){term}")
             }
             Self::Term(times) => match TERMS.iter().find(|term| (term.0 - times).abs() < NEAR_A_TERM[0]) {
                 Some((_, words)) => (*words).into(),
@@ -106,7 +108,7 @@ impl Alteration {
 }
 
 /// Multiples of the gyroscopic term that are mistakes one makes.
-const TERMS: [(f64, &str); 3] = [
+pub(crate) const TERMS: [(f64, &str); 3] = [
     (0.5, "half of the gyroscopic term"),
     (-1.0, "the gyroscopic term with the wrong sign"),
     (2.0, "twice the gyroscopic term"),

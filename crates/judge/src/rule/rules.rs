@@ -54,6 +54,8 @@ pub enum Alteration {
         when: When,
         /// The number of such steps from row to row, equal shares of the parts.
         steps: u32,
+        /// What the gyroscopic term is multiplied by besides.
+        term: f64,
     },
     /// The gyroscopic term is multiplied by this number.
     Term(f64),
@@ -169,8 +171,10 @@ impl Rule {
     pub(crate) fn neutral(&self) -> Vec<Self> {
         let with = |alteration| Self { alteration: Some(alteration), ..*self };
         match self.alteration {
-            Some(Alteration::Damped { when, steps, .. }) => {
-                vec![with(Alteration::Damped { factor: 1.0, rate: 0.0, when, steps })]
+            Some(Alteration::Damped { factor, rate, when, steps, term }) => {
+                let undamped = with(Alteration::Damped { factor: 1.0, rate: 0.0, when, steps, term });
+                let whole = with(Alteration::Damped { factor, rate, when, steps, term: 1.0 });
+                [undamped].into_iter().chain((term != 1.0).then_some(whole)).collect()
             }
             Some(Alteration::Term(_) | Alteration::TermOrTimes(_)) => {
                 [0.0, 1.0].map(|times| with(Alteration::Term(times))).to_vec()
@@ -325,7 +329,7 @@ pub(crate) fn in_parts(per_row: Option<u32>, all: bool) -> Vec<Rule> {
 }
 
 /// Each of them once.
-fn distinct(all: Vec<Base>) -> Vec<Base> {
+pub(crate) fn distinct(all: Vec<Base>) -> Vec<Base> {
     let is_first = |(i, base): &(usize, Base)| !all[..*i].contains(base);
     all.iter().copied().enumerate().filter(is_first).map(|(_, base)| base).collect()
 }

@@ -23,13 +23,38 @@ pub(super) fn alike_to_best(found: &[Explanation], floor: Floor) -> impl Fn(&Exp
     move |x| near(x) && x.percentile_95 <= (ALIKE[1] * best_most).max(nearly_all)
 }
 
+/// How far rules are from the record: by a few of its steps alone where a quarter of these is far behind the
+/// best, or behind `least`, in what still fits.
+fn compared(
+    subject: &Subject,
+    pairs: &[Pair],
+    rules: Vec<Rule>,
+    [least, fits]: [f64; 2],
+) -> Vec<Explanation> {
+    let few = some(pairs, COMPARED.0);
+    let by_few = |rule| {
+        let mut all: Vec<f64> = few.iter().map(|pair| subject.residual(&rule, pair)).collect();
+        all.sort_by(f64::total_cmp);
+        let at = |share: usize| all.get(all.len() * share / 100).copied();
+        Some((at(25)?, Explanation { rule, median: at(50)?, percentile_95: at(95)? }))
+    };
+    let seen: Vec<_> = rules.into_iter().filter_map(by_few).collect();
+    let behind = COMPARED.1 * seen.iter().map(|x| x.0).fold(least, f64::min).max(fits);
+    let whole = |x: Explanation| explained(subject, pairs, x.rule);
+    seen.into_iter().filter_map(|(near, x)| if near > behind { Some(x) } else { whole(x) }).collect()
+}
+
 /// How far each candidate's steps are from the record's: plain rules first, and others while none fits.
 pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bool) -> Vec<Explanation> {
     let (floor, per_row) = (known.floor, known.clock.per_row);
     let explained = |rule: Rule| explained(subject, pairs, rule);
     let fits = |found: &[Explanation]| found.iter().any(|x| x.fits(floor));
     let free = subject.torque.is_none();
-    let mut found: Vec<Explanation> = plain(free, pairs).into_iter().filter_map(explained).collect();
+    let compared = |rules, known: &[Explanation]| {
+        let least = known.iter().map(|x| x.median).fold(f64::INFINITY, f64::min);
+        compared(subject, pairs, rules, [least, floor.limits()[0]])
+    };
+    let mut found = compared(plain(free, pairs), &[]);
     if free && (known.said.kind.is_momentum() || !fits(&found)) {
         found.extend(momentum_for_spin(subject, pairs).and_then(explained));
     }
@@ -54,8 +79,8 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
             // Times that are nearly right are wrong where that is all there is.
             let near = |times: f64| (times - 1.0).abs() < PACE_APART;
             let is_small = |rule: &Rule| matches!(rule.alteration, Some(Alteration::Times(x)) if near(x));
-            let rules = rules(subject, pairs, floor.size).into_iter().filter_map(explained);
-            found.extend(rules.filter(|x| !is_small(&x.rule) || x.fits(floor)));
+            let rules = compared(rules(subject, pairs, floor.size), &found);
+            found.extend(rules.into_iter().filter(|x| !is_small(&x.rule) || x.fits(floor)));
         }
     }
     if free && !fits(&found) && found.iter().any(|x| x.rule.is_damped()) {

@@ -1,6 +1,6 @@
 //! What is said of a record that no rule fits.
 
-use crate::read::{Floor, Pair, law, median, middle_and_most, unit};
+use crate::read::{Floor, Pair, law, median, unit};
 use crate::rule::diagnosis::Ranked;
 use crate::rule::tried::explained;
 use crate::rule::{Alteration, Base, Confidence, Explanation, Rule, Subject, When};
@@ -123,41 +123,11 @@ fn accuracy(subject: &Subject, pairs: &[Pair], exact: &Explanation, floor: f64) 
     (change.is_finite() && change > ABOVE_ROUNDING * floor && share <= ACCURATE).then_some(share)
 }
 
-/// What is seen of the steps where no rule fits.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Hints {
-    /// Every how many rows the errors of the nearest rule's steps come again.
-    pub again: Option<usize>,
-    /// How many times as much as by the gyroscopic term the spin changes, where that is far from one.
-    pub term: Option<f64>,
-}
-
-impl Hints {
-    pub(super) fn of(subject: &Subject, pairs: &[Pair], nearest: &Rule, floor: Floor) -> Self {
-        let (alike, times) = law(pairs, &subject.moments);
-        // A torque changes the spin too.
-        let seen = subject.torque.is_none() && alike.abs() > LAW_AGREES && (times - 1.0).abs() > TERM_APART;
-        Self { again: comes_again(subject, pairs, nearest, floor), term: seen.then_some(times) }
-    }
-}
-
-/// Every how many rows the errors of a rule's steps come again in size, if they do and its changes of spin do
-/// not: the motion itself may.
-fn comes_again(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> Option<usize> {
-    let sizes = |of: fn(&Pair, Vector3<f64>) -> Vector3<f64>| {
-        let size = |x: &Pair| Some(of(x, subject.spin_after(rule, x)?).norm() / x.to.omega.norm());
-        pairs.iter().map(|pair| size(pair).unwrap_or(f64::NAN)).collect::<Vec<f64>>()
-    };
-    let errors = sizes(|pair, end| pair.to.omega - end);
-    let changes = sizes(|pair, end| end - pair.from.omega);
-    let apart = |sizes: &[f64], rows: usize| {
-        let later = pairs.iter().zip(sizes).skip(rows).zip(pairs.iter().zip(sizes));
-        let own = later.filter(|((to, _), (from, _))| to.from.line == from.from.line + rows);
-        middle_and_most(own.map(|((_, a), (_, b))| (a - b).abs()).collect()).map_or(f64::INFINITY, |x| x[1])
-    };
-    let next = [&errors, &changes].map(|sizes| apart(sizes, 1));
-    let again =
-        |rows: &usize| apart(&errors, *rows) < AGAIN * next[0] && apart(&changes, *rows) >= AGAIN * next[1];
-    let seen = ABOVE_ROUNDING * floor.size..f64::INFINITY;
-    (pairs.len() > 4 * AGAIN_MOST && seen.contains(&next[0])).then(|| (2..=AGAIN_MOST).find(again))?
+/// How many times as much as by the gyroscopic term the spin changes where no rule fits, if that is far from
+/// one.
+pub(super) fn times_the_term(subject: &Subject, pairs: &[Pair]) -> Option<f64> {
+    let (alike, times) = law(pairs, &subject.moments);
+    // A torque changes the spin too.
+    let seen = subject.torque.is_none() && alike.abs() > LAW_AGREES && (times - 1.0).abs() > TERM_APART;
+    seen.then_some(times)
 }

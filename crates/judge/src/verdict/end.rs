@@ -122,6 +122,7 @@ impl End<'_> {
             kept: self.laws.iter().all(|law| law.growth.rank() == 0),
             again,
             repeats: self.trial.repeats(),
+            of_few_times: known.grid.is_some_and(|grid| !grid.named),
             share: *steps as f64 / (*pairs).max(1) as f64,
             on_wrong_side: complaints.iter().any(|complaint| {
                 let seen = [Seen::BodyInWorld, Seen::WorldInBody].map(Some);

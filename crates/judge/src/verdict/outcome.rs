@@ -136,7 +136,8 @@ impl Verdict {
     /// equally many rows: the
     /// spins are those of its first row, the errors the largest of them in size, and `spin_least`,
     /// `spin_greatest`, `exact_least` and `exact_greatest` what the spins in it reach. `flips.times` has
-    /// the times of the first 512 flips. What is not finite is null.
+    /// the times of the first 512 flips, and `flips.late` by how much they are late, if by a number (s), a
+    /// share of the time, or both. What is not finite is null.
     #[must_use]
     pub fn json(&self) -> Value {
         serde_json::to_value(self).unwrap_or_default()

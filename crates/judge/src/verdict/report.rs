@@ -69,13 +69,7 @@ impl Verdict {
         let turned =
             self.complaints.iter().filter(|x| matches!(x, Complaint::Otherwise { seen: Some(_), .. }));
         let by = |x| format!("the spin changes {} times as much as by the gyroscopic term", plain_number(x));
-        let again = found.hints.again.map(|rows| {
-            format!(
-                "the errors of the steps come again every {rows} rows, as of rows resampled between the engine's steps or of \
-                 what acts in one of {rows} steps alone"
-            )
-        });
-        let all = each.chain(turned.map(ToString::to_string)).chain(found.hints.term.map(by)).chain(again);
+        let all = each.chain(turned.map(ToString::to_string)).chain(found.term.map(by));
         let all = all.collect::<Vec<_>>().join("; ");
         (!all.is_empty() && found.confidence == Confidence::NoneFits).then(|| format!("what is seen: {all}"))
     }
@@ -221,6 +215,7 @@ impl Verdict {
                 line +=
                     &format!("; the first at {first:.4} s (exact: {exact:.4} s), at most {apart} s apart");
             }
+            line += &flips.lateness();
             all.push(section("Flips", [line + "."]));
         }
         all

@@ -2,7 +2,7 @@
 //! a terminal; numbers, and how an error grows, for a reader who has no need of logarithms.
 
 use crate::law::LawName;
-use crate::laws::{Growth, Law, Reset};
+use crate::laws::{FlipCount, Growth, Law, Reset};
 use crate::read::Note;
 use crate::rule::Rule;
 use crate::thresholds::*;
@@ -170,6 +170,20 @@ impl Reset {
             (false, true) => "is put back to its start",
             (false, false) => "jumps to another motion (a reset, a push or a collision)",
         }
+    }
+}
+
+impl FlipCount {
+    /// By how much they are late, if by a number, a share of the time, or both.
+    pub(crate) fn lateness(&self) -> String {
+        let Some(([shift, share], end)) = self.late.zip(self.times.last()) else { return String::new() };
+        let parts = [(shift, shift, " s"), (share * end, 100.0 * share, " % of the time since the start")];
+        let seen = parts.iter().filter(|part| part.0.abs() > LATE_PART * self.apart);
+        let words = seen.map(|(_, size, unit)| {
+            let way = if *size < 0.0 { "earlier" } else { "later" };
+            format!("{way} by {}{unit}", plain_number(size.abs()))
+        });
+        format!("; they come {}", words.collect::<Vec<_>>().join(", and "))
     }
 }
 

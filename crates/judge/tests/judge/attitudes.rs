@@ -1,9 +1,10 @@
 //! Records of attitudes alone.
 
-use crate::common::{Row, SPINS, csv, exact, judged, stepped, written};
+use crate::common::{MOMENTS, Row, SPINS, csv, exact, judged, stepped, stepped_by, written};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
-use tumbling::attitude::rotation_matrix;
-use tumbling::step::Method;
+use tumbling::attitude::{product, rotation_matrix, turn};
+use tumbling::dynamics::euler::angular_acceleration;
+use tumbling::step::{Method, State, System};
 use tumbling_judge::{FileMistake, LawName, Options, Outcome, Rule, judge};
 
 fn attitudes(rows: &[Row]) -> String {
@@ -126,4 +127,24 @@ fn attitudes_of_fewer_digits_than_are_printed_are_told_from_a_turn_that_is_wrong
         let said = judged(&csv(&rows)).to_string();
         assert!(said.contains("off in one step and back in the next"), "{said}");
     }
+}
+
+#[test]
+fn of_attitudes_alone_both_the_file_and_a_wrong_sign_are_judged_and_the_one_that_fits_is_named() {
+    let rate = |w: Vector3<f64>| angular_acceleration(&MOMENTS, &w, &Vector3::zeros());
+    let system = System::free(MOMENTS.try_into().unwrap()).unwrap();
+    let said = |h: f64, new: &dyn Fn(Vector3<f64>) -> Vector3<f64>| {
+        let rows = stepped_by(SPINS[1].into(), h, 300, |motion| {
+            let w = new(system.omega(&motion.momentum));
+            let attitude = product(&motion.attitude, &turn(&(w * h)));
+            State { attitude, momentum: system.momentum(&w) }
+        });
+        judged(&attitudes(&rows)).to_string()
+    };
+    let known = said(0.01, &|w| w - rate(w) * 0.01);
+    assert!(
+        known.contains("the gyroscopic term with the wrong sign, explicit") && !known.contains("Perhaps")
+    );
+    let heun = said(0.01, &|w| w - (rate(w) + rate(w - rate(w) * 0.01)) * 0.005);
+    assert!(heun.contains("Perhaps the quaternion") && heun.contains("with the wrong sign"), "{heun}");
 }

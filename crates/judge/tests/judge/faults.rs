@@ -42,6 +42,25 @@ fn damping_is_named_between_hits() {
 }
 
 #[test]
+fn a_wrong_gyroscopic_term_is_named_under_strong_damping_too() {
+    for (rate, term, words) in [(5.0, 0.5, "half of the gyroscopic term"), (0.5, -1.0, "with the wrong sign")]
+    {
+        let mut rows: Vec<Row> = exact(SPIN, H, 0);
+        for i in 1..300 {
+            let (_, q, spin) = rows[rows.len() - 1];
+            let change = angular_acceleration(&MOMENTS, &spin, &Vector3::zeros()) * (term * H);
+            let spin = (spin + change) * (1.0 - rate * H);
+            rows.push((H * f64::from(i), product(&q, &turn(&(spin * H))), spin));
+        }
+        let found = judged(&csv(&rows)).diagnosis.unwrap();
+        let name = found.best.rule.name();
+        assert!(name.starts_with(&format!("damping left on ({rate}/s")) && name.contains(words), "{found}");
+        let advised = |words: &str| found.advice.iter().any(|advice| advice.words.contains(words));
+        assert!(advised("angular damping to 0") && advised("is not that of the body"), "{found}");
+    }
+}
+
+#[test]
 fn a_tensor_frozen_where_the_body_started_is_named_under_damping_too() {
     let first = UnitQuaternion::from_euler_angles(0.4, -0.3, 1.1);
     let (mut rows, mut q, mut world) = (Vec::<Row>::new(), first.into_inner(), first * SPIN);

@@ -179,7 +179,7 @@ fn bad_input_is_an_error_with_line_and_column() {
     assert_eq!(with("0.1,1,,3"), "line 4, column 3 (`wy`): the field is empty");
     assert_eq!(with("0.1,1,2"), "line 4: there are 3 fields for 4 columns: `wz` is missing");
     assert!(with("0.1,1,2,3,4").starts_with("line 4, column 5 (``): `4` is one more field"));
-    let stands = "line 4, column 1 (`t`): time does not increase: 0 s after 0 s. Write each instant once, in the order of time";
+    let stands = "line 4, column 1 (`t`): time does not increase: 0 s after 0 s. Write each instant once, in the order of time, and times with all their digits";
     assert_eq!(with("0,1,2,3"), stands);
     assert!(error("").contains("the file is empty"));
     assert!(error("# inertia: 1 2 3\n\n").contains("the file is empty"));

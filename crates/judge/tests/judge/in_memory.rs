@@ -160,8 +160,7 @@ fn what_is_no_record_is_refused_with_its_row() {
     assert!(matches!(empty, Error::NoRows) && !empty.to_string().contains("column"), "{empty}");
     assert!(matches!(judged(&[row(0.0, 1.0)]), Err(Error::OneRow)));
     let error = judged(&[row(0.0, 1.0), row(0.1, 1.0), row(0.1, 1.0)]).unwrap_err().to_string();
-    let wanted =
-        "row 3: time does not increase: 0.1 s after 0.1 s. Write each instant once, in the order of time";
+    let wanted = "row 3: time does not increase: 0.1 s after 0.1 s. Write each instant once, in the order of time, and times with all their digits";
     assert_eq!(error, wanted);
     let ended = judged(&[row(0.0, 1.0), row(0.1, 1.0), row(0.2, f64::NAN), row(0.3, 1.0)]).unwrap();
     assert_eq!((ended.outcome, ended.record.rows), (Outcome::Failed, 2));

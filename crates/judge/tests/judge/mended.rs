@@ -172,7 +172,6 @@ fn what_acts_in_some_of_the_steps_is_neither_said_to_be_interpolated_nor_repeate
         let said = judged(&text).to_string();
         assert!(said.contains(words), "{said}");
     };
-    contains(run(&|i, old, new| if i % 2 == 0 { new } else { old }), "find what acts in some of its steps");
     let torque = run(&|_, _, new| new * 1.24).replacen('\n', "; torque: 0 0 0.001\n", 1);
     assert!(!judged(&torque).to_string().contains("as by the gyroscopic term"));
     let push =
@@ -180,9 +179,7 @@ fn what_acts_in_some_of_the_steps_is_neither_said_to_be_interpolated_nor_repeate
     let still = run(&|i, _, _| push(i) * f64::from(i).cos()).replacen(ATTITUDE, NO_ATTITUDE, 1);
     contains(still, "But for jumps (39 of 599 steps tried) all agree to rounding with: no gyroscopic term");
     contains(run(&|i, _, new| new + push(i)), "(39 of 599 steps tried) all agree to rounding with: explicit");
-    // Rows of 50 a second, read at 60 a second.
-    let fine = stepped(Method::Gauss4, SPIN, 0.01, 600);
-    contains(placed(&fine, (0..600).map(|i| f64::from(i) * 5.0 / 6.0)), "come again every 6 rows");
+    contains(run(&|i, old, new| if i % 2 == 0 { new } else { old }), "None of the known rules fits");
 }
 
 #[test]

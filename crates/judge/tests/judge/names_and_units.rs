@@ -182,3 +182,20 @@ fn moments_in_another_unit_are_read_and_an_unknown_one_is_refused() {
     let wrong = judged("lb ft2").unwrap_err().to_string();
     assert!(wrong.contains("line 1: the unit `lb ft2` is not known here"), "{wrong}");
 }
+
+#[test]
+fn a_number_of_a_rule_has_five_digits_and_a_power_of_ten_where_it_is_very_small_or_large() {
+    for (mass, wanted) in [
+        (0.999_999_4, "1.0000"),
+        (12.345_67, "12.346"),
+        (-9.999_96e-4, "-0.0010000"),
+        (9.999_96e-5, "0.00010000"),
+        (9.9e-5, "9.9000e-5"),
+        (123_456.7, "123457"),
+        (2.5e9, "2.5000e9"),
+        (0.0, "0"),
+    ] {
+        let name = tumbling_judge::Base::MomentumForSpin(mass).name();
+        assert_eq!(name, format!("momentum taken for spin (divided by {wanted})"));
+    }
+}

@@ -113,3 +113,34 @@ fn a_constant_spin_with_a_wrong_attitude_is_not_right() {
         assert!(!verdict.to_string().contains("as it is right"), "{verdict}");
     }
 }
+
+#[test]
+fn the_law_that_is_kept_worst_is_said_with_how_it_is_broken() {
+    let rows = exact(SPIN, H, 240);
+    // The energy goes as the square of the spin: of the two that grow alike it grows by more.
+    for (length, size, wanted) in [
+        (0.0, 0.0, "kept to rounding."),
+        (0.01, 0.0, "is quaternion's length: linear."),
+        (0.0, 0.1, "is energy: exponential."),
+    ] {
+        let row = |(t, q, w): &Row| (*t, q * (1.0 + length * t), w * (size * t).exp());
+        let said = judged(&csv(&rows.iter().map(row).collect::<Vec<_>>())).to_string();
+        let worst = said.lines().find(|line| line.contains("The worst of the conserved quantities"));
+        assert!(worst.unwrap().ends_with(wanted), "{said}");
+    }
+}
+
+#[test]
+fn flips_that_come_late_by_a_time_or_a_share_are_said_to_and_others_are_not() {
+    let spin = Vector3::new(0.3, -0.4, 5.0);
+    let motion = FreeMotion::new(MOMENTS.try_into().unwrap(), &spin).unwrap();
+    let said = |time: fn(f64) -> f64| {
+        let rows = (0..=600).map(|i| (H * f64::from(i), motion.omega(time(H * f64::from(i))).unwrap()));
+        let rows = rows.enumerate().map(|(i, (t, w))| (t, if i == 0 { spin } else { w }));
+        judged(&spins([1.0, 2.0, 2.5], rows)).to_string()
+    };
+    assert!(said(|t| t - 0.05).contains("; they come later by 0.0500 s."));
+    assert!(said(|t| t / 0.99).contains("; they come earlier by 1.00 % of the time since the start."));
+    let drifts = said(|t| t - 1e-3 * t * t);
+    assert!(drifts.contains("s apart.") && !drifts.contains("they come"), "{drifts}");
+}

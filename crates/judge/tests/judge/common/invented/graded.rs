@@ -33,7 +33,7 @@ impl Invented {
     fn is_as_said(&self, rule: &Rule) -> bool {
         let near = |a: f64, b: f64| (a / b - 1.0).abs() < 1e-2;
         match (self.fault, rule.alteration) {
-            (Fault::Damped(wanted, place), Some(Alteration::Damped { rate, when, .. })) => {
+            (Fault::Damped(wanted, place), Some(Alteration::Damped { rate, when, term: 1.0, .. })) => {
                 near(rate, wanted) && (when == When::Open || when == place)
             }
             (Fault::Term(wanted), Some(Alteration::Term(times) | Alteration::TermOrTimes(times))) => {
