@@ -1,5 +1,6 @@
 use super::{Drawing, ink_of};
 use crate::draw::{Canvas, Fill, Ink, Label, P, Pen, polar};
+use nalgebra::Vector3;
 use std::f64::consts::{PI, TAU};
 use tumbling::Axis;
 use tumbling::solid::{Cylinder, Solid};
