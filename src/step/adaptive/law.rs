@@ -1,5 +1,6 @@
 //! The law of motion as polynomials: what the recurrences of the series need of a body and its torques.
 
+use super::largest;
 use super::sums::{Lanes, lanes};
 use crate::number::{DoubleDouble, functions::sin_cos};
 use crate::step::system::System;
