@@ -156,7 +156,7 @@ globalThis.tumblingLive ??= (() => {
             box.classList.remove("live-on");
             // Not what stands there without scripts: that tells the reader to use them.
             const advice = globalThis.DecompressionStream && globalThis.WebAssembly ? "Load the page again" : "It needs a newer browser";
-            box.querySelector(".live-still").textContent = `This part could not be loaded (${why.message}). ${advice}; the rest of the page does without.`;
+            box.querySelector(".live-still").textContent = `This part could not be loaded (${why.message}). ${advice}; the rest of the page works without it.`;
             box.dataset.state = `failed: ${why.message}`;
         }
     }

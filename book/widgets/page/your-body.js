@@ -358,7 +358,7 @@ tumblingLive.widget("your-body", async (stage, from) => {
             await navigator.clipboard.writeText(location.href);
             shown("copied").textContent = "Copied.";
         } catch {
-            shown("copied").textContent = "It stands in the address of this page: copy it from there.";
+            shown("copied").textContent = "The link is the address of this page: copy it from there.";
         }
     });
     tumblingLive.yourBodySaves({ stage, shown, wrong, kinds: KINDS, called, found: () => found, pictures, exact });

@@ -112,7 +112,7 @@ tumblingLive.yourBodySaves = ({ stage, shown, wrong, kinds, called, found, pictu
     for (const button of stage.querySelectorAll("[data-save]")) {
         button.addEventListener("click", async () => {
             button.disabled = true;
-            shown("saved").textContent = wrong.hidden ? await SAVES[button.dataset.save]() : "First the numbers must be right.";
+            shown("saved").textContent = wrong.hidden ? await SAVES[button.dataset.save]() : "Correct the numbers first.";
             button.disabled = false;
         });
     }
