@@ -10,8 +10,8 @@ use nalgebra::Vector3;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
-/// Angular acceleration by spin, attitude and time, in a unit of time, all of it polynomial or periodic; in
-/// rows as the series are.
+/// Angular acceleration as a function of spin, attitude and time, in one unit of time. Every term is a
+/// polynomial or periodic. The rows have the layout of the series.
 #[derive(Debug, Clone)]
 pub(super) struct Law {
     /// `(I2 - I3) / I1` and so on round.
@@ -91,18 +91,18 @@ impl Law {
     }
 }
 
-/// How fast the torques of a system change its motion.
+/// The rates at which a system's torques change its motion.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rates {
-    /// A bound of the angular acceleration by torques that do not depend on the spin, rad/s².
+    /// A bound on the angular acceleration by torques that do not depend on the spin, rad/s².
     acceleration: f64,
-    /// A bound of these torques, N m.
+    /// A bound on these torques, N m.
     pub(super) torque: f64,
-    /// Of what they depend on: the fastest orbit or periodic torque, rad/s.
+    /// The rate of the fastest orbit or periodic torque, rad/s.
     driving: f64,
     /// The fastest decay by damping, 1/s.
     damping: f64,
-    /// That by dissipation, by the square of the momentum.
+    /// The decay by dissipation, divided by the square of the momentum.
     dissipation: f64,
 }
 
@@ -111,7 +111,7 @@ impl Rates {
     pub(super) fn of(system: &System<f64>, law: &Law) -> Self {
         let sum = &system.sum;
         let world = law.world.iter().map(|one| {
-            // Any axis may turn onto the vector, which is shorter than twice its largest component.
+            // Any axis may turn onto the vector, whose length is less than twice its largest component.
             2.0 * largest(one.vector.as_slice()) * largest(one.acceleration.as_flattened())
         });
         let periodic = law.periodic.iter();
@@ -145,7 +145,7 @@ impl Rates {
     }
 }
 
-/// What a world vector does: the angular acceleration for each of its components in body axes.
+/// The effect of a world vector: the angular acceleration for each of its components in body axes.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct WorldLaw {
     /// In world axes.
@@ -153,8 +153,8 @@ pub(super) struct WorldLaw {
     pub(super) acceleration: [Lanes; 3],
 }
 
-/// What periodic torques of one rate do: the angular acceleration by the cosine and by the sine of rate times
-/// time.
+/// The effect of periodic torques of one rate: the angular acceleration by the cosine and by the sine of rate
+/// times time.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PeriodicLaw {
     /// rad/s.
@@ -164,7 +164,7 @@ pub(super) struct PeriodicLaw {
     pub(super) sine: Lanes,
 }
 
-/// What the dissipation does.
+/// The effect of the dissipation.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct DissipationLaw {
     /// kg m².
@@ -173,18 +173,19 @@ pub(super) struct DissipationLaw {
     pub(super) acceleration: Lanes,
 }
 
-/// What the gravity gradient does. The direction to the attracting body turns in the world at a fixed rate.
+/// The effect of the gravity gradient. The direction to the attracting body turns in the world at a fixed
+/// rate.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct GradientLaw {
     /// For each product of two components of the direction, with the opposite sign.
     pub(super) acceleration: Lanes,
     /// In world axes.
     pub(super) orbit: Vector3<f64>,
-    /// Its length, or less, rad/s.
+    /// Its length, with the sign of its largest component, rad/s.
     rate: f64,
     /// The direction's part along the orbit's axis, in world axes.
     along: Vector3<f64>,
-    /// The rest of it, at time zero and a quarter of a turn on.
+    /// The perpendicular part, at time zero and a quarter of a turn later.
     across: [Vector3<f64>; 2],
 }
 
@@ -198,7 +199,7 @@ impl GradientLaw {
         if largest == 0.0 {
             return fixed;
         }
-        // By the largest component, so that no square leaves the range.
+        // Divided by the largest component, so that no square overflows or underflows.
         let part = orbit.map(|x| x / largest);
         let length = part.dot(&part).sqrt();
         let axis = part.map(|x| x / length);

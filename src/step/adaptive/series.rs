@@ -1,7 +1,7 @@
 //! The motion as power series in the time, by recurrences [JZ05](crate::references).
 //!
-//! Spin, attitude and world vectors in body axes are bilinear in each other: each coefficient is a sum of
-//! products of those before.
+//! Spin, attitude and world vectors in body axes are bilinear in each other, so each coefficient is a sum of
+//! products of the coefficients before it.
 
 #[cfg(test)]
 mod tests;
@@ -171,7 +171,7 @@ impl<const N: usize> Series<N> {
         let n = self.order.min(N - 2);
         let inverse = 1.0 / (n + 1) as f64;
         let (attitude, spin, alone) = (&self.attitude, &self.spin, law.world.is_empty());
-        // The sums last: all else is at hand before they are.
+        // The sums come last: by then all other values are ready.
         if let Some(decay) = &law.decay {
             for ((rate, decay), spin) in rate.iter_mut().zip(decay).zip(&spin.up[n]) {
                 *rate -= *decay * *spin;
@@ -235,8 +235,8 @@ impl<const N: usize> Series<N> {
         core::array::from_fn(|i| rate[i] - law.coupling[i] * pairs[i])
     }
 
-    /// The larger of the attitude's coefficient of this power, and the momentum's in units of `1 / weights`;
-    /// or of the variations, if these are larger in sizes of their columns.
+    /// The larger of the attitude's coefficient of this power and the momentum's, in units of `1 / weights`;
+    /// or the variations' coefficient, if it is larger relative to the sizes of their columns.
     #[inline(always)]
     pub(super) fn size(&self, power: usize, weights: &[f64; 3]) -> f64 {
         let spin = &self.spin.up[power];
@@ -251,7 +251,7 @@ impl<const N: usize> Series<N> {
         core::array::from_fn(|power| self.spin.up[power][axis % 3])
     }
 
-    /// What attitude (vector part first) and spin have changed by at `x` units of time.
+    /// The changes of attitude (vector part first) and spin after `x` units of time.
     pub(super) fn value(&self, x: f64) -> [Lanes; 2] {
         let [mut q, mut w] = [[0.0; 4]; 2];
         let powers = 1..=self.order;
@@ -264,8 +264,7 @@ impl<const N: usize> Series<N> {
         [q.map(|y| y * x), w.map(|y| y * x)]
     }
 
-    /// What attitude (vector part first) and spin have changed by, and at which rate they change, at `x`
-    /// units of time.
+    /// The changes of attitude (vector part first) and spin after `x` units of time, and their rates there.
     #[inline]
     pub(super) fn at(&self, x: f64) -> [Lanes; 4] {
         let [mut q, mut w, mut dq, mut dw] = [[0.0; 4]; 4];

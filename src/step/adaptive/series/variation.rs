@@ -1,8 +1,8 @@
 //! The motion's first variations as power series, once its own series are known.
 //!
-//! An error `e` of the attitude, along the body's axes, and one `d` of the spin obey `e' = d - w x e`, and a
-//! vector fixed in the world, `v` along the body's axes, varies by `v x e`. The law is bilinear, so all of
-//! these are sums of products of a series of the motion and one of the variations.
+//! An attitude error `e` (body axes) and a spin error `d` obey `e' = d - w x e`. A vector that is fixed in
+//! the world and has body components `v` varies by `v x e`. The law is bilinear, so each coefficient is a sum
+//! of products of a series of the motion and a series of the variations.
 
 use super::{Lanes, Law, Series};
 use alloc::vec::Vec;
@@ -11,11 +11,11 @@ use core::array;
 /// The derivatives of a vector by each of six variables.
 type Columns = [[f64; 6]; 3];
 
-/// The number of columns of zeros that are skipped where the spin does not depend on the attitude: the four
-/// that are left fill whole vectors.
+/// The number of leading zero columns, which are skipped where the spin does not depend on the attitude; the
+/// remaining four fill whole vectors.
 const SKIPPED: usize = 2;
 
-/// Those of the attitude, as an error vector along the body's axes (rad), and of the spin.
+/// The derivatives of the attitude, as an error vector in body axes (rad), and of the spin.
 pub(in super::super) type Variation = [Columns; 2];
 
 #[inline(always)]
@@ -72,7 +72,7 @@ impl<const N: usize> Variations<N> {
     pub(in super::super) fn begin(&mut self, &[attitude, spin]: &Variation) {
         (self.order, self.attitude[0], self.spin[0]) = (0, attitude, spin);
         self.apart = spin.iter().all(|row| row[..SKIPPED].iter().all(|x| *x == 0.0));
-        // Below this it has no digits.
+        // Below this size a column has no significant digits.
         let least = f64::MIN_POSITIVE / f64::EPSILON;
         let parts = || attitude.iter().chain(&spin);
         self.sizes = array::from_fn(|i| parts().fold(least, |most: f64, row| most.max(row[i].abs())));
