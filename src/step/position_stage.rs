@@ -29,7 +29,7 @@ const MOST_PARTS: f32 = 4096.0;
 ///   So the energy that a body gains is the work of the engine's velocity stages.
 /// - A step by `-h` returns to the start, up to rounding.
 /// - The error in the rate of the turn is of the sixth order in the turn of one step, the error in the rate
-///   of the flips of the eighth. A turn of more than half a radian is taken in parts.
+///   of the flips of the tenth. A turn of more than half a radian is taken in parts.
 ///
 /// The step of the spin is the addition theorem of the elliptic functions that solve Euler's equations
 /// ([DLMF](crate::references), section 22.8), with the time replaced by the first terms of its series. An
@@ -268,8 +268,8 @@ impl<T: Field + Float + From<f32>> End<T> {
     }
 }
 
-/// The square of the longest turn of a part, and a hair more for what the parts of a longer step are rounded
-/// by.
+/// The square of the longest turn of a part, and a little more, to allow for rounding in the parts of a
+/// longer step.
 #[inline(always)]
 fn longest<T: Field + Float + From<f32>>() -> T {
     number::<T>(LONGEST) * number(LONGEST) * number(1.0001)
@@ -282,12 +282,12 @@ fn turn_square<T: Field + Float>(omega: &Vector3<T>, h: T) -> T {
     (x + y) + z
 }
 
-/// The end of a part that needs no gyroscopic term: a turn about the spin, which stays.
+/// The end of a part that needs no gyroscopic term: a turn about the spin, which is constant.
 #[inline(always)]
 fn steady_turn<T: Field + Float + From<f32>>(attitude: &Quaternion<T>, omega: &Vector3<T>, h: T) -> End<T> {
     let n = number::<T>;
     let (one, turn, length) = (T::one(), turn_square(omega, h), square(attitude));
-    // Of the tangent of half the turn, over half the turn.
+    // The series of the tangent of half the turn, divided by half the turn.
     let series = one / n(12.0) + turn * (one / n(120.0) + turn * (n(17.0) / n(20160.0)));
     let half = (one + turn * series) * (h / n(2.0));
     let [a, b, c] = three(|i| omega[i] * half);
