@@ -1,4 +1,4 @@
-//! The closed form of the worked body: what its complement says, its angle, its zeros, its two numbers.
+//! The closed form of the worked body: its complement, its angle, its zeros, its two numbers.
 
 use super::Drawing;
 use crate::draw::{Canvas, Fill, Ink, Label, P, Pen, Plot, View};
@@ -11,13 +11,13 @@ use tumbling::exact::{FreeMotion, Polhode};
 /// The worked body's moments, kg m²: along the middle, the circled and the across axis.
 const MOMENTS: Vector3<f64> = Vector3::new(10.0, 13.0, 5.0);
 
-/// The complement of the modulus: of the two other axes only the circled one always has some spin.
+/// The complement of the modulus. Of the two other axes, only the circled one always has some spin.
 fn complement(spin: &Vector3<f64>) -> Result<f64, tumbling::Error> {
     let turning = Polhode::new(MOMENTS.try_into()?, spin)?;
     Ok(turning.least.component_div(&turning.greatest).max())
 }
 
-/// Where the theta zero of a spin lies, in parts of `K'`: (C19), and (C8) by the integral for both.
+/// The position of the theta zero of a spin, relative to `K'`: (C19), and (C8) by the integral for both.
 fn depth(spin: &Vector3<f64>) -> Result<f64, tumbling::Error> {
     let duplicated = |of: [f64; 3], _| {
         let [x, y, z] = of.map(f64::sqrt);

@@ -20,7 +20,7 @@ pub(crate) fn map() -> Result<(Canvas, Plot), Box<dyn std::error::Error>> {
     Ok((canvas, plot))
 }
 
-/// Two lines on each side of the triangle that no body crosses, and what stands in its corners.
+/// Two bounding lines on each side of the triangle, and the labels in its corners.
 pub(crate) fn edges(canvas: &Canvas, plot: &Plot) {
     let outside = |x: f64, y: f64, lines: [&str; 2], end: bool| {
         let p = plot.at(x, y);
@@ -83,7 +83,7 @@ pub(super) fn draw() -> Drawing {
     ))
 }
 
-/// How much the angle grows on the way of one radian of spin, for a body at this place of the map.
+/// The growth of the angle during one radian of spin, for a body at this position of the map.
 fn rate(x: f64, y: f64) -> f64 {
     rate_squared(&1.0, &y, &x, &1.0).max(0.0).sqrt()
 }
@@ -107,7 +107,7 @@ pub(crate) fn growth_lines(canvas: &Canvas, plot: &Plot) -> Result<Vec<String>, 
             }
             line.push((left, y));
         }
-        // Its number stands at the line, or where names of bodies leave no room, outside of the edge.
+        // The label is on the line, or outside the edge where names of bodies leave no space.
         let outside = tenth == 9;
         let named = line.iter().copied().find(|p| p.1 >= 0.725).unwrap_or_default();
         plot.curve(line, Pen::new(Ink::AxisMid, 1.8).dashed())?;
@@ -129,7 +129,7 @@ pub(crate) fn growth_key(canvas: &Canvas, plot: &Plot) {
     }
 }
 
-/// How much the angle grows on the way of one radian of spin: lines of equal growth over the map.
+/// The growth of the angle during one radian of spin, as contour lines over the map.
 pub(super) fn draw_growth() -> Drawing {
     let (canvas, plot) = map()?;
     let levels = growth_lines(&canvas, &plot)?;

@@ -47,7 +47,7 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
         let directions = (0..=300).map(|i| 90.0 * (f64::from(i) / 300.0).powi(2));
         plot.curve(directions.map(|d| (d, gap(ratio, d))), pen)?;
         plot.dots([(at, widest)], 4.0, Ink::Text)?;
-        // Above the curves, or right of those that leave no room above.
+        // Above the curves, or to the right of curves that leave no space above.
         let y = 96.0 + 22.0 * row as f64;
         canvas.line((206.0, y - 5.0), (240.0, y - 5.0), pen);
         let words = Label::new(format!("{between}: {}°", units::significant(widest, 3))).size(15.5);

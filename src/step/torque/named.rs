@@ -58,8 +58,8 @@ impl<T: Field> Torque<T> {
     }
 
     /// The gravity gradient on a satellite in a circular orbit, in world axes that do not turn with the
-    /// orbit. `toward` points to the attracting body at time zero (a stepper refuses it unless its length is
-    /// 1) and turns with `orbit`, the orbit's angular velocity (rad/s, along its normal). For a body that
+    /// orbit. `toward`, of length 1 (a stepper refuses other lengths), points to the attracting body at time
+    /// zero. It turns with `orbit`, the orbit's angular velocity (rad/s, along its normal). For a body that
     /// does not move relative to the attracting one, see [`Torque::GravityGradient`].
     ///
     /// ```
