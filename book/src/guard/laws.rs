@@ -1,4 +1,4 @@
-//! Which laws each chapter states, in its order, and which of its maths claims nothing.
+//! The laws that each chapter states, in its order, and its maths that states nothing.
 
 use crate::site::{files, paths};
 use serde::Deserialize;

@@ -1,6 +1,6 @@
 //! Figures: `![what is seen](../../figures/NAME.svg)` becomes the drawing itself, with its caption.
 //!
-//! Inline, a drawing takes the reader's theme; as an `<img>` it could not.
+//! A drawing inside the page uses the reader's theme; an `<img>` could not.
 
 use super::edits::Edits;
 use super::palette::Palette;
@@ -43,8 +43,8 @@ pub(super) fn replace(
     faults
 }
 
-/// Lays the drawings beside the chapters, whence mdBook copies them to the pages: the links that open
-/// a drawing by itself lead there.
+/// Copies the drawings next to the chapters, from where mdBook copies them to the pages, for the links that
+/// open a drawing on its own.
 pub(super) fn lay_out(shown: &Shown, palette: &Palette, folder: &Path) -> Result<(), String> {
     let alone = |(name, (drawing, _)): (&String, &(Drawing, PathBuf))| {
         (format!("{name}.svg"), drawing.alone(&palette.of(name)).into_bytes())
@@ -103,7 +103,7 @@ fn caption(next: &[Piece<'_>]) -> Option<Caption> {
         return None;
     };
     let end = next.iter().position(|(e, _)| *e == Event::End(TagEnd::Paragraph))?;
-    // The emphasis that the paragraph begins with must be the one that it ends with.
+    // The emphasis at the start of the paragraph must be the one that ends it.
     let (last, closing) = &next[end - 1];
     (*last == Event::End(TagEnd::Emphasis) && closing == emphasis)
         .then(|| Caption { paragraph: paragraph.clone(), inner: emphasis.start + 1..emphasis.end - 1 })
