@@ -27,8 +27,9 @@ pub fn angle(a: &Vector3<Interval>, b: &Vector3<Interval>) -> Interval {
 
 /// The smallest principal moment of a positive tensor.
 ///
-/// Left of the smallest root the characteristic polynomial of three real roots is positive, falls and bends
-/// upward; and only there. So two values of it enclose the root, and bisection brings them together.
+/// Left of its smallest root, the characteristic polynomial (of three real roots) is positive, decreasing and
+/// convex; nowhere else is it all of these. So two of its values enclose the root, and bisection narrows the
+/// enclosure.
 ///
 /// ```
 /// use nalgebra::Matrix3;
@@ -67,7 +68,7 @@ pub fn smallest_moment(tensor: &Matrix3<Interval>) -> Interval {
 
 /// The direction of the axis with this moment: at a right angle to two rows of the tensor without it.
 ///
-/// Its sign is of no meaning. Where the two rows may be parallel, nothing is known of it.
+/// Its sign has no meaning. If the two rows may be parallel, all vectors are possible.
 #[must_use]
 pub fn axis_of(tensor: &Matrix3<Interval>, moment: Interval) -> Vector3<Interval> {
     let rest = tensor - Matrix3::from_diagonal_element(moment);
