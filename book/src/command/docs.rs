@@ -62,15 +62,15 @@ mod tests {
     use crate::site::paths;
 
     #[test]
-    fn every_room_of_the_library_is_on_its_page() {
+    fn every_module_of_the_library_is_on_its_page() {
         let root = paths::repository();
         let library = fs::read_to_string(root.join("src/lib.rs")).unwrap();
         let page = fs::read_to_string(paths::chapters().join("library.md")).unwrap();
-        let rooms: Vec<&str> =
+        let modules: Vec<&str> =
             library.lines().filter_map(|line| line.strip_prefix("pub mod ")?.strip_suffix(';')).collect();
-        assert!(rooms.len() >= 7);
-        for room in rooms {
-            let link = format!("({FOLDER}/tumbling/{room}/index.html)");
+        assert!(modules.len() >= 7);
+        for module in modules {
+            let link = format!("({FOLDER}/tumbling/{module}/index.html)");
             assert!(page.contains(&link), "the chapter library.md does not link to {link}");
         }
     }
