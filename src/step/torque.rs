@@ -239,8 +239,8 @@ impl Torque<f64> {
             Self::Damping(c) if c.x != c.y || c.y != c.z => {
                 return Err(Refusal::Undefined {
                     what: Subject::UnequalDamping,
-                    why: "it is given along the principal axes, and those of a body with products of inertia have no order to go \
-                          by: give the body's moments along them, without products",
+                    why: "it is given along the principal axes, which have no defined order if there are products \
+                          of inertia: give the moments along the principal axes, without products",
                 }.into());
             }
             Self::Function(TorqueFunction(law)) => Self::function(move |time, rotation, omega| {

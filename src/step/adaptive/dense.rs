@@ -257,9 +257,9 @@ impl Steps {
             return Ok(Self::Series(series));
         }
         let (what, why) = if run.variation.is_some() {
-            (Subject::Transition, "a function gives no derivatives: give the torque by its name")
+            (Subject::Transition, "a function has no derivatives: use another kind of torque")
         } else if run.flips.is_some() {
-            let why = "a function has no series: give the torque by its name, or look for changes of sign";
+            let why = "a function has no series: use another kind of torque, or look for changes of sign";
             (Subject::FlipTimes, why)
         } else {
             return Pair::new(run).map(Self::Pair);
@@ -283,7 +283,7 @@ impl Steps {
     /// Takes one step.
     fn advance(&mut self, run: &mut Run, budget: &mut usize) -> Result<(), Error> {
         if *budget == 0 {
-            return Err(run.unfinished("all its steps are taken"));
+            return Err(run.unfinished("its budget of steps is used up"));
         }
         let before = run.steps + run.rejected;
         let done = match self {
