@@ -61,7 +61,7 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::{fmt, fs};
 
-/// What the guard found.
+/// The findings of the guard.
 #[derive(Debug)]
 pub(crate) struct Report {
     chapters: usize,
@@ -191,7 +191,7 @@ fn versions() -> Result<Vec<facts::Fact>, String> {
     Ok(manifests::versions()?.into_iter().map(fact).collect())
 }
 
-/// The facts beside the chapters, or those of this book where there are none.
+/// The facts of the folder, or those of this book if the folder has none.
 fn facts(folder: &Path) -> Result<Vec<facts::Fact>, String> {
     let (file, text) = beside(folder, "facts.toml")?;
     facts::read(&text).map_err(|e| format!("{}: {e}", file.display()))
@@ -207,7 +207,7 @@ fn words(folder: &Path) -> Result<holding::Words, String> {
     Ok(all.into_iter().map(|(chapter, list)| (chapter, split(list))).collect())
 }
 
-/// A file beside the folder of the chapters, or this book's own where there is none.
+/// A file next to the folder of the chapters, or this book's own if there is none.
 fn beside(folder: &Path, name: &str) -> Result<(PathBuf, String), String> {
     let beside = folder.join("..").join(name);
     let file = if beside.is_file() { beside } else { paths::book().join(name) };
@@ -215,7 +215,7 @@ fn beside(folder: &Path, name: &str) -> Result<(PathBuf, String), String> {
     Ok((file, text))
 }
 
-/// What the drawings of these chapters say of themselves.
+/// The titles and descriptions inside the drawings of these chapters.
 fn drawings(folder: &Path, chapters: &[Chapter]) -> Result<HashMap<String, String>, String> {
     let mut drawings = HashMap::new();
     let passages = chapters.iter().flat_map(|c| &c.sections).flat_map(|s| &s.passages);
@@ -229,7 +229,7 @@ fn drawings(folder: &Path, chapters: &[Chapter]) -> Result<HashMap<String, Strin
     Ok(drawings)
 }
 
-/// What the first element of this kind holds.
+/// The contents of the first element with this name.
 fn inside(svg: &str, element: &str) -> String {
     let opened = svg.split_once(&format!("<{element}")).and_then(|(_, rest)| rest.split_once('>'));
     let text = opened.and_then(|(_, rest)| rest.split_once(&format!("</{element}>"))).map_or("", |(t, _)| t);

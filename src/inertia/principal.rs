@@ -86,7 +86,7 @@ impl PrincipalAxes {
         UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(self.frame))
     }
 
-    /// Of a symmetric, finite, nonzero matrix.
+    /// The principal axes of a symmetric, finite, nonzero matrix.
     pub(super) fn of(tensor: &Matrix3<f64>) -> Self {
         let (scale, (moments, axes)) = if is_diagonal(tensor) {
             (0, (tensor.diagonal(), Matrix3::identity()))
@@ -109,7 +109,7 @@ impl Inertia {
     /// rotation from the axes of the moments to the body axes.
     ///
     /// # Errors
-    /// A smallest moment that is not positive, such as that of an ideal rod.
+    /// A smallest moment that is not positive, as in an ideal rod.
     pub(crate) fn along_principal_axes(
         &self,
     ) -> Result<(PrincipalMoments, Option<UnitQuaternion<f64>>), Error> {
@@ -124,7 +124,7 @@ impl Inertia {
 /// The moments of a body that can turn about each axis, smallest first.
 ///
 /// # Errors
-/// A smallest moment that is not positive, such as that of an ideal rod.
+/// A smallest moment that is not positive, as in an ideal rod.
 impl TryFrom<PrincipalAxes> for PrincipalMoments {
     type Error = Error;
 
@@ -147,7 +147,7 @@ pub(crate) fn moments_of(tensor: &Matrix3<f64>) -> Vector3<f64> {
 /// [DV92](crate::references); the usual reduction to tridiagonal form loses it.
 fn diagonalized(mut a: Matrix3<f64>) -> (Vector3<f64>, Matrix3<f64>) {
     let mut v = Matrix3::identity();
-    // Convergence is quadratic: ten sweeps are several times what the worst matrix needs.
+    // Convergence is quadratic: ten sweeps are several times the number that the worst matrix needs.
     for _ in 0..10 {
         let mut clean = true;
         for (p, q) in [(0, 1), (0, 2), (1, 2)] {

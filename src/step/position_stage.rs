@@ -208,7 +208,7 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
         let turn = conserving_turn(&self.coefficients.coupling, &weights, &omega, &h, &rate, |x| x.sqrt());
         let (below, [tangents, _]) = turn;
         let [a, b, c] = tangents;
-        // What rounding left of the attitude's length is divided out.
+        // The attitude is divided by its length, which rounding has changed.
         let square = ((below * below + a * a) + (b * b + c * c)) * length;
         // The root and the division do not wait for each other.
         let scale = T::one() / (below * square);
@@ -249,7 +249,7 @@ struct End<T: Scalar> {
     omega: Vector3<T>,
     turn: T,
     length: T,
-    /// What the attitude was multiplied by.
+    /// The factor of the attitude.
     factor: T,
 }
 

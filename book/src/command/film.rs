@@ -257,7 +257,7 @@ mod tests {
         let pictures = (film.seconds() * RATE).round() as u32;
         for name in ["book", "book-navy"] {
             let file = fs::read(paths::chapters().join(format!("films/{name}.gif"))).unwrap();
-            // Each picture's block that says how long it stays: five hundredths of a second.
+            // The block of each picture with its duration: five hundredths of a second.
             let stays = file.windows(6).filter(|bytes| bytes[..3] == [0x21, 0xf9, 4] && bytes[4..] == [5, 0]);
             assert_eq!(stays.count() as u32, pictures, "{name}");
             assert!(fs::exists(paths::chapters().join(format!("films/{name}-still.png"))).unwrap());

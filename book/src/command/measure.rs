@@ -11,7 +11,7 @@ use std::time::Instant;
 use tumbling_measure::measure::Effort;
 use tumbling_measure::{atlas as hard, campaign, contestant, setup};
 
-/// What to measure.
+/// The measurements.
 #[derive(Debug, Args)]
 #[command(
     args_conflicts_with_subcommands = true,

@@ -9,9 +9,9 @@ pub(crate) struct Offence {
     pub(crate) file: String,
     /// Its line, counted from one.
     pub(crate) line: usize,
-    /// What stands there.
+    /// The words at that place.
     pub(crate) found: String,
-    /// What would have been right.
+    /// The right words or evidence.
     pub(crate) expected: String,
 }
 

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// Where a passage stands.
+/// The kind of place of a passage.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub(crate) enum Kind {
     /// Its level, from one.
@@ -42,7 +42,7 @@ pub(crate) struct Tex {
     /// Its bytes in the passage's text.
     pub(crate) at: Range<usize>,
     pub(crate) written: String,
-    /// Whether it stands by itself, between double dollars.
+    /// Whether it is displayed, between double dollars.
     pub(crate) display: bool,
 }
 

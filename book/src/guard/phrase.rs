@@ -37,7 +37,7 @@ impl Phrase {
         self.text.starts_with('|')
     }
 
-    /// What it is, in words.
+    /// A description of it.
     pub(super) fn holder(&self) -> String {
         format!("the {} in line {}", if self.asserted { "assertion" } else { "note" }, self.line)
     }

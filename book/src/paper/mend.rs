@@ -16,7 +16,7 @@ use std::io::{Read as _, Write as _};
 /// The beginning of a formula's description: a figure with such a description is a formula.
 pub(super) const FORMULA: &str = "formula: ";
 
-/// Objects by their numbers: what stands between `obj` and `endobj`.
+/// Objects by their numbers: the text between `obj` and `endobj`.
 pub(super) type Objects = BTreeMap<usize, Vec<u8>>;
 
 /// The PDF with the additions.
@@ -135,7 +135,7 @@ fn tagged(element: &str, items: &BTreeSet<usize>) -> String {
     out
 }
 
-/// Gives an item of a list a body to hold what stands in it directly: a link, another list.
+/// Adds a body to an item of a list, for its direct contents: a link, another list.
 fn with_body(item: usize, kids: Vec<(usize, String)>, objects: &mut Objects) {
     let parent = format!("\n/P {item} 0 R\n");
     let has = |name: &str| kids.iter().any(|(_, kid)| kid.contains(name));
@@ -154,7 +154,7 @@ fn with_body(item: usize, kids: Vec<(usize, String)>, objects: &mut Objects) {
     objects.insert(item, held.into_bytes());
 }
 
-/// What stands in a string up to the parenthesis that ends it, escaped as it is.
+/// The contents of a string up to the parenthesis that ends it, still escaped.
 fn literal(text: &str) -> Option<&str> {
     let (mut escaped, mut depth) = (false, 0_usize);
     let end = text.char_indices().find(|&(_, c)| {

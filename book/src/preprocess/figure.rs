@@ -58,7 +58,7 @@ fn figure_name(target: &str) -> Option<String> {
     (!name.contains('/')).then(|| name.to_owned())
 }
 
-/// A paragraph that holds a figure and nothing else, and the caption after it.
+/// A paragraph that contains only a figure, and the caption after it.
 struct Place {
     paragraph: Range<usize>,
     caption: Option<Caption>,
@@ -67,7 +67,7 @@ struct Place {
 /// A paragraph that is emphasised from end to end.
 struct Caption {
     paragraph: Range<usize>,
-    /// What is between the two asterisks.
+    /// The text between the two asterisks.
     inner: Range<usize>,
 }
 
@@ -85,7 +85,7 @@ impl Place {
     }
 }
 
-/// Where the image that starts at `image` stands, if it stands alone in its paragraph.
+/// The place of the image that starts at `image`, if it is alone in its paragraph.
 fn placed(pieces: &[Piece<'_>], image: usize) -> Option<Place> {
     let (Event::Start(Tag::Paragraph), paragraph) = pieces.get(image.checked_sub(1)?)? else {
         return None;

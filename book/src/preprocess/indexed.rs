@@ -22,7 +22,7 @@ const KINDS: [(&str, &str); 3] = [
 /// Removes what no reader searches for, and adds the words of `search.toml`.
 ///
 /// # Errors
-/// What is wrong with that file.
+/// A fault in that file.
 pub(super) fn reduce(book: &mut Book, root: &Path) -> Result<(), String> {
     let mut sought = words(root)?;
     book.for_each_mut(|item| {
@@ -70,7 +70,7 @@ fn unanswered(text: &str) -> String {
 /// The words of each page, where there are any.
 ///
 /// # Errors
-/// What is wrong with that file.
+/// A fault in that file.
 pub(crate) fn words(root: &Path) -> Result<BTreeMap<String, String>, String> {
     match fs::read_to_string(root.join("search.toml")) {
         Ok(text) => toml::from_str(&text).map_err(|e| format!("book/search.toml: {e}")),

@@ -143,7 +143,7 @@ fn bent_faces(surface: &Surface, normals: &[Vector3<f64>]) -> Vec<bool> {
     bent
 }
 
-/// The corners of the smallest convex area that holds the points, by Andrew's chains.
+/// The corners of the convex hull of the points, by Andrew's monotone chains.
 pub(crate) fn hull(points: &[P]) -> Vec<P> {
     let mut sorted = points.to_vec();
     sorted.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));

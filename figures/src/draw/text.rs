@@ -133,7 +133,7 @@ fn runs(text: &str) -> Vec<Run> {
 }
 
 fn symbols(text: &str, size: f64, out: &mut String) {
-    // How far below the line the writing stands, which the next span must undo.
+    // The current shift below the line, which the next span must undo.
     let mut low = 0.0;
     for Run { text: run, level, bold } in runs(text) {
         let shift = (level - low) * size;

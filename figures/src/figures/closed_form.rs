@@ -29,7 +29,7 @@ fn depth(spin: &Vector3<f64>) -> Result<f64, tumbling::Error> {
     Ok(beta.sqrt() * rf([gamma, gamma + modulus * beta, 1.0]) / rf([0.0, modulus, 1.0]))
 }
 
-/// Its motion, and the turn that takes its momentum to a direction.
+/// Its motion, and the rotation of its momentum to a direction.
 fn worked(to: &Vector3<f64>) -> Result<(FreeMotion, UnitQuaternion<f64>), Box<dyn Error>> {
     let upright = UnitQuaternion::rotation_between(&MOMENTS, to).ok_or("a momentum turned round")?;
     Ok((FreeMotion::new(MOMENTS.try_into()?, &Vector3::repeat(1.0))?, upright))
@@ -73,7 +73,8 @@ pub(super) fn complements() -> Drawing {
 pub(super) fn psi() -> Drawing {
     let ((motion, room), up) = (worked(&Vector3::z())?, Vector3::z());
     let (canvas, view) = (Canvas::sized(500, 400), View::new((220.0, 268.0), 165.0, 20.0, 24.0));
-    // The middle and the circled axis in the room; the first also after the turn that rights the other.
+    // The middle and the circled axis in the world; the first also after the rotation that makes the other
+    // upright.
     let stands = |t: f64| -> Result<[Vector3<f64>; 3], Box<dyn Error>> {
         let turn = room * motion.attitude(t)?;
         let (middle, circled) = (turn * Vector3::x(), turn * Vector3::y());

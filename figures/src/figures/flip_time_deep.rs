@@ -1,4 +1,5 @@
-//! The time between flips down to the smallest number above zero, and where a plain computation gives up.
+//! The time between flips down to the smallest positive number, and the push at which a plain computation
+//! fails.
 
 use super::flip_time::{SPIN, exact, spin};
 use super::{Drawing, document_box, in_principal_axes, power_of_ten};
@@ -7,7 +8,7 @@ use nalgebra::Vector3;
 use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
 
-/// The smallest number above zero that an `f64` holds.
+/// The smallest positive `f64`.
 const LEAST: f64 = f64::from_bits(1);
 
 /// The same time by the formulas of a textbook, computed as they are printed: energy and momentum, then the

@@ -19,7 +19,7 @@ fn pen(group: Group) -> Pen {
     }
 }
 
-/// What a group is, in the key.
+/// The description of a group in the key.
 fn words(group: Group) -> &'static str {
     match group {
         Group::Exact => "the exact motion",
@@ -113,7 +113,7 @@ pub(super) fn column(canvas: &Canvas, x: f64, top: f64, bottom: f64, mut ends: V
         let least = places.last().map_or(top, |y| y + apart);
         places.push(end.1.max(least));
     }
-    // What has run over the lower edge moves up, and pushes those above it.
+    // Labels beyond the lower edge move up, and push those above them.
     let mut most = bottom;
     for place in places.iter_mut().rev() {
         *place = place.min(most);
@@ -135,7 +135,7 @@ pub(super) fn circumstances(record: &Record<Work>) -> String {
     format!("Measured on {} ({}).", said("machine"), said("compiler"))
 }
 
-/// The methods named on the box, what they are called and where.
+/// The methods with labels in the figure of the box, with the labels and their positions.
 const NAMED: [(&str, &str, f64, f64); 3] = [
     ("DOP853 (differential-equations)", "DOP853, a general solver", 1.0, 2e-12),
     ("Runge-Kutta 4", "Runge-Kutta 4", 1.0, 2e-8),
@@ -210,7 +210,7 @@ pub(super) fn draw_box() -> Drawing {
 pub(super) fn draw_attitude() -> Drawing {
     let (record, stories) = (committed()?, story::all()?);
     let kind = kind("attitude").ok_or("no such error")?;
-    // A row is for two, and the key stands below.
+    // Each row has two figures, and the key is below.
     let rows = u32::try_from(stories.len().div_ceil(2))?;
     let canvas = Canvas::sized(NARROW, 48 + 218 * rows + 176);
     canvas.label((20.0, 28.0), &Label::new(kind.title).bold());

@@ -18,7 +18,7 @@ pub(super) struct Length {
     /// The angle about the momentum from the first attitude to the attitude at the next return to the first
     /// spin, rad.
     pub(super) missing: f64,
-    /// What was chosen.
+    /// The reason for the choice, in words.
     pub(super) why: String,
 }
 

@@ -26,7 +26,7 @@ pub enum Camera {
     Momentum,
 }
 
-/// What a film is to show.
+/// The request for a film.
 #[derive(Debug, Clone, Copy)]
 pub struct Request {
     /// The axis of the spin.
@@ -38,7 +38,7 @@ pub struct Request {
     pub push: Option<f64>,
     /// The duration of the film, s. `None` lets it end where the motion starts again.
     pub seconds: Option<f64>,
-    /// None lets the film choose.
+    /// `None` lets the film choose.
     pub camera: Option<Camera>,
     /// A square with the body alone; otherwise as wide as a slide, with the path of the spin in the body.
     pub square: bool,

@@ -14,7 +14,7 @@ fn gap(ratio: f64, degrees: f64) -> f64 {
 
 pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
     let m = subject.moments.vector();
-    // Where two moments are equal, one plane stands for two.
+    // Where moments are equal, one plane is enough: each other one has the same curve, or no gap.
     let planes: Vec<(usize, usize)> = match subject.kind {
         Kind::Three => vec![(0, 2), (0, 1), (1, 2)],
         _ => vec![(0, 2)],

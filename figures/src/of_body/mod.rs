@@ -22,7 +22,7 @@ use tumbling_bodies::BodyModel;
 pub(crate) enum Kind {
     /// None.
     Three,
-    /// Those about the two axes that are not this one.
+    /// The two moments about the axes other than this one.
     Round(Axis),
     /// All.
     Ball,
@@ -41,7 +41,7 @@ pub(crate) struct Subject<'a> {
     pub(crate) spin: f64,
 }
 
-/// What the axes are called, smallest moment first.
+/// The names of the axes, smallest moment first.
 pub(crate) const NAMES: [&str; 3] = ["smallest", "middle", "largest"];
 
 /// Places for the middle of a label beyond the tip of an arrow from `centre`, the straight continuation

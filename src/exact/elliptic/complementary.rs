@@ -19,7 +19,7 @@ pub(crate) struct Decay<T = f64> {
 }
 
 impl<T: Rounding> Decay<T> {
-    /// Of `x = main + rest >= 0`, with the root of the complementary nome.
+    /// From `x = main + rest >= 0` and the square root of the complementary nome.
     #[inline(always)]
     pub(crate) fn new(main: T, rest: T, nome_root: T) -> Self {
         let [root, less] = main.decay(rest);
@@ -139,11 +139,11 @@ impl<T: Series> ComplementarySeries<T> {
     }
 }
 
-/// What `sn`, `cn` and `dn` are made of.
+/// The terms of `sn`, `cn` and `dn`.
 #[derive(Debug, Clone, Copy)]
 pub struct Parts<T> {
     factors: [T; 3],
-    /// The sums above, and what is below.
+    /// The sums in the numerators, and the denominator.
     above: [T; 3],
     under: T,
     /// The factor of `sn`, and that of the other two.

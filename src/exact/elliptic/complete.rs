@@ -74,7 +74,7 @@ mod tests {
         }
     }
 
-    /// The square of the next difference, over sixteen, is what (C45) leaves out; and in `f64` its own term.
+    /// The error of (C45) is the square of the next difference, over sixteen; in `f64`, its own term.
     #[test]
     fn the_last_step_of_the_mean_leaves_out_less_than_rounding() {
         let next = NEAR * NEAR / 8.0;

@@ -198,7 +198,7 @@ impl Cubic {
         if root == 0.0 {
             return DoubleDouble::ZERO;
         }
-        // Newton's method doubles the digits; what is left over is formed in twice the precision.
+        // Newton's method doubles the number of digits; the residue is computed in twice the precision.
         let mut x = DoubleDouble::from(root);
         for _ in 0..2 {
             let (value, derivative) = self.value_and_derivative(x);

@@ -44,7 +44,7 @@ impl Mounted {
         })
     }
 
-    /// As seen in a body whose axes `outer` takes the principal axes to.
+    /// The same top, in a body to whose axes `outer` takes coordinates along the principal axes.
     pub(super) fn within(self, outer: &UnitQuaternion<f64>) -> Self {
         Self { frame: self.frame.within(outer), ..self }
     }

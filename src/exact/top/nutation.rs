@@ -19,7 +19,7 @@ use num_traits::Float as _;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Nutation {
     form: Form,
-    /// Of `alpha`, `beta` and the spin across the axis.
+    /// The carriers of `alpha`, `beta` and the spin across the axis.
     pub(super) carriers: [Carrier; 3],
     /// The time from the lowest position to the highest and back (T10); infinite on the separatrix.
     pub(super) half_period: DoubleDouble,

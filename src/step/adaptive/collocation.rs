@@ -248,7 +248,7 @@ impl Radau {
         radau
     }
 
-    /// What the values are multiplied by for the integral from 0 to a share of the interval.
+    /// The weights of the values for the integral from 0 to a fraction of the interval.
     fn integral(&self, share: f64) -> Row {
         let x = 2.0 * share - 1.0;
         let at: [f64; MOST + 1] = legendre(x);

@@ -206,7 +206,7 @@ mod tests {
         assert_eq!(found(&[1.0, -2.0]), [0.5]);
         assert_eq!(found(&product(&[0.25, 0.5, 2.0])), [0.25, 0.5]);
     }
-    /// Steps of 2 s from 10 s, of a spin that was above zero and flipped before: what is found in each.
+    /// The flips found in a step of 2 s from 10 s, if the spin was positive and flipped before.
     #[test]
     fn a_flip_where_two_steps_meet_is_found_once_and_two_a_little_apart_are_two() {
         let found = |last: f64, coefficients: &[f64]| {
@@ -227,7 +227,7 @@ mod tests {
     fn a_spin_that_leaves_zero_takes_the_sign_of_the_first_coefficient_above_rounding() {
         assert_eq!(sign_at_start(&mut [0.0, 0.9e-14, -1.0]), -1.0);
         assert_eq!(sign_at_start(&mut [0.0, 1.1e-14, -1.0]), 1.0);
-        // One that is not zero is what it is, however small.
+        // A number that is not zero keeps its sign, however small it is.
         assert_eq!(sign_at_start(&mut [1e-20, -1.0]), 1.0);
     }
 

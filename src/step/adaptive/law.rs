@@ -1,4 +1,4 @@
-//! The law of motion as polynomials: what the recurrences of the series need of a body and its torques.
+//! The law of motion as polynomials: the data of a body and its torques for the recurrences of the series.
 
 use super::largest;
 use super::sums::{Lanes, lanes};
@@ -18,7 +18,7 @@ pub(super) struct Law {
     pub(super) coupling: Lanes,
     /// By torques that are constant in the body.
     pub(super) constant: Lanes,
-    /// The rates at which damping takes the spin's components, if it takes any.
+    /// The decay rates of the spin's components by damping, if there is any.
     pub(super) decay: Option<Lanes>,
     pub(super) dissipation: Option<DissipationLaw>,
     pub(super) gradients: Vec<GradientLaw>,
@@ -28,7 +28,7 @@ pub(super) struct Law {
 }
 
 impl Law {
-    /// That of a system in units of this number of seconds, if none of its torques is a function.
+    /// The law of a system in units of this number of seconds, if none of its torques is a function.
     pub(super) fn of(system: &System<f64>, unit: f64) -> Option<Self> {
         let (inverse, sum) = (&system.inverse, &system.sum);
         if !sum.functions.is_empty() || !sum.timed.is_empty() {
@@ -107,7 +107,7 @@ pub(super) struct Rates {
 }
 
 impl Rates {
-    /// Those of a system with a law in seconds.
+    /// The rates of a system, whose law is in seconds.
     pub(super) fn of(system: &System<f64>, law: &Law) -> Self {
         let sum = &system.sum;
         let world = law.world.iter().map(|one| {

@@ -25,15 +25,15 @@ pub(super) const MOST: usize = 26;
 /// The number of coefficients of a series of this order.
 pub(super) const LENGTH: usize = MOST + 1;
 
-/// What the dissipation needs.
+/// The series for the dissipation.
 #[derive(Debug, Clone)]
 struct DissipationSeries<const N: usize> {
     momentum: [Lanes; N],
-    /// What the spin changes by without a torque, times the moments.
+    /// The rate of the spin without a torque, times the moments.
     coupling: Coefficients<N>,
 }
 
-/// What the gravity gradient needs, all in body axes.
+/// The series for the gravity gradient, all in body axes.
 #[derive(Debug, Clone)]
 struct GradientSeries<const N: usize> {
     direction: Coefficients<N>,
@@ -56,12 +56,12 @@ pub(super) struct Series<const N: usize> {
     world: Vec<[Lanes; N]>,
     dissipation: Option<Box<DissipationSeries<N>>>,
     gradients: Vec<GradientSeries<N>>,
-    /// Those of the motion's variations, if these are tracked.
+    /// The series of the motion's variations, if these are tracked.
     pub(super) variations: Option<Box<Variations<N>>>,
 }
 
 impl<const N: usize> Series<N> {
-    /// What a law of these torques needs, with variations or without.
+    /// The series for a law, with variations or without.
     pub(super) fn new(law: &Law, varied: bool) -> Self {
         let rows = [[0.0; 4]; N];
         let none = || Coefficients { up: rows, down: [[[0.0; 2]; 3]; N] };
@@ -158,7 +158,7 @@ impl<const N: usize> Series<N> {
     // Not inlined: alone it has the registers to itself.
     #[inline(never)]
     fn extend_with<const ACROSS: bool>(&mut self, order: usize, law: &Law) {
-        // What is constant is in the first rate alone.
+        // Constant terms are in the first rate alone.
         let mut rate = if self.order == 0 { law.constant } else { [0.0; 4] };
         while self.order < order.min(N - 1) {
             self.extend::<ACROSS>(law, core::mem::replace(&mut rate, [0.0; 4]));
@@ -194,7 +194,7 @@ impl<const N: usize> Series<N> {
         if ACROSS && let ([rows, more @ ..], [first, others @ ..]) = (&mut *self.world, &*law.world) {
             first.add_acceleration(&rows[n], &mut rate);
             rows[n + 1] = scaled(&across(&sums.across), inverse);
-            // Few laws have more, and a loop over none takes its time.
+            // Few laws have more, and even an empty loop takes time.
             if !more.is_empty() {
                 for (rows, one) in more.iter_mut().zip(others) {
                     one.add_acceleration(&rows[n], &mut rate);
@@ -328,7 +328,7 @@ impl<const N: usize> GradientSeries<N> {
         self.direction.set(n + 1, scaled(&across(&turned), inverse));
     }
 
-    // Few laws have two, and inlined it takes registers from the one.
+    // Few laws have two; inlined, the code for the second would take registers from the first.
     #[inline(never)]
     fn add_all(
         all: &mut [Self],

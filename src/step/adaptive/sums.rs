@@ -44,11 +44,11 @@ fn pairs_of(&[x, y, z, _]: &Lanes) -> Pairs {
 
 /// The sums of an order, as they are made: the compiler keeps numbers together that are stored together.
 pub(super) struct Sums {
-    /// Of the attitude's halves times each component of the spin.
+    /// The attitude's halves times each component of the spin.
     pub(super) turn: [[f64; 2]; 6],
-    /// Of the spin's first two components times the third and the second.
+    /// The spin's first two components times the third and the second.
     pub(super) pairs: [[f64; 2]; 2],
-    /// Of a vector with the spin.
+    /// A vector times the spin.
     pub(super) across: AcrossSums,
 }
 

@@ -94,7 +94,7 @@ impl Taylor {
         let longest = |order: usize| (goal - logarithm(size(order))) / order as f64;
         let [last, before] = [self.most, self.most - 1].map(longest);
         let longest = exp(if last < before { last } else { before });
-        // A somewhat longer last step is better than a very short one.
+        // A last step that is somewhat longer is better than a very short one after it.
         if left < 1.1 * longest { left } else { longest }
     }
 

@@ -55,7 +55,7 @@ pub(in super::super) struct Variations<const N: usize> {
     apart: bool,
     attitude: [Columns; N],
     spin: [Columns; N],
-    /// What dissipation needs of them, and each gravity gradient: as the series.
+    /// The terms for dissipation and for each gravity gradient, as in the series of the motion.
     momentum: [Columns; N],
     coupling: [Columns; N],
     direction: Vec<[Columns; N]>,
@@ -78,7 +78,7 @@ impl<const N: usize> Variations<N> {
         self.sizes = array::from_fn(|i| parts().fold(least, |most: f64, row| most.max(row[i].abs())));
     }
 
-    /// Those of a power: of the first they are the values at the start, of the next the rates.
+    /// The coefficients of a power: of the power 0, the values at the start; of the power 1, the rates.
     pub(in super::super) fn coefficient(&self, power: usize) -> Variation {
         [self.attitude[power], self.spin[power]]
     }
