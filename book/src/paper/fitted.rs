@@ -111,7 +111,8 @@ fn widest(tried: &[Vec<Setting>], starts: &[usize]) -> Vec<Setting> {
     first.collect()
 }
 
-/// The start of a section on a page of its own. Only of places with a link does the browser say the page.
+/// The start of a section on a page of its own. The browser reports only the pages of places with a link to
+/// them.
 fn start(at: usize) -> String {
     format!("<a href=\"#trial-{at}\"></a><section id=\"trial-{at}\" style=\"break-before: page\"")
 }

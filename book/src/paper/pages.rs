@@ -59,7 +59,7 @@ impl Paper {
             let html = files::text(&built.join(format!("{name}.html")))?;
             let body = body(&html, &name).map_err(|what| format!("{name}.html: {what}"))?;
             let number = chapter.number.as_ref().map(|n| n.to_string().trim_end_matches('.').to_owned());
-            // A page below another, or without goals, is no chapter: it has no handout of its own.
+            // A page below another one, or without goals, is not a chapter and has no handout.
             let number = number.filter(|number| !number.contains('.') && goals::of(&name).is_ok());
             let title = chapter.name.clone();
             match Language::of(&name)? {

@@ -41,7 +41,7 @@ pub(crate) fn supports(renderer: &str) -> bool {
 /// The preprocessor.
 pub(crate) enum Preprocess {
     Pages,
-    /// For the index of the search alone.
+    /// The preprocessor for the search index only.
     Index,
 }
 
@@ -154,7 +154,7 @@ impl Source<'_> {
 /// An event of the Markdown parser and the bytes it came from.
 pub(crate) type Piece<'a> = (Event<'a>, Range<usize>);
 
-/// Reads Markdown as mdBook does, and maths besides.
+/// Reads Markdown as mdBook does, and also maths.
 pub(crate) fn pieces(text: &str) -> Vec<Piece<'_>> {
     let options = Options::ENABLE_TABLES
         | Options::ENABLE_FOOTNOTES

@@ -52,7 +52,7 @@ fn listed() -> Result<String, String> {
     Ok(out)
 }
 
-/// Where a page lists all goals, alone in its line.
+/// The directive in whose place a page lists all goals; it must be alone in its line.
 const DIRECTIVE: &str = "{{#goals}}\n";
 
 /// A chapter's text with the list of all goals in the place of the directive.

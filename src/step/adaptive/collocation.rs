@@ -213,7 +213,7 @@ fn nodes(tolerance: f64) -> usize {
 /// The largest number of nodes.
 const MOST: usize = 16;
 
-/// A row of a matrix, or a value for each node; of fewer nodes, the first ones.
+/// A row of a matrix, or a value for each node. With fewer nodes only the first entries are used.
 type Row = [f64; MOST];
 
 /// Polynomials on the interval from 0 to 1, given by their values at Radau's nodes.
@@ -263,8 +263,8 @@ impl Radau {
         sum
     }
 
-    /// What the values at 0 and at the nodes are multiplied by for the value at a share of the interval, by
-    /// the polynomial through all of them.
+    /// The weights of the values at 0 and at the nodes for the value at a fraction of the interval, by the
+    /// polynomial through all of them.
     fn shares(&self, share: f64) -> (f64, Row) {
         let product = |place: f64, own: usize| {
             let others = self.nodes.iter().enumerate().filter(|(j, _)| *j != own);
@@ -277,7 +277,7 @@ impl Radau {
         (product(0.0, self.nodes.len()), row)
     }
 
-    /// The integrals `A`, with a decay of the result at this rate: `(1 + rate A)^-1 A`, by elimination.
+    /// The integrals `A` for a result that decays at this rate: `(1 + rate A)^-1 A`, by elimination.
     fn decaying(&self, rate: f64) -> Vec<Row> {
         let row = |(i, integrals): (usize, &Row)| {
             let left = |j: usize| rate * integrals[j] + if i == j { 1.0 } else { 0.0 };
@@ -289,8 +289,8 @@ impl Radau {
     }
 }
 
-/// The root `i` of the difference of Legendre's polynomials of orders `count` and `count - 1`, down from the
-/// root 1, by Newton's rule from Chebyshev's.
+/// The root `i`, counted down from the root 1, of the difference of Legendre's polynomials of orders `count`
+/// and `count - 1`, by Newton's method from a root of Chebyshev's.
 fn node(count: usize, i: usize) -> f64 {
     if i == 0 {
         return 1.0;

@@ -32,7 +32,7 @@ pub(in crate::step) enum Tracked {
     Variation,
 }
 
-/// A state that is requested changes nothing of what follows.
+/// Requesting a state does not change the states after it.
 #[derive(Debug, Clone)]
 pub(in crate::step) struct AdaptiveRun {
     system: Arc<System<f64>>,
@@ -69,7 +69,7 @@ impl AdaptiveRun {
         Ok(Self { system, run, until, end, steps, before })
     }
 
-    /// Whether a time is not before the last step, nor after the end.
+    /// Whether a time is between the start of the last step and the end of the run.
     pub(in crate::step) fn holds(&self, time: f64) -> bool {
         let began = self.run.from + self.before.1;
         if self.end < 0.0 { self.end <= time && time <= began } else { began <= time && time <= self.end }
@@ -99,7 +99,7 @@ impl AdaptiveRun {
         self.steps.within(run, start, *began, time - began)?.checked()
     }
 
-    /// Whether the steps taken go as far as this time.
+    /// Whether the steps taken include this time.
     pub(in crate::step) fn reached(&self, time: f64) -> bool {
         let (from, until, run) = (self.run.from, self.until, &self.run);
         let within = if from < until { time <= until } else { time >= until };

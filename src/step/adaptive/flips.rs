@@ -6,7 +6,7 @@ use crate::inertia::ascending;
 use crate::step::system::System;
 use alloc::vec::Vec;
 
-/// A polynomial on [0, 1] in Bernstein form. Its number of roots there is the number of sign changes of its
+/// A polynomial from 0 to 1 in Bernstein form. Its number of roots there is the number of sign changes of its
 /// coefficients, or less by an even number.
 type Bernstein = [f64; MOST + 1];
 

@@ -23,7 +23,7 @@ pub(super) struct Law {
     pub(super) dissipation: Option<DissipationLaw>,
     pub(super) gradients: Vec<GradientLaw>,
     pub(super) world: Vec<WorldLaw>,
-    /// One of each rate.
+    /// One entry for each rate.
     pub(super) periodic: Vec<PeriodicLaw>,
 }
 
@@ -34,7 +34,7 @@ impl Law {
         if !sum.functions.is_empty() || !sum.timed.is_empty() {
             return None;
         }
-        // In units of time, from what is per second squared.
+        // Values per second squared, converted to units of time.
         let squared = |x: f64| x * unit * unit;
         let [x, y, z] = (*system.moments()).into();
         let coupling = [(y - z) / x, (z - x) / y, (x - y) / z];
@@ -130,7 +130,7 @@ impl Rates {
         }
     }
 
-    /// The fastest rate at which damping and dissipation alone would have the momentum decay, 1/s.
+    /// The fastest decay rate of the momentum by damping and dissipation alone, 1/s.
     pub(super) fn fastest_decay(&self, momentum: &Vector3<f64>) -> f64 {
         if self.dissipation == 0.0 {
             return self.damping;
@@ -139,7 +139,7 @@ impl Rates {
         self.damping.max(self.dissipation * size * size)
     }
 
-    /// How fast the motion changes, 1/s.
+    /// The rate at which the motion changes, 1/s.
     pub(super) fn fastest(&self, omega: &Vector3<f64>, decay: f64) -> f64 {
         largest(&[largest(omega.as_slice()), self.acceleration.sqrt(), decay, self.driving])
     }

@@ -10,7 +10,7 @@ use nalgebra::{Quaternion, Vector3};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
-/// The rates at the stages of a step, and where the last one began.
+/// The rates at the stages of a step.
 #[derive(Debug, Clone)]
 pub(super) struct Pair {
     rates: [Rate<f64>; 12],
@@ -62,8 +62,9 @@ impl Pair {
         Ok(Self { rates: [rate; 12], first: rate, h })
     }
 
-    /// The estimated error of a step, the larger of attitude's and momentum's, each relative to its own size:
-    /// of the differences from a step of order 5 and one of order 3, as [HNW93](crate::references), II.10.
+    /// The estimated error of a step, the larger of attitude's and momentum's, each relative to its own size.
+    /// It combines the differences from a step of order 5 and a step of order 3, as in
+    /// [HNW93](crate::references), II.10.
     fn error(&self, run: &Run, end: &State<f64>, h: f64) -> f64 {
         let nothing = State { attitude: Quaternion::new(0.0, 0.0, 0.0, 0.0), momentum: Vector3::zeros() };
         let by = |weights: Weights| combined(&nothing, &self.rates, weights, h);

@@ -38,7 +38,7 @@ struct DissipationSeries<const N: usize> {
 struct GradientSeries<const N: usize> {
     direction: Coefficients<N>,
     orbit: [Lanes; N],
-    /// Spin minus orbit: how the direction turns.
+    /// Spin minus orbit: the rate at which the direction turns.
     turning: Coefficients<N>,
 }
 
@@ -103,7 +103,7 @@ impl<const N: usize> Series<N> {
         }
     }
 
-    /// Begins as another series does.
+    /// Starts with the coefficients of another series.
     #[inline(always)]
     pub(super) fn begin_as<const M: usize>(&mut self, other: &Series<M>) {
         self.order = other.order;
@@ -293,7 +293,7 @@ impl WorldLaw {
 }
 
 impl<const N: usize> DissipationSeries<N> {
-    /// Adds the angular acceleration `J k L x (L x w)`, given that without a torque.
+    /// Adds the angular acceleration `J k L x (L x w)`; the argument is the acceleration without a torque.
     fn add(&mut self, law: &DissipationLaw, spin: &Lanes, free: &Lanes, n: usize, rate: &mut Lanes) {
         let m = &law.moments;
         self.coupling.set(n, core::array::from_fn(|i| m[i] * free[i]));
@@ -306,8 +306,8 @@ impl<const N: usize> DissipationSeries<N> {
 }
 
 impl<const N: usize> GradientSeries<N> {
-    /// Adds the angular acceleration by the gravity gradient, and makes the next coefficients of orbit, given
-    /// its products with the spin, and direction.
+    /// Adds the angular acceleration by the gravity gradient, and computes the next coefficients of the
+    /// orbit, from its products with the spin, and of the direction.
     #[inline(always)]
     fn add(
         &mut self,

@@ -42,7 +42,8 @@ fn pairs_of(&[x, y, z, _]: &Lanes) -> Pairs {
     [[y; 2], [x; 2], [z; 2]]
 }
 
-/// The sums of an order, as they are made: the compiler keeps numbers together that are stored together.
+/// The sums of an order while they are computed: the compiler keeps numbers together that are stored
+/// together.
 pub(super) struct Sums {
     /// The attitude's halves times each component of the spin.
     pub(super) turn: [[f64; 2]; 6],
@@ -108,7 +109,7 @@ pub(super) fn sums<const N: usize, const ACROSS: bool>(
     let w = &down[N - n..];
     let none = [0.0; 2];
     let mut sums = Sums { turn: [none; 6], pairs: [none; 2], across: [none; 3] };
-    // The highest power of the spin last: it is still being made while the others are added.
+    // The highest power of the spin comes last: it is computed while the others are added.
     for k in 1..n {
         sums.add::<ACROSS>(&q[k], &v[k], &g[k], w[k]);
     }

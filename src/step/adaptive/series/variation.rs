@@ -68,7 +68,7 @@ impl<const N: usize> Variations<N> {
         Self { order: 0, sizes: [1.0; 6], apart: false, attitude, spin, momentum, coupling, direction }
     }
 
-    /// From those at the start, with the spin in units.
+    /// From the variations at the start, with the spin in units.
     pub(in super::super) fn begin(&mut self, &[attitude, spin]: &Variation) {
         (self.order, self.attitude[0], self.spin[0]) = (0, attitude, spin);
         self.apart = spin.iter().all(|row| row[..SKIPPED].iter().all(|x| *x == 0.0));
@@ -120,24 +120,24 @@ impl<const N: usize> Variations<N> {
         self.order = n + 1;
     }
 
-    /// The largest part of a power, in sizes of its column.
+    /// The largest entry of a power, relative to the size of its column.
     pub(super) fn size(&self, power: usize) -> f64 {
         self.share(&self.coefficient(power))
     }
 
-    /// The largest part, in sizes of its column.
+    /// The largest entry, relative to the size of its column.
     fn share(&self, parts: &Variation) -> f64 {
         let rows = parts.as_flattened().iter();
         let shares = rows.flat_map(|row| row.iter().zip(&self.sizes).map(|(x, size)| x.abs() / size));
         shares.fold(0.0, |most, x| if x > most || x.is_nan() { x } else { most })
     }
 
-    /// The largest difference, in sizes of its column.
+    /// The largest difference, relative to the size of its column.
     pub(in super::super) fn off(&self, one: &Variation, other: &Variation) -> f64 {
         self.share(&[0, 1].map(|part| columns(|i, column| one[part][i][column] - other[part][i][column])))
     }
 
-    /// They and their rates at `x` units of time.
+    /// The variations and their rates after `x` units of time.
     pub(in super::super) fn at(&self, x: f64) -> [Variation; 2] {
         let at = |rows: &[Columns; N]| {
             let [mut value, mut rate] = [[[0.0; 6]; 3]; 2];
