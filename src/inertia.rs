@@ -21,8 +21,9 @@ use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 /// The tensor turned by the rotation matrix `rotation`: `R I R^T`.
 ///
-/// Read it from the right: `R^T` takes a world vector into the body, the body's tensor acts, `R` carries
-/// the result out. The same line turns the inverse. Two matrix products, for any number type.
+/// Read the product from the right: `R^T` rotates a world vector into body axes, the body's tensor acts, and
+/// `R` rotates the result back. The same formula turns the inverse. It takes two matrix products, for any
+/// number type.
 ///
 /// ```
 /// use nalgebra::{Matrix3, Vector3};
@@ -36,8 +37,8 @@ pub fn turned<T: Ring>(rotation: &Matrix3<T>, tensor: &Matrix3<T>) -> Matrix3<T>
     rotation * tensor * rotation.transpose()
 }
 
-/// What a point mass at `offset` adds to the tensor: `m (|d|^2 1 - d d^T)`; also the parallel-axis term
-/// between a body's centre and a point `offset` away.
+/// The tensor of a point mass at `offset`: `m (|d|^2 1 - d d^T)`. It is also the parallel-axis term between a
+/// body's centre of mass and a point `offset` away.
 ///
 /// ```
 /// use nalgebra::{Matrix3, Vector3};
@@ -59,8 +60,8 @@ pub fn point_mass<T: Ring>(mass: &T, offset: &Vector3<T>) -> Matrix3<T> {
 
 /// Spin from momentum, both in world axes: `w = R J R^T L`, with `J` the body's inverse tensor.
 ///
-/// The usual way of engines: the inverse is stored once in the body frame and carried to the world
-/// at each step. Rotation matrix `rotation` takes body to world.
+/// The usual method of engines: the inverse is stored once in body axes and rotated to world axes in each
+/// step. The rotation matrix `rotation` is from body to world.
 ///
 /// ```
 /// use nalgebra::{Matrix3, Vector3};
@@ -78,7 +79,7 @@ pub fn omega_world<T: Ring>(
     turned(rotation, inverse_body) * momentum_world
 }
 
-/// An inertia tensor that a real body can have, about some point and along some axes, in kg m².
+/// An inertia tensor that a real body can have, about some point and in some axes, kg m².
 ///
 /// A moment may be zero (an ideal rod has one); such a tensor has no [`inverse`](Self::inverse).
 ///
@@ -101,8 +102,8 @@ impl Inertia {
     /// A diagonal tensor: the moments about the three body axes, which are then principal.
     ///
     /// # Errors
-    /// A moment that is not finite or below zero, all three zero, or a largest above the sum of the
-    /// others by more than rounding.
+    /// A moment that is not finite or is negative; three zero moments; or a largest moment above the sum of
+    /// the other two by more than rounding.
     pub fn from_moments(ixx: f64, iyy: f64, izz: f64) -> Result<Self, Error> {
         Self::new([ixx, iyy, izz], [0.0; 3])
     }
@@ -124,30 +125,30 @@ impl Inertia {
         self.tensor
     }
 
-    /// Angular momentum `L = I w` in kg m²/s, in the axes that `omega` (rad/s) is given in, which must
-    /// be those of the tensor.
+    /// Angular momentum `L = I w`, kg m²/s, in the axes of `omega` (rad/s), which must be the axes of the
+    /// tensor.
     #[must_use]
     pub fn momentum(&self, omega: &Vector3<f64>) -> Vector3<f64> {
         self.tensor * omega
     }
 
-    /// The angle between a spin and its momentum, radians, from 0 up to a right angle.
+    /// The angle between a spin and its momentum, radians, from 0 to at most a right angle.
     ///
-    /// Right to a few units in its last place however small it is: the cross product is summed in twice
-    /// the precision, since near a principal axis it is a small difference of large terms.
+    /// The error is a few units in the last place, however small the angle: the cross product is summed in
+    /// twice the precision, because near a principal axis it is a small difference of large terms.
     ///
     /// # Errors
-    /// A spin that is not finite or has no direction, or one along an ideal rod, which has no momentum.
+    /// A spin that is not finite or is zero, or a spin along an ideal rod, which has no momentum.
     pub fn angle_to_momentum(&self, omega: &Vector3<f64>) -> Result<f64, Error> {
         finite_vector(Subject::Spin, omega)?;
         Refusal::ZeroVector { what: Subject::Spin }.when(*omega == Vector3::zeros())?;
-        // Neither size changes the angle: bring both near 1, so that no product overflows.
+        // The sizes do not change the angle: both are scaled to about 1, so that no product overflows.
         let unit = |x: f64, largest: f64| times_power_of_two(x, -exponent(largest));
         let w = omega.map(|x| DoubleDouble::from(unit(x, omega.amax())));
         let tensor = self.tensor.map(|x| DoubleDouble::from(unit(x, self.tensor.amax())));
         let row = |i: usize| tensor[(i, 0)] * w.x + tensor[(i, 1)] * w.y + tensor[(i, 2)] * w.z;
         let l = [row(0), row(1), row(2)];
-        // A rod that is turned carries the rounding of its entries: momentum below that is none.
+        // A turned rod has rounding in its entries: a momentum below that rounding counts as zero.
         let rounding = if is_diagonal(&self.tensor) { 0.0 } else { 8.0 * f64::EPSILON };
         Refusal::ZeroVector { what: Subject::AngularMomentum }
             .when(l.iter().all(|x| x.hi().abs() <= rounding))?;
@@ -163,27 +164,27 @@ impl Inertia {
     /// The moment about the axis along `direction` (any length) through the same point, kg m².
     ///
     /// # Errors
-    /// A direction that is not finite or has no length, or a moment beyond `f64`.
+    /// A direction that is not finite or is zero, or a moment beyond `f64`.
     pub fn about_axis(&self, direction: &Vector3<f64>) -> Result<f64, Error> {
         let n = unit(Subject::Axis, direction)?;
         let moment = n.dot(&(self.tensor * n));
         representable(Subject::MomentAboutAxis, &[moment]).map(|()| moment)
     }
 
-    /// The tensor in axes turned by `attitude`: if that takes body to world, the world's `R I R^T`.
+    /// The tensor in axes turned by `attitude`: `R I R^T`, in world axes if `attitude` is from body to world.
     ///
     /// # Errors
     /// An attitude that is not finite or not of length 1, or entries beyond `f64`.
     pub fn turned(&self, attitude: UnitQuaternion<f64>) -> Result<Self, Error> {
         let rotation = crate::attitude::matrix(attitude)?;
-        // Valid before, hence after: only the rounding of mirrored entries is to be symmetrized out.
+        // The tensor was valid before, so it is valid now; only mirrored entries may differ by rounding.
         let tensor = symmetrized(&turned(&rotation, &self.tensor));
         in_range(Subject::TurnedMoment, &tensor)?;
         Ok(Self { tensor })
     }
 
-    /// The inverse matrix `J` in 1/(kg m²), `w = J L`, along the same axes: to be computed once and turned,
-    /// instead of inverting at each step.
+    /// The inverse matrix `J` in 1/(kg m²), `w = J L`, in the same axes. Compute it once and turn it, instead
+    /// of inverting in each step.
     ///
     /// ```
     /// use nalgebra::Vector3;
@@ -198,7 +199,7 @@ impl Inertia {
         let m = &self.tensor;
         let diagonal = is_diagonal(m);
         let moments = moments_of(m);
-        // The moments of a diagonal tensor are known exactly: only a true zero is singular there.
+        // The moments of a diagonal tensor are exact: only an exact zero is singular there.
         let rounding = if diagonal { 0.0 } else { 2.0 * ulp(moments[2]) };
         Refusal::Singular { smallest: moments[0], largest: moments[2] }.when(moments[0] <= rounding)?;
         let inverse = if diagonal {
@@ -217,8 +218,8 @@ impl Inertia {
     }
 }
 
-/// From the whole matrix, kg m². Mirrored entries may differ by rounding, as they do after `R I R^T`; then
-/// their mean is kept.
+/// From the whole matrix, kg m². If mirrored entries differ by rounding, as they do after `R I R^T`, both get
+/// their mean.
 ///
 /// # Errors
 /// An entry that is not finite, mirrored entries that differ by more than rounding, a moment below zero, or a
@@ -231,9 +232,9 @@ impl TryFrom<Matrix3<f64>> for Inertia {
     }
 }
 
-/// The mean of the matrix and its mirror image. Entries are halved before they are added, so that large ones
-/// do not overflow, and left alone where they agree, so that small ones keep their last bit. Zeros come out
-/// without a sign.
+/// The mean of the matrix and its transpose. Entries are halved before they are added, so that large ones do
+/// not overflow; equal entries are unchanged, so that small ones keep their last bit. Negative zeros become
+/// positive.
 fn symmetrized(m: &Matrix3<f64>) -> Matrix3<f64> {
     m.zip_map(&m.transpose(), |a, b| if a == b { a } else { 0.5 * a + 0.5 * b } + 0.0)
 }
@@ -242,7 +243,7 @@ fn is_diagonal(m: &Matrix3<f64>) -> bool {
     m[(0, 1)] == 0.0 && m[(0, 2)] == 0.0 && m[(1, 2)] == 0.0
 }
 
-/// That a computed tensor is finite and did not vanish: `what` names one of its entries.
+/// Checks that a computed tensor is finite and not zero; `what` names one of its entries.
 fn in_range(what: Subject, tensor: &Matrix3<f64>) -> Result<(), Error> {
     representable(what, tensor.as_slice())?;
     Refusal::OutOfRange { what, value: 0.0 }.when(tensor.diagonal() == Vector3::zeros())?;
@@ -260,13 +261,13 @@ pub(crate) fn product(matrix: &Matrix3<f64>, vector: &Vector3<f64>) -> Vector3<f
     scaled.map(|x| times_power_of_two(x, a + b))
 }
 
-/// The length of a vector without overflow or underflow on the way.
+/// The length of a vector, without overflow or underflow in between.
 pub(crate) fn length(v: &Vector3<f64>) -> f64 {
     let scale = exponent(v.amax());
     times_power_of_two(v.map(|x| times_power_of_two(x, -scale)).norm(), scale)
 }
 
-/// The unit vector along `v`, which may be as short or long as an `f64` can say.
+/// The unit vector along `v`, whose length may be any size in `f64`.
 pub(crate) fn unit(what: Subject, v: &Vector3<f64>) -> Result<Vector3<f64>, Error> {
     finite_vector(what, v)?;
     Refusal::ZeroVector { what }.when(*v == Vector3::zeros())?;
@@ -274,9 +275,9 @@ pub(crate) fn unit(what: Subject, v: &Vector3<f64>) -> Result<Vector3<f64>, Erro
     Ok(v.map(|x| times_power_of_two(x, -scale)).normalize())
 }
 
-/// The inverse by cofactors. Each cofactor is a difference of products that nearly cancels in a needle's
-/// tensor, so it is computed as if exactly; the scale is taken out so that none underflows. Zeros come out
-/// without a sign.
+/// The inverse by cofactors. For a needle's tensor each cofactor is a difference of products that nearly
+/// cancels, so it is computed in twice the precision; the matrix is scaled so that no cofactor underflows.
+/// Negative zeros become positive.
 fn adjugate_inverse(m: &Matrix3<f64>) -> Matrix3<f64> {
     let scale = exponent(m.amax());
     let a = m.map(|x| times_power_of_two(x, -scale));

@@ -1,4 +1,4 @@
-//! The rooms of `src/` use each other as DESIGN.md draws it: these arrows and no others.
+//! The modules of `src/` use each other as DESIGN.md states, and in no other way.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -10,7 +10,7 @@ fn root() -> PathBuf {
     PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
 }
 
-/// The lines `room -> room room ...` of DESIGN.md.
+/// The lines `module -> module module ...` of DESIGN.md.
 fn drawn() -> Arrows {
     let design = fs::read_to_string(root().join("DESIGN.md")).unwrap();
     let arrow = |line: &str| {
@@ -32,8 +32,7 @@ fn sources(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// Every room that a text names after `crate::`, alone or first in a group. Comments and unit tests do not
-/// count.
+/// Every module that a text names after `crate::`, alone or in a group. Comments and unit tests do not count.
 fn named(text: &str) -> BTreeSet<String> {
     let text = text.split("#[cfg(test)]").next().unwrap_or_default();
     let code =
@@ -41,20 +40,20 @@ fn named(text: &str) -> BTreeSet<String> {
     let word = |text: &str| -> String {
         text.trim_start().chars().take_while(|c| c.is_alphanumeric() || *c == '_').collect()
     };
-    let mut rooms = BTreeSet::new();
+    let mut modules = BTreeSet::new();
     for rest in code.split("crate::").skip(1) {
         let Some(group) = rest.strip_prefix('{') else {
-            rooms.insert(word(rest));
+            modules.insert(word(rest));
             continue;
         };
         let mut depth = 1;
-        rooms.insert(word(group));
+        modules.insert(word(group));
         for (at, c) in group.char_indices() {
             match c {
                 '{' => depth += 1,
                 '}' => depth -= 1,
                 ',' if depth == 1 => {
-                    rooms.insert(word(&group[at + 1..]));
+                    modules.insert(word(&group[at + 1..]));
                 }
                 _ => {}
             }
@@ -63,11 +62,11 @@ fn named(text: &str) -> BTreeSet<String> {
             }
         }
     }
-    rooms.remove("");
-    rooms
+    modules.remove("");
+    modules
 }
 
-/// The arrows that the sources really have.
+/// The modules that each module uses in the sources.
 fn built() -> Arrows {
     let src = root().join("src");
     let mut files = Vec::new();
@@ -75,19 +74,19 @@ fn built() -> Arrows {
     let mut arrows = Arrows::new();
     for file in files {
         let inside = file.strip_prefix(&src).unwrap();
-        let room = inside.iter().next().unwrap().to_str().unwrap().trim_end_matches(".rs").to_owned();
-        if matches!(room.as_str(), "lib" | "references") {
+        let module = inside.iter().next().unwrap().to_str().unwrap().trim_end_matches(".rs").to_owned();
+        if matches!(module.as_str(), "lib" | "references") {
             continue;
         }
         let mut used = named(&fs::read_to_string(&file).unwrap());
-        used.remove(&room);
-        arrows.entry(room).or_default().extend(used);
+        used.remove(&module);
+        arrows.entry(module).or_default().extend(used);
     }
     arrows
 }
 
 #[test]
-fn the_rooms_of_the_library_use_each_other_as_the_design_draws_it() {
+fn the_modules_of_the_library_use_each_other_as_the_design_draws_it() {
     assert_eq!(built(), drawn());
 }
 
@@ -95,14 +94,14 @@ fn the_rooms_of_the_library_use_each_other_as_the_design_draws_it() {
 fn no_arrow_runs_back_and_the_exact_motion_and_the_steppers_do_not_know_each_other() {
     let arrows = drawn();
     let order: Vec<&String> = {
-        // A room may stand once all that it uses stands.
+        // A module follows in the order once all modules that it uses are there.
         let mut standing: Vec<&String> = Vec::new();
         while standing.len() < arrows.len() {
-            let next = arrows.iter().find(|(room, used)| {
-                !standing.contains(room) && used.iter().all(|other| standing.contains(&other))
+            let next = arrows.iter().find(|(module, used)| {
+                !standing.contains(module) && used.iter().all(|other| standing.contains(&other))
             });
-            let Some((room, _)) = next else { panic!("a circle among {arrows:?} beyond {standing:?}") };
-            standing.push(room);
+            let Some((module, _)) = next else { panic!("a circle among {arrows:?} beyond {standing:?}") };
+            standing.push(module);
         }
         standing
     };
@@ -123,7 +122,7 @@ fn numbered(letter: char, chapter: &str) -> Vec<u32> {
     parts.filter_map(|(number, _)| number.strip_prefix(letter)?.parse().ok()).collect()
 }
 
-/// Whether the code cites each formula that the chapter numbers, more than so many, and no other.
+/// Checks that the code cites each formula that the chapter numbers, more than `least` of them, and no other.
 fn cites(letter: char, files: &[PathBuf], chapter: &str, least: usize) {
     let text = |file: &PathBuf| fs::read_to_string(file).unwrap();
     let cited: BTreeSet<u32> = files.iter().flat_map(|file| formulas(letter, &text(file))).collect();
@@ -131,7 +130,7 @@ fn cites(letter: char, files: &[PathBuf], chapter: &str, least: usize) {
     let all = numbered(letter, &chapter);
     assert!(all.len() > least && all.iter().copied().eq(1..=all.len() as u32), "{all:?}");
     assert_eq!(cited, all.iter().copied().collect());
-    // And the chapter itself speaks of none that it lacks.
+    // And the chapter itself cites no formula that it does not have.
     assert!(formulas(letter, &chapter).is_subset(&cited));
 }
 
@@ -142,13 +141,13 @@ fn the_closed_forms_cite_each_formula_of_their_chapters_and_no_other() {
     cites('C', &free, "closed-form.md", 40);
     sources(&root().join("src/exact/top"), &mut top);
     cites('T', &top, "top-closed-form.md", 20);
-    // One number changed, on either side, is seen.
+    // One changed number, on either side, is noticed.
     assert_ne!(formulas('C', "(C6) and (C8)"), formulas('C', "(C6) and (C7)"));
     assert_eq!(numbered('C', "**(C2)** by (C1)"), [2]);
 }
 
-/// Chosen by measured errors, which the tests of the motion and of its derivatives bound, or by the range of
-/// `f64`; all other named numbers of the closed form are recomputed in a test beside them.
+/// Constants chosen from measured errors, which the tests of the motion and of its derivatives bound, or from
+/// the range of `f64`. All other named constants of the closed form are recomputed in a test.
 const CHOSEN: [&str; 14] = [
     "COUNTABLE",
     "FAR",
@@ -197,7 +196,7 @@ fn every_named_number_of_the_closed_form_is_recomputed_in_a_test() {
     assert_eq!(missing, [""; 0]);
 }
 
-/// What no `mod` names is compiled by nobody, tests too.
+/// A file that no `mod` names is never compiled, and its tests never run.
 #[test]
 fn every_file_is_a_module_or_a_program_of_its_own() {
     let mut paths = Vec::new();

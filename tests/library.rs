@@ -1,6 +1,6 @@
-//! Tests of the library by its rooms: what concerns `src/ROOM/NAME.rs` is in `tests/ROOM/NAME.rs`, or next to
-//! the code where it needs what is private there. One program, since each one more is linked on its own:
-//! `cargo test --test library exact::flips` runs a part.
+//! Tests of the library by module: the tests of `src/MODULE/NAME.rs` are in `tests/MODULE/NAME.rs`, or next
+//! to the code if they need its private items. They are one program, because each program is linked
+//! separately. `cargo test --test library exact::flips` runs a part.
 
 mod attitude;
 mod body;

@@ -1,6 +1,5 @@
-//! Regression test: a hash of many answers is the one that is committed, since the bits are meant
-//! to be the same wherever `f64` follows IEEE 754. That the answers are right is for the tests in the rooms'
-//! folders.
+//! Regression test: a hash of many answers must equal the committed one, since the bits are meant to be the
+//! same wherever `f64` follows IEEE 754. The tests of the modules check that the answers are right.
 
 use crate::common::same_bits;
 

@@ -41,7 +41,7 @@ other programs, and leaves the pages' drawings as they are: `cargo run -- figure
         /// The figures, by the names that `list` shows
         #[arg(value_name = "NAME", value_parser = figure(), hide_possible_values = true)]
         names: Vec<&'static Figure>,
-        /// Draw nothing; fail and name the committed figures that are not what would be drawn
+        /// Draw nothing; fail and name the committed figures that differ from what would be drawn
         #[arg(long, conflicts_with_all = ["format", "theme", "width", "out"])]
         check: bool,
         /// For this body instead of the book's: a name such as `phone` or `hammer`, a TOML file, or
@@ -63,7 +63,7 @@ other programs, and leaves the pages' drawings as they are: `cargo run -- figure
     },
     /// Make the book for paper and readers: EPUB, PDF, handouts, sheets of problems
     Print(paper::Arguments),
-    /// Name the numbers and equations of the chapters that nothing holds
+    /// Name the numbers and equations of the chapters that no code or proof supports
     #[command(
         after_help = "Exit code: 0 if there are none, 1 if there are some, 2 if something cannot be read."
     )]
@@ -71,7 +71,7 @@ other programs, and leaves the pages' drawings as they are: `cargo run -- figure
         /// The folder of the chapters; the book's own if not given
         #[arg(value_name = "DIR")]
         folder: Option<PathBuf>,
-        /// Also list what holds each number and equation
+        /// Also list what supports each number and equation
         #[arg(long)]
         list: bool,
     },
@@ -95,10 +95,10 @@ other programs, and leaves the pages' drawings as they are: `cargo run -- figure
     },
 }
 
-/// What mdBook asks besides.
+/// A question that mdBook asks before it sends a book.
 #[derive(Debug, Subcommand)]
 enum Question {
-    /// Whether pages of this kind need the change: by the exit code
+    /// Whether pages of this kind need the change; the answer is the exit code
     Supports { renderer: String },
 }
 
@@ -113,7 +113,7 @@ fn figure() -> impl TypedValueParser<Value = &'static Figure> {
 /// Carries out what the command line asks for.
 ///
 /// # Errors
-/// What went wrong, in words for the reader who typed the command.
+/// What went wrong, in words for the user.
 pub(crate) fn run(cli: Cli) -> Result<ExitCode, Box<dyn Error>> {
     let Some(command) = cli.command else {
         return everything();
@@ -144,7 +144,7 @@ pub(crate) fn run(cli: Cli) -> Result<ExitCode, Box<dyn Error>> {
         Command::Preprocess { question: None } => {
             preprocess::protocol::answer(std::io::stdin(), std::io::stdout())?;
         }
-        // mdBook asks by the exit code alone, and a no is no error.
+        // mdBook reads only the exit code, and "no" is not an error.
         Command::Preprocess { question: Some(Question::Supports { renderer }) } => {
             return Ok(if preprocess::supports(&renderer) { ExitCode::SUCCESS } else { ExitCode::FAILURE });
         }
@@ -163,7 +163,8 @@ fn everything() -> Result<ExitCode, Box<dyn Error>> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Runs the guard and prints what it found; 1 if something is not held, 2 if something cannot be read.
+/// Runs the guard and prints its findings; 1 if a number or equation has no support, 2 if something cannot be
+/// read.
 fn checked(folder: &Path, list: bool) -> ExitCode {
     let report = match guard::check(folder) {
         Ok(report) => report,

@@ -1,4 +1,4 @@
-//! What the commands do, one in a file; the command line itself stands in `cli`.
+//! The commands, one per file; the command line itself is in `cli`.
 
 pub(crate) mod docs;
 pub(crate) mod draw;

@@ -1,39 +1,39 @@
-//! The guard: names what holds each number and each equation in the book, and objects where nothing does.
+//! The guard: it names the evidence for each number and each equation of the book, and reports those without
+//! evidence.
 //!
 //! It reads the chapters (and the README, and the exercises) with the Markdown parser that makes the pages,
-//! and their Rust with a parser of Rust. A chapter is cut at its headings. Within each section, the code
-//! holds phrases, and every number in prose, captions, tables, TeX and comments must stand in one of them,
-//! word for word:
+//! and their code with a Rust parser. A chapter is divided at its headings. The code of each section contains
+//! phrases, and every number in prose, captions, tables, TeX and comments must be part of one of them, word
+//! for word:
 //!
-//! - **asserted**: a string that an `assert_eq!` expects. That its digits are right is the doc-test's affair.
-//!   The text must say it, and say first what is asserted first. One that begins with `|` is a whole row of a
-//!   table. A string without a number that denies (`never closes`) must be said too;
-//! - **noted**: the comment behind a line of code, divided by `;`. Its numbers must be literals of that line,
-//!   one after the other, so that inputs too are said as they are;
-//! - **a fact** of `facts.toml`, which the text must state. The versions in the README are facts of the
+//! - **asserted**: a string that an `assert_eq!` expects. The doc-test shows that its digits are right. The
+//!   text must contain it, in the order of the assertions. A string that begins with `|` is a whole row of a
+//!   table. A string without a number that contains a negation (`never closes`) must be in the text too;
+//! - **noted**: a part, divided by `;`, of the comment after a line of code. Its numbers must be consecutive
+//!   literals of that line, so that inputs are stated as they are;
+//! - **a fact** of `facts.toml`, which the text must contain. The versions in the README are facts of the
 //!   manifests;
-//! - **drawn**: what a caption says may stand in the description inside the drawing, which is made from
-//!   computed values. The words for a figure bring no other number, and in the drawing's order.
+//! - **drawn**: a caption may repeat the description inside the drawing, which is made from computed values.
+//!   The alternative text of a figure may contain only numbers of that description, in its order.
 //!
 //! The calls in an assertion show how certain its number is: `exactly(x)` is exact, `enclosed(x)` an
-//! interval; all else is computed in floats. Where an assertion says a string again that the section's code
-//! asserts already, but of an exact number or an interval, the better one counts: see `certainty`.
+//! interval; all else is computed in floats. If two assertions of a section expect the same string, and one
+//! of them is of an exact number or an interval, that one counts: see `certainty`.
 //!
-//! What follows a number belongs to the phrase: `7.4` does not hold `7.4 m`, nor `0.2 kg` a `0.2 kg m²`, so
-//! that no unit needs to be known here. Minus signs of both kinds are one, a power of ten in TeX is `3e-13`,
-//! and a phrase may begin a sentence.
+//! The words after a number belong to the phrase: `7.4` does not support `7.4 m`, nor does `0.2 kg` support
+//! `0.2 kg m²`. So the guard needs no list of units. Both kinds of minus sign are equal, a power of ten in
+//! TeX is `3e-13`, and a phrase may begin a sentence.
 //!
-//! Equations are proven from their TeX, against the library's own functions: see
-//! `tumbling_proofs::equations`.
+//! Equations are proven from their TeX, with the library's own functions: see `tumbling_proofs::equations`.
 //!
-//! The right answer of a question, in words or a number, is a string that an assertion of its section
-//! expects, and so is something in the answer of each problem: see `answers`.
+//! The right answer of a question, in words or a number, must be a string that an assertion of its section
+//! expects, and the answer of each problem must contain such a string: see `answers`.
 //!
-//! Not held, by rule: names with digits (`Ash91`), code spans and targets of links, units (`1/s`). Numbers
-//! before headings (`2. ...`) count up. Whole numbers inside a formula with symbols (an index, an exponent, a
-//! factor, a matrix's zero) are a part of the formula. Number words (`a twentieth`, `three axes`) that stand
-//! in no phrase are listed in `words.toml` with the word behind them, as often as the chapter says them, so
-//! that none becomes another unseen.
+//! Some numbers need no evidence: names with digits (`Ash91`), code spans and targets of links, units
+//! (`1/s`). Numbers before headings (`2. ...`) must count up. Whole numbers inside a formula with symbols (an
+//! index, an exponent, a factor, a matrix's zero) are part of the formula. Number words (`a twentieth`,
+//! `three axes`) that are in no phrase are listed in `words.toml` with the word after them, as often as the
+//! chapter has them, so that no change of one goes unnoticed.
 
 mod answers;
 mod certainty;
@@ -61,12 +61,12 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::{fmt, fs};
 
-/// What the guard found.
+/// The findings of the guard.
 #[derive(Debug)]
 pub(crate) struct Report {
     chapters: usize,
     pub(crate) offences: Vec<Offence>,
-    /// Each number, and each equation, with what holds it.
+    /// Each number and each equation, with its evidence.
     pub(crate) held: Vec<String>,
 }
 
@@ -111,7 +111,7 @@ pub(crate) fn check(folder: &Path) -> Result<Report, String> {
     Ok(report)
 }
 
-/// The chapters and what stands beside them.
+/// The chapters, and the data next to them.
 struct Book {
     chapters: Vec<Chapter>,
     beside: Beside,
@@ -191,7 +191,7 @@ fn versions() -> Result<Vec<facts::Fact>, String> {
     Ok(manifests::versions()?.into_iter().map(fact).collect())
 }
 
-/// The facts beside the chapters, or those of this book where there are none.
+/// The facts of the folder, or those of this book if the folder has none.
 fn facts(folder: &Path) -> Result<Vec<facts::Fact>, String> {
     let (file, text) = beside(folder, "facts.toml")?;
     facts::read(&text).map_err(|e| format!("{}: {e}", file.display()))
@@ -207,7 +207,7 @@ fn words(folder: &Path) -> Result<holding::Words, String> {
     Ok(all.into_iter().map(|(chapter, list)| (chapter, split(list))).collect())
 }
 
-/// A file beside the folder of the chapters, or this book's own where there is none.
+/// A file next to the folder of the chapters, or this book's own if there is none.
 fn beside(folder: &Path, name: &str) -> Result<(PathBuf, String), String> {
     let beside = folder.join("..").join(name);
     let file = if beside.is_file() { beside } else { paths::book().join(name) };
@@ -215,7 +215,7 @@ fn beside(folder: &Path, name: &str) -> Result<(PathBuf, String), String> {
     Ok((file, text))
 }
 
-/// What the drawings of these chapters say of themselves.
+/// The titles and descriptions inside the drawings of these chapters.
 fn drawings(folder: &Path, chapters: &[Chapter]) -> Result<HashMap<String, String>, String> {
     let mut drawings = HashMap::new();
     let passages = chapters.iter().flat_map(|c| &c.sections).flat_map(|s| &s.passages);
@@ -229,7 +229,7 @@ fn drawings(folder: &Path, chapters: &[Chapter]) -> Result<HashMap<String, Strin
     Ok(drawings)
 }
 
-/// What the first element of this kind holds.
+/// The contents of the first element with this name.
 fn inside(svg: &str, element: &str) -> String {
     let opened = svg.split_once(&format!("<{element}")).and_then(|(_, rest)| rest.split_once('>'));
     let text = opened.and_then(|(_, rest)| rest.split_once(&format!("</{element}>"))).map_or("", |(t, _)| t);

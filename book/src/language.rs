@@ -1,10 +1,11 @@
-//! The book in another language: `book/words.CODE.toml` holds, by the English words, those of its pages,
-//! figures, films, sheets and widgets.
+//! The book in another language: `book/words.CODE.toml` maps English words to those of its pages, figures,
+//! films, sheets and widgets.
 //!
 //! A page `NAME-CODE.md` is the chapter `NAME.md` with each paragraph, heading and item replaced by its
-//! translation; code, figures, widgets and formulas stay where they are. So its numbers are held by the
-//! chapter's code: each translation has the same numbers, units, number words and targets of links in their
-//! order. What the chapter says and the file lacks, or the other way round, is a fault: the page is behind.
+//! translation; code, figures, widgets and formulas are unchanged. The chapter's code supports the numbers of
+//! the translation too: each paragraph must have the same numbers, units, number words and targets of links
+//! as the original, in the same order. A paragraph that only one of the two has is an error: the translation
+//! is not up to date.
 
 use crate::guard::{number_words, numerals, with_unit};
 use crate::preprocess::blanks;
@@ -20,21 +21,22 @@ type Words = BTreeMap<String, String>;
 pub(crate) struct Language {
     #[serde(skip)]
     pub(crate) code: String,
-    /// For each English number word those of the language, divided by blanks; none where it counts nothing.
+    /// For each English number word, the words of the language, divided by blanks; empty where the word is
+    /// not a count.
     numbers: Words,
     /// Words of figures, films, sheets and widgets: whole labels and parts of them.
     words: Words,
-    /// What stands around the text of a page, each whole: labels, and text between two tags.
+    /// The texts around the contents of a page, each as a whole: labels, and text between two tags.
     frame: Words,
     /// The paragraphs of each page.
     pub(crate) page: BTreeMap<String, Words>,
 }
 
-/// What may stand behind a number as its unit.
+/// The units that may follow a number.
 pub(crate) const UNITS: [&str; 16] =
     ["s", "ms", "min", "mm", "cm", "m", "kg", "g", "rad", "rad/s", "Hz", "J", "N", "×", "°", "%"];
 
-/// The attributes that are read out.
+/// The attributes that screen readers read.
 const LABELS: [&str; 2] = ["aria-label=\"", "alt=\""];
 
 impl Language {
@@ -57,7 +59,8 @@ impl Language {
         if wrong.is_empty() { Ok(found) } else { Err(wrong.join("\n")) }
     }
 
-    /// The page's language and the chapter that it translates, of a page `NAME-CODE`; none of the book's own.
+    /// The language of a page `NAME-CODE`, and the chapter that it translates; `None` for a page of the book
+    /// itself.
     ///
     /// # Errors
     /// As [`read`](Self::read).
@@ -71,7 +74,7 @@ impl Language {
         format!("book/words.{}.toml: `{original:.70}`: {what}", self.code)
     }
 
-    /// What a translation says otherwise.
+    /// What differs between a translation and its original.
     fn differs(&self, original: &str, said: &str) -> Option<String> {
         let ((text, links), (own, own_links)) = (without_targets(original), without_targets(said));
         let (there, here) = (self.original_numbers(&text), self.own_numbers(&own));
@@ -92,7 +95,7 @@ impl Language {
     }
 
     fn own_numbers(&self, text: &str) -> Vec<String> {
-        // A decimal point is none of the language's: it parts the number in two.
+        // A decimal point is an error in this language, so it splits the number in two here.
         let points = with(&with(text, '.', ';'), ',', '.');
         let lower = text.to_lowercase();
         let words = words_of(&lower).filter_map(|at| {
@@ -106,7 +109,7 @@ impl Language {
     /// The chapter in this language.
     ///
     /// # Errors
-    /// Each paragraph without a translation, with its line, and each translation of what is said no more.
+    /// Each paragraph without a translation, with its line, and each translation without a paragraph.
     pub(crate) fn page(&self, name: &str) -> Result<String, String> {
         let text = files::text(&paths::chapters().join(format!("{name}.md")))?;
         let none = Words::new();
@@ -142,7 +145,7 @@ impl Language {
         if wrong.is_empty() { Ok(out + &text[end..]) } else { Err(wrong.join("\n")) }
     }
 
-    /// A label in this language: known as a whole, or part by part; with its words that are not known.
+    /// A label in this language, translated as a whole or part by part; and its words without a translation.
     pub(crate) fn label(&self, text: &str) -> (String, Vec<String>) {
         let own = text.trim();
         if let Some(said) = self.words.get(own) {
@@ -169,9 +172,9 @@ impl Language {
         (out + &text[at..], unknown)
     }
 
-    /// HTML or SVG with its words in this language: text between tags, and labels for those who see none.
+    /// HTML or SVG in this language: text between tags, and labels for screen readers.
     ///
-    /// Returns too what labels have words that are not known.
+    /// Also returns the labels with words that have no translation.
     pub(crate) fn markup(&self, html: &str) -> (String, Vec<String>) {
         let (mut out, mut wrong, mut raw) = (String::new(), Vec::new(), false);
         let mut said = |text: &str| {
@@ -204,10 +207,10 @@ impl Language {
         (out, wrong)
     }
 
-    /// A built page, with what stands around its text in this language too.
+    /// A built page, with the texts around its contents in this language.
     ///
     /// # Errors
-    /// What no frame says.
+    /// The texts that no page has.
     pub(crate) fn framed(&self, html: &str) -> Result<String, String> {
         let mut page = html.replacen("<html lang=\"en\"", &format!("<html lang=\"{}\"", self.code), 1);
         let mut wrong = Vec::new();
@@ -224,10 +227,11 @@ impl Language {
         if wrong.is_empty() { Ok(page) } else { Err(wrong.join("\n")) }
     }
 
-    /// A page as shown, from Markdown with raw HTML: that in this language too, and what scripts will say.
+    /// A page as shown, from Markdown with raw HTML in it: also the HTML in this language, and the words for
+    /// scripts.
     ///
     /// # Errors
-    /// The labels with words that are not known.
+    /// The labels with words that have no translation.
     pub(crate) fn shown(&self, text: &str) -> Result<String, String> {
         let (mut out, mut wrong) = (String::new(), Vec::new());
         for line in text.split_inclusive('\n') {
@@ -248,7 +252,7 @@ impl Language {
     }
 }
 
-/// A text without the targets of its links, and these.
+/// A text without the targets of its links, and these targets.
 fn without_targets(text: &str) -> (String, Vec<&str>) {
     let mut parts = text.split("](");
     let mut out = parts.next().unwrap_or_default().to_owned();
@@ -261,7 +265,7 @@ fn without_targets(text: &str) -> (String, Vec<&str>) {
     (out, targets)
 }
 
-/// Digits with this mark for decimals in place of that one.
+/// Replaces the decimal mark `mark` by `other`.
 pub(crate) fn with(text: &str, mark: char, other: char) -> String {
     let all: Vec<char> = text.chars().collect();
     let digit = |at: Option<usize>| at.and_then(|at| all.get(at)).is_some_and(char::is_ascii_digit);
@@ -269,7 +273,7 @@ pub(crate) fn with(text: &str, mark: char, other: char) -> String {
     (0..all.len()).map(|at| if decimal(at) { other } else { all[at] }).collect()
 }
 
-/// The numbers in digits, with their units, the signs before and between them, and units by themselves.
+/// The numbers in digits with their units, the signs before and between them, and units alone.
 fn digits(text: &str) -> impl Iterator<Item = (usize, String)> + '_ {
     let signs = text.match_indices(['−', '+', '±', '×']).map(|(at, sign)| (at, sign.to_owned()));
     let units = words_of(text).filter(|at| at.len() > 1 && UNITS.contains(&&text[at.clone()]));
@@ -285,7 +289,7 @@ fn in_order(numbers: impl Iterator<Item = (usize, String)>) -> Vec<String> {
     numbers.collect::<BTreeMap<_, _>>().into_values().collect()
 }
 
-/// Where the words of this text are.
+/// The places of the words of this text.
 fn words_of(text: &str) -> impl Iterator<Item = Range<usize>> + '_ {
     let mut end = 0;
     std::iter::from_fn(move || {
@@ -296,7 +300,7 @@ fn words_of(text: &str) -> impl Iterator<Item = Range<usize>> + '_ {
     })
 }
 
-/// What a reader reads of a chapter: each paragraph, heading, item, without the marks before it.
+/// The texts of a chapter: each paragraph, heading and item, without the marks before it.
 fn items(text: &str) -> Vec<Range<usize>> {
     let mut found: Vec<Range<usize>> = Vec::new();
     let (mut at, mut in_code, mut open) = (0, false, false);

@@ -1,9 +1,9 @@
 //! The palette: one colour, one meaning, in every figure. A page may set its own values.
 
-/// What a mark stands for; its colour follows.
+/// The meaning of a mark, which determines its colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Ink {
-    /// What is right, and all plain lines and letters: the colour of the text around the figure.
+    /// Right results, and all plain lines and letters: the colour of the text around the figure.
     Text,
     /// Angular velocity.
     Omega,
@@ -17,11 +17,11 @@ pub(crate) enum Ink {
     AxisMax,
     /// The curve between two kinds of motion.
     Separatrix,
-    /// What a wrong program does.
+    /// Results of a wrong program.
     Wrong,
     /// The surface of a body.
     Surface,
-    /// The ground that the figure stands on.
+    /// The background of the figure.
     Paper,
     /// Grid lines, hidden edges, remarks.
     Faint,
@@ -63,7 +63,7 @@ impl Ink {
         if self == Self::Text { "currentColor".into() } else { own }
     }
 
-    /// A number that stands for this ink inside plotters, which knows only red, green and blue.
+    /// A number for this ink inside plotters, which has only red, green and blue.
     pub(crate) fn index(self) -> usize {
         SHADES.iter().position(|shade| shade.ink == self).unwrap_or(0)
     }

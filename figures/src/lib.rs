@@ -1,11 +1,11 @@
 //! Every figure of the book, drawn by plotters from what the library computes.
 //!
-//! [`registry`] lists them; asking one to [`draw`](Figure::draw) computes and draws only that one.
-//! A drawing is a complete SVG document, the same bytes on every run, with a title and a
-//! description inside that say what it shows. Its colours are custom properties (`--fig-omega` for the spin,
-//! `--fig-momentum`, `--fig-axis-min`, `--fig-axis-mid`, `--fig-axis-max`, `--fig-separatrix`, `--fig-wrong`,
-//! `--fig-surface`, `--fig-paper`, `--fig-faint`; everything else is `currentColor`), so that a page
-//! which holds it sets them; opened by itself it has its own, for a light and for a dark ground.
+//! [`registry`] lists them; [`draw`](Figure::draw) computes and draws one of them. A drawing is a complete
+//! SVG document, the same bytes on every run, with a title and a description of what it shows. Its colours
+//! are custom properties (`--fig-omega` for the spin, `--fig-momentum`, `--fig-axis-min`, `--fig-axis-mid`,
+//! `--fig-axis-max`, `--fig-separatrix`, `--fig-wrong`, `--fig-surface`, `--fig-paper`, `--fig-faint`;
+//! everything else is `currentColor`), so that the page that contains it sets them. A drawing opened on its
+//! own has default colours for a light and for a dark background.
 
 mod draw;
 mod figures;
@@ -34,7 +34,8 @@ pub struct Figure {
     /// The chapter's file name without its ending, for instance `two-arrows`.
     pub chapter: &'static str,
     draw: fn() -> Result<picture::Picture, Box<dyn std::error::Error>>,
-    /// How it is drawn for another body, if it shows a body and not a record, a rule or the book's example.
+    /// How it is drawn for another body, if it shows a body and not a record, a rule or an example of the
+    /// book.
     of_body: Option<Follows>,
 }
 
@@ -56,11 +57,12 @@ impl Figure {
         Ok(canvas.finish(self.name, self.shows, &picture::with_powers(&description)))
     }
 
-    /// Draws it for another body: its numbers, its shape, with units and ticks that suit them.
+    /// Draws the figure for another body, with that body's numbers and shape and with suitable units and
+    /// ticks.
     ///
     /// # Errors
-    /// That this figure is about no one body, or that the body has nothing of what it shows, in a sentence;
-    /// or what the library reported.
+    /// That the figure does not show a body, or that the body lacks what it shows; or the error of the
+    /// library.
     pub fn draw_for(&self, body: &BodyModel) -> Result<String, Box<dyn std::error::Error>> {
         let picture::Picture { canvas, description } = self.picture_of(body)??;
         let shows = self.of_body.map_or(self.shows, |follows| follows.shows);
@@ -68,7 +70,8 @@ impl Figure {
         Ok(canvas.finish(self.name, &title, &picture::with_powers(&description)))
     }
 
-    /// By how much area writing lies on other writing or beyond the sheet, if it can be drawn for this body.
+    /// The area of labels that overlap other labels or leave the sheet, if the figure can be drawn for this
+    /// body.
     #[must_use]
     pub fn overlap_for(&self, body: &BodyModel) -> Option<f64> {
         Some(self.picture_of(body).ok()?.ok()?.canvas.over.get())
@@ -81,7 +84,7 @@ impl Figure {
         Ok((follows.draw)(&subject))
     }
 
-    /// Whether it can be drawn for another body.
+    /// Whether the figure can be drawn for another body.
     #[must_use]
     pub fn follows_a_body(&self) -> bool {
         self.of_body.is_some()

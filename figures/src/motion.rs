@@ -6,12 +6,12 @@ use tumbling::dynamics::stability::{Stability, of_spin};
 use tumbling::step::Engine;
 use tumbling::{Axis, Body, Error, Inertia};
 
-/// A body upright in the world with this spin, rad/s.
+/// A body with this spin (rad/s), with its axes along the world's.
 pub(crate) fn spun(inertia: Inertia, omega: Vector3<f64>) -> Result<Body, Error> {
     Body::spinning(inertia, UnitQuaternion::identity(), &omega)
 }
 
-/// How fast a push grows on a spin `omega` (rad/s) about the middle axis, 1/s.
+/// The growth rate (1/s) of a deviation from a spin `omega` (rad/s) about the middle axis.
 pub(crate) fn growth(moments: &Vector3<f64>, omega: f64) -> Result<f64, Box<dyn std::error::Error>> {
     match of_spin((*moments).try_into()?, Axis::Middle, omega)? {
         Stability::Growth { rate } => Ok(rate),
@@ -19,8 +19,8 @@ pub(crate) fn growth(moments: &Vector3<f64>, omega: f64) -> Result<f64, Box<dyn 
     }
 }
 
-/// Of attitudes one after another, those at the start and after each of `turns` whole turns about an axis, by
-/// the direction of another axis of the body, which is `watched`.
+/// From a sequence of attitudes, the first one and those after each of `turns` whole turns about the axis
+/// `about`. The turns are counted by the direction of another axis of the body, `watched`.
 pub(crate) fn after_each_turn<E: From<&'static str>>(
     attitudes: impl IntoIterator<Item = Result<Matrix3<f64>, E>>,
     about: usize,
@@ -45,8 +45,8 @@ pub(crate) fn after_each_turn<E: From<&'static str>>(
     Err("too short a flight".into())
 }
 
-/// A body tossed with a turn a second about one of its axes and a push (rad) to the side, its momentum along
-/// that axis of the world.
+/// A body thrown with one turn per second about one of its axes and a push (rad) to the side; its momentum is
+/// along the world axis of the same number.
 pub(crate) fn tossed(inertia: Inertia, about: usize, push: f64) -> Result<Body, Box<dyn std::error::Error>> {
     let mut omega = Vector3::zeros();
     omega[about] = push.cos() * TAU;
@@ -60,7 +60,7 @@ pub(crate) fn free(body: &Body, h: f64, count: usize) -> Result<Vec<(f64, Body)>
     timed(Engine::Turned, body, h, count)
 }
 
-/// Pairs of time and body as an engine, right or wrong, steps them.
+/// Pairs of time and body, in steps of an engine, right or wrong.
 pub(crate) fn timed(engine: Engine, body: &Body, h: f64, count: usize) -> Result<Vec<(f64, Body)>, Error> {
     let time = |i: usize| h * i as f64;
     Ok(engine.run(body, h, count)?.into_iter().enumerate().map(|(i, body)| (time(i), body)).collect())

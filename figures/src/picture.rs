@@ -1,10 +1,10 @@
-//! A picture, and what all pictures write alike: the colour of an axis, powers of ten.
+//! A finished drawing, and helpers that all figures share: the colour of an axis, powers of ten.
 
 use crate::draw::Canvas;
 use crate::ink::Ink;
 use tumbling::Axis;
 
-/// A finished drawing, and what it shows in words, for those who do not see it.
+/// A finished drawing and its description, for readers who cannot see it.
 pub(crate) struct Picture {
     pub(crate) canvas: Canvas,
     pub(crate) description: String,

@@ -1,4 +1,4 @@
-//! One page on one body: what it is, which spin flips and how fast, and the step that an engine needs.
+//! A page about one body: its axes and moments, which spin flips and when, and the step that an engine needs.
 
 mod engine;
 mod style;
@@ -16,8 +16,8 @@ use tumbling::Axis;
 use tumbling::dynamics::stability::{Stability, of_spin};
 use tumbling_bodies::BodyModel;
 
-/// A complete HTML page on a body, with its drawings inside, for a screen and for one sheet of A4; with the
-/// step that an engine needs, if that is meant too.
+/// A complete HTML page about a body, with its drawings inside, for a screen and for one sheet of A4; on
+/// request with the step that an engine needs.
 ///
 /// # Errors
 /// What the library or the drawing backend reported.

@@ -25,9 +25,9 @@ pub fn still(widget: &str) -> Option<Result<String, Box<dyn Error>>> {
     })
 }
 
-/// A toss about the middle axis of a flat body, its width along x, its thickness along y, its height along z;
-/// then the spin about each of the other axes, as a part of that one, seconds from one picture to the next,
-/// and points to the metre.
+/// A throw about the middle axis of a flat body, with its width along x, its thickness along y and its height
+/// along z. The other arguments are the spin about each of the other axes as a fraction of the main spin, the
+/// seconds between two pictures, and the points per metre.
 fn toss(
     widget: &str,
     (body, words): (NamedBody, &str),

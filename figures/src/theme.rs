@@ -97,7 +97,7 @@ fn without_style(svg: &str) -> String {
     format!("{before}{}", rest.split_once("</style>\n").map_or(rest, |(_, x)| x))
 }
 
-/// With its height said, and a sheet of this colour below everything.
+/// With its height in the document, and a sheet of this colour below everything.
 fn with_ground(svg: &str, paper: &str) -> String {
     let sheet = svg.split_once("viewBox=\"0 0 ").and_then(|(_, rest)| rest.split_once('"'));
     let Some(((wide, high), (head, marks))) =
@@ -119,7 +119,7 @@ fn with_ground(svg: &str, paper: &str) -> String {
 mod tests {
     use super::*;
 
-    /// CIE 1976 lightness, 0 to 100: how grey a colour is printed.
+    /// CIE 1976 lightness, 0 to 100: the grey in which a colour is printed.
     fn lightness(hex: &str) -> f64 {
         let channel = |at: usize| {
             let c = f64::from(u8::from_str_radix(&hex[at..at + 2], 16).unwrap()) / 255.0;

@@ -1,8 +1,9 @@
-//! Numbers with the unit that suits them.
+//! Numbers with a suitable unit.
 
 use crate::picture::raised;
 
-/// Units of one kind by their size, smallest first, and from which value on each is taken.
+/// Units of one kind: size, name, and the smallest value for which the unit is used, in the order of these
+/// values.
 pub(crate) struct Units(&'static [(f64, &'static str, f64)]);
 
 /// Lengths in m: `7.8 mm`.
@@ -31,7 +32,7 @@ const MOMENT: Units =
     Units(&[(1e-9, "g mm²", 0.0), (1e-7, "g cm²", 1e-7), (1e-4, "kg cm²", 1e-4), (1.0, "kg m²", 1e-2)]);
 
 impl Units {
-    /// The size of the unit that suits this value, and its name.
+    /// The size and the name of the unit for this value.
     pub(crate) fn of(&self, value: f64) -> (f64, &'static str) {
         let fits = self.0.iter().rev().find(|(_, _, from)| value.abs() >= from * (1.0 - 1e-9));
         fits.or(self.0.first()).map_or((1.0, ""), |&(size, name, _)| (size, name))
@@ -46,13 +47,13 @@ impl Units {
     }
 }
 
-/// A place in m, in one unit: `(0, 20, −300) mm`.
+/// A position in m, in one unit: `(0, 20, −300) mm`.
 pub(crate) fn place(m: &nalgebra::Vector3<f64>) -> String {
     let (size, name) = LENGTH.of(m.amax());
     format!("({}) {name}", m.iter().map(|x| number(x / size, 3)).collect::<Vec<_>>().join(", "))
 }
 
-/// Positive numbers, measured in this unit, with equal decimals, such that the smallest has three digits.
+/// Positive numbers in this unit, with the same number of decimals, so that the smallest has three digits.
 pub(crate) fn column(all: &[f64], unit: f64) -> Vec<String> {
     let power = (all.iter().copied().fold(f64::INFINITY, f64::min) / unit).log10().floor();
     let decimals = (2.0 - power).max(0.0) as usize;
@@ -71,7 +72,7 @@ pub(crate) fn moments(all: &[f64]) -> (Vec<String>, String) {
         let power = largest.log10().floor() as i32;
         (10_f64.powi(power), format!("× {} kg m²", raised(power)))
     };
-    // In one row with equal decimals, but where the smallest would have no digits left.
+    // In one row with the same number of decimals, unless the smallest would have no digits left.
     let smallest = all.iter().map(|x| x.abs()).filter(|&x| x > 0.0).fold(largest, f64::min);
     let tiny = largest < 1e-9 || smallest < 0.02 * largest;
     let digits = (3 - (largest / size).log10().floor() as i32).clamp(0, 5) as usize;
@@ -91,7 +92,7 @@ pub(crate) fn number(x: f64, digits: usize) -> String {
     written(x, digits, true)
 }
 
-/// A number with this number of significant digits, zeros at its end too, as those above and below it.
+/// A number with exactly this number of significant digits, with trailing zeros, for columns.
 pub(crate) fn significant(x: f64, digits: usize) -> String {
     written(x, digits, false)
 }
@@ -117,7 +118,7 @@ fn written(x: f64, digits: usize, short: bool) -> String {
     with_minus(if mantissa == "1" { power } else { format!("{mantissa} × {power}") })
 }
 
-/// Round values from zero to `most`, four to seven of them, with their numbers.
+/// Round values from zero to `most`, five to ten of them, with their labels.
 pub(crate) fn ticks(most: f64) -> Vec<(f64, String)> {
     let rough = most / 4.0;
     let power = 10_f64.powf(rough.log10().floor());
@@ -126,7 +127,7 @@ pub(crate) fn ticks(most: f64) -> Vec<(f64, String)> {
     (0..=count).map(|k| (step * f64::from(k), number(step * f64::from(k), 3))).collect()
 }
 
-/// A speed of turning in rad/s, in turns: `one turn a second`, `one turn in 3 h`.
+/// An angular velocity (rad/s) in turns: `one turn a second`, `one turn in 3 h`.
 pub(crate) fn turning(spin: f64) -> String {
     let turns = spin / std::f64::consts::TAU;
     match number(turns, 3).as_str() {

@@ -9,10 +9,11 @@
 //! a ~ theta_4(z - i s B),   b ~ theta_1(z - i s B)
 //! ```
 //!
-//! These are the Cayley-Klein parameters ([KS97](crate::references)); [vZS07](crate::references) gives the
-//! rotation matrix in theta functions of the nome itself. It is so since `|a|² = (1 + n)/2` and `|b|² = (1 -
-//! n)/2`, with `n` the momentum's share along the circled axis, have their zeros where `n` is -1 and 1. The
-//! length is found by making the quaternion one of length 1; nothing has to be integrated, no angle unwound.
+//! These are the Cayley-Klein parameters ([KS97](crate::references)); [vZS07](crate::references) states the
+//! rotation matrix in theta functions of the nome itself. The reason: with `n` the component of the
+//! momentum's direction along the circled axis, `|a|² = (1 + n)/2` and `|b|² = (1 - n)/2` are zero where `n`
+//! is -1 and 1. The quaternion is normalized to length 1 at the end; no integration and no unwrapping of an
+//! angle is needed.
 
 use crate::number::functions::powi;
 use crate::number::{DoubleDouble, Gather, Real, Rounding, Series, gather_fields, splat};
@@ -43,7 +44,7 @@ impl<T: Rounding> Pair<T> {
         (self.a[0] * self.a[0] + self.a[1] * self.a[1] + self.b[0] * self.b[0] + self.b[1] * self.b[1]).sqrt()
     }
 
-    /// Turned about `i` by twice the angle whose cosine and sine are given.
+    /// Rotated about `i` by twice the angle with this cosine and sine.
     #[inline(always)]
     pub(crate) fn turned(&self, phase: [T; 2]) -> Self {
         Self { a: times(phase, self.a), b: times(phase, self.b) }
@@ -53,8 +54,8 @@ impl<T: Rounding> Pair<T> {
         Self { a: self.a.map(|x| factor * x), b: self.b.map(|x| factor * x) }
     }
 
-    /// `conj(start) self` as a quaternion of length 1 to a few roundings: the real part, and those along `i`,
-    /// `j`, `k`.
+    /// `conj(start) self` as a quaternion of length 1 to a few roundings: the real part, then the components
+    /// along `i`, `j`, `k`.
     #[inline(always)]
     pub(crate) fn since(&self, start: &Self) -> [T; 4] {
         let (a0, b0) = (start.a, start.b);
@@ -77,13 +78,13 @@ impl<T: Rounding> Pair<T> {
 
 /// The input of both forms.
 pub(crate) struct Shape<T = f64> {
-    /// Whether the across, the middle and the circled axis follow each other in cyclic order, `s = 1`, and
-    /// whether the spin along the circled one is positive.
+    /// Whether the across, the middle and the circled axis are in cyclic order, `s = 1`, and whether the spin
+    /// along the circled axis is positive.
     pub(crate) cyclic: bool,
     pub(crate) forward: bool,
     /// `|b/a|` at the saddle, where the spin's across component vanishes.
     pub(crate) tilt: T,
-    /// Where the zero lies: `2B = pi y/K` in sines and cosines, `pi y/(4K')` in hyperbolic functions.
+    /// The position of the zero: `2B = pi y/K` in sines and cosines, `pi y/(4K')` in hyperbolic functions.
     pub(crate) depth: T,
 }
 
@@ -92,7 +93,7 @@ impl<T: Real> Shape<T> {
         splat(if self.cyclic { 1.0 } else { -1.0 })
     }
 
-    /// What `b` is times, from both numbers at the saddle.
+    /// The factor of `b`, from both numbers at the saddle.
     fn amplitude(&self, saddle: &Pair<T>) -> T {
         let square = |[x, y]: [T; 2]| x * x + y * y;
         // (C24)
@@ -203,7 +204,7 @@ impl<T: Real> DirectPair<T> {
     /// `q` is the nome and `shape.depth = pi y/K`, twice the imaginary shift.
     pub(crate) fn of_shape(q: T, shape: &Shape<T>) -> Self {
         let (fall, less) = (-shape.depth).exp_and_exp_m1();
-        // q exp(2B) is at most 1; where both underflow, what it multiplies is nothing.
+        // `q exp(2B)` is at most 1; where both factors underflow, the product is negligible.
         let rise = if q == T::zero() { T::zero() } else { (q / fall).at_most_one() };
         let mut pair = Self::new(q, [fall, less], rise, shape.sense());
         let amplitude = shape.amplitude(&pair.raw(T::one(), T::zero()));

@@ -1,4 +1,4 @@
-//! When a free body flips: every instant, in order, without a list.
+//! The instants of the flips of a free body, in order, without storing a list.
 
 use crate::error::{Error, Refusal, Subject};
 use crate::number::{DoubleDouble, times_power_of_two};
@@ -7,14 +7,14 @@ use core::ops::Range;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
-/// Beyond this many flips from the start an `f64` cannot number them one by one.
+/// Beyond this number of flips from the start, consecutive numbers are not distinct in `f64`.
 const LAST: f64 = 9_007_199_254_740_992.0;
 
-/// Up to this many the instants, as they are rounded, are all different: half a period is then two units in
-/// the last place of the time, or more.
+/// Up to this number of flips, the rounded instants are all different: half a period is at least two units in
+/// the last place of the time.
 const LAST_APART: f64 = LAST / 4.0;
 
-/// The instants when the spin along the middle axis vanishes: one, or one at each half turn of the phase.
+/// The instants when the spin along the middle axis is zero: once, or once for each half turn of the phase.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Clock {
     /// At this scaled time alone.
@@ -26,16 +26,17 @@ pub(crate) enum Clock {
 /// The flips in an interval, in order of time from either end; see
 /// [`FreeMotion::flips`](super::FreeMotion::flips).
 ///
-/// Their number and any one of them cost the same, however many there are: [`remaining`](Self::remaining)
-/// (which [`count`](Iterator::count) and [`size_hint`](Iterator::size_hint) give as a `usize`, where it is
-/// one), [`nth`](Iterator::nth), [`last`](Iterator::last).
+/// Counting the flips and finding any one of them takes the same time, however many there are:
+/// [`remaining`](Self::remaining), [`nth`](Iterator::nth), [`last`](Iterator::last).
+/// [`count`](Iterator::count) and [`size_hint`](Iterator::size_hint) return the number as a `usize`, if it
+/// fits.
 #[derive(Debug, Clone)]
 pub struct Flips {
     source: Option<(Clock, i32)>,
-    /// The number of the first flip, and the step from one to the next, forward in time.
+    /// The index of the first flip, and the increment from one flip to the next, forward in time.
     first: f64,
     step: f64,
-    /// Which of them, counted from the first, are still to come.
+    /// The remaining flips, counted from the first.
     left: Range<u64>,
 }
 
@@ -57,7 +58,7 @@ impl Clock {
         times_power_of_two(scaled.hi(), -exponent) + 0.0
     }
 
-    /// The number of the first flip after `t`, which may be one that never comes.
+    /// The index of the first flip after `t`; on the separatrix, 1 if that flip is over.
     fn first_after(&self, t: f64, exponent: i32, limit: f64) -> Result<f64, Error> {
         let Self::Evenly { offset, rate } = *self else {
             return Ok(if self.instant(0.0, exponent) > t { 0.0 } else { 1.0 });
@@ -71,7 +72,7 @@ impl Clock {
             large: room,
         }
         .when(half_turns.is_nan() || half_turns.abs() > room)?;
-        // From one or two before: the instant decides, as it is rounded.
+        // Starts one or two flips earlier; the rounded instants decide.
         let step = self.step();
         let mut number = if step > 0.0 { half_turns.floor() } else { half_turns.ceil() } - step;
         while self.instant(number, exponent) <= t {
@@ -80,7 +81,7 @@ impl Clock {
         Ok(number)
     }
 
-    /// The first flip after `t`, infinite if it is beyond `f64`.
+    /// The first flip after `t`; infinite if it is beyond `f64`.
     pub(crate) fn next_after(&self, t: f64, exponent: i32) -> Result<Option<f64>, Error> {
         let number = self.first_after(t, exponent, LAST)?;
         let none = matches!(self, Self::Once(_)) && number > 0.0;
@@ -89,18 +90,18 @@ impl Clock {
 }
 
 impl Flips {
-    /// Those after `from` and up to `to`.
+    /// The flips after `from` and up to `to`.
     pub(crate) fn between(source: Option<(Clock, i32)>, from: f64, to: f64) -> Result<Self, Error> {
         let Some((clock, exponent)) = source else {
             return Ok(Self { source, first: 0.0, step: 1.0, left: 0..0 });
         };
         let number = |t: f64| clock.first_after(t, exponent, LAST_APART);
         let (first, end, step) = (number(from)?, number(to)?, clock.step());
-        // Whole, and below 2^53.
+        // A whole number below 2^53.
         Ok(Self { source, first, step, left: 0..((end - first) * step).max(0.0) as u64 })
     }
 
-    /// The number still to come, counted without visiting them.
+    /// The number of remaining flips, computed without visiting them.
     ///
     /// ```
     /// use nalgebra::Vector3;

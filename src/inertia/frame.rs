@@ -1,14 +1,14 @@
-//! Where a body's principal axes lie in its own.
+//! The rotation between a body's principal axes and its body axes.
 
 use crate::attitude::{product, rotate_inverse, rotation_matrix, unit};
 use crate::number::{Gather, Ring, Rounding};
 use alloc::vec::Vec;
 use nalgebra::{Matrix3, Quaternion, Scalar, UnitQuaternion, Vector3};
 
-/// How principal axes are turned relative to the body's own: of one body, or of those in the lanes of `T`.
+/// The rotation of principal axes relative to body axes, of one body or of the bodies in the lanes of `T`.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Frame<T = f64> {
-    /// Takes coordinates along the body's axes to those along the principal axes, where these differ.
+    /// The rotation of coordinates from body axes to principal axes; `None` where they are the same.
     to_principal: Option<Quaternion<T>>,
 }
 
@@ -29,13 +29,13 @@ impl<T: Scalar> Frame<T> {
 }
 
 impl<T: Ring> Frame<T> {
-    /// A vector along the principal axes in body axes.
+    /// Rotates a vector from principal axes to body axes.
     #[inline(always)]
     pub(crate) fn in_body(&self, v: Vector3<T>) -> Vector3<T> {
         if let Some(q) = &self.to_principal { rotate_inverse(q, &v) } else { v }
     }
 
-    /// The attitude of the body, from that of the principal axes: as long as this.
+    /// The attitude of the body from the attitude of the principal axes, with the same length.
     #[inline(always)]
     pub(crate) fn attitude_as_long(&self, axes: Quaternion<T>) -> Quaternion<T> {
         if let Some(q) = &self.to_principal { product(&axes, q) } else { axes }
@@ -43,19 +43,19 @@ impl<T: Ring> Frame<T> {
 }
 
 impl Frame {
-    /// From the turn that takes coordinates along the principal axes to those along the body's.
+    /// From the rotation of coordinates from principal axes to body axes.
     pub(crate) fn new(to_body: Quaternion<f64>) -> Self {
         let differs = to_body != Quaternion::identity();
         Self { to_principal: differs.then(|| to_body.conjugate()) }
     }
 
-    /// The turn that takes coordinates along the principal axes to those along the body's.
+    /// The rotation of coordinates from principal axes to body axes.
     pub(crate) fn to_body(self) -> UnitQuaternion<f64> {
         let to_body = self.to_principal.map_or_else(Quaternion::identity, |q| q.conjugate());
         UnitQuaternion::new_unchecked(to_body)
     }
 
-    /// A vector in body axes along the principal axes.
+    /// Rotates a vector from body axes to principal axes.
     pub(crate) fn along(&self, v: &Vector3<f64>) -> Vector3<f64> {
         self.to_principal.map_or(*v, |q| rotate_inverse(&q.conjugate(), v))
     }
@@ -65,24 +65,24 @@ impl Frame {
         self.to_principal.map_or(body, |q| product(&body, &q.conjugate()))
     }
 
-    /// Takes vectors in body axes to those along the principal axes, where these differ.
+    /// The rotation matrix from body axes to principal axes; `None` where they are the same.
     pub(crate) fn matrix(&self) -> Option<Matrix3<f64>> {
         self.to_principal.as_ref().map(rotation_matrix)
     }
 
-    /// A turn along the principal axes as one along the body's.
+    /// Converts a rotation from principal axes to body axes.
     pub(crate) fn turn_in_body(&self, turn: Quaternion<f64>) -> Quaternion<f64> {
         self.to_principal.map_or(turn, |q| unit(product(&product(&q.conjugate(), &turn), &q)))
     }
 
-    /// The frame in a body whose axes `outer` takes this one's to.
+    /// The same frame relative to other body axes, to which `outer` rotates the present ones.
     pub(crate) fn within(&self, outer: &UnitQuaternion<f64>) -> Self {
         Self::new(unit(product(outer.quaternion(), self.to_body().quaternion())))
     }
 }
 
 impl<T: Rounding> Frame<T> {
-    /// Those of the bodies in the lanes, none of which has principal axes of its own.
+    /// The frames of the bodies in the lanes; the principal axes of each must differ from its body axes.
     pub(crate) fn of_lanes<'a>(frames: impl Iterator<Item = &'a Frame>) -> Self {
         let turns: Vec<_> = frames.filter_map(|frame| frame.to_principal).collect();
         Self { to_principal: Some(Quaternion::gather(&turns, |turn| turn)) }

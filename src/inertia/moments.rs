@@ -1,4 +1,4 @@
-//! Three principal moments that belong to one body, checked once.
+//! Three principal moments of one body, checked once.
 
 use super::possible::{DIAGONAL_ROUNDING_ULPS, nearest_possible, physically_possible};
 use super::{Axis, Inertia};
@@ -10,8 +10,8 @@ use nalgebra::Vector3;
 /// Principal moments in kg m², in the order given: finite, positive, and none above the sum of the other two
 /// by more than rounding (4 units in the last place of the largest).
 ///
-/// Vectors that go with them, such as a spin, are along the same three axes in the same order. For
-/// rounded moments, give [`Inertia::within`] a diagonal tensor: it finds the nearest possible one.
+/// Vectors used with them, such as a spin, are along the same three axes in the same order. For rounded
+/// moments, pass a diagonal tensor to [`Inertia::within`], which finds the nearest possible one.
 ///
 /// ```
 /// use tumbling::{Axis, PrincipalMoments};
@@ -45,9 +45,9 @@ impl PrincipalMoments {
         physically_possible(&sorted, DIAGONAL_ROUNDING_ULPS * ulp(sorted[2]))
     }
 
-    /// Those of a tensor, which has been checked against its own rounding: only a moment of zero is refused.
-    /// The rounding of a turn may leave moments of a flat body that [`new`](Self::new) refuses: they go to
-    /// the nearest that it takes.
+    /// The moments of a tensor that was checked against its own rounding: only a zero moment is refused. For
+    /// a flat body, the rounding of a rotation may leave moments that [`new`](Self::new) refuses; they are
+    /// replaced by the nearest that it accepts.
     pub(crate) fn of_tensor(moments: Vector3<f64>) -> Result<Self, Error> {
         let found = Self::ordered(moments)?;
         if found.possible().is_ok() { Ok(found) } else { Self::ordered(nearest_possible(&moments)) }
@@ -74,8 +74,8 @@ impl PrincipalMoments {
         self[self.axis(Axis::Largest)]
     }
 
-    /// Index (0, 1 or 2) of the axis with the smallest, middle or largest moment; of equal moments, the one
-    /// given first is the smaller.
+    /// Index (0, 1 or 2) of the axis with the smallest, middle or largest moment. Of two equal moments, the
+    /// one given first counts as the smaller.
     #[must_use]
     pub fn axis(&self, axis: Axis) -> usize {
         usize::from(self.order[axis.index()])
@@ -91,13 +91,13 @@ impl PrincipalMoments {
         self.order().map(|i| self.moments[i]).into()
     }
 
-    /// Index of an axis whose other two moments are equal; of a sphere, 0.
+    /// Index of an axis whose other two moments are equal; 0 for a sphere.
     pub(crate) fn axis_of_symmetry(&self) -> Option<usize> {
         (0..3).find(|&axis| self.moments[(axis + 1) % 3] == self.moments[(axis + 2) % 3])
     }
 }
 
-/// Indices of the components, smallest first; of equal ones, the earlier first.
+/// Indices of the components, smallest first; equal components keep their order.
 pub(crate) fn ascending(v: &Vector3<f64>) -> [usize; 3] {
     let mut order = [0, 1, 2];
     for (i, j) in [(0, 1), (1, 2), (0, 1)] {

@@ -1,30 +1,31 @@
-//! Which tensors a body can have, to rounding, and the nearest of them.
+//! Which tensors a body can have, up to rounding, and the nearest possible tensor.
 
 use super::{Inertia, PrincipalAxes, ascending, in_range, is_diagonal, moments_of, symmetrized, turned};
 use crate::error::{Error, ErrorKind, Refusal, Subject, finite, not_negative, positive, representable};
 use crate::number::{exponent, times_power_of_two, ulp};
 use nalgebra::{Matrix3, Vector3};
 
-/// The number of units in the last place of the largest moment that count as rounding: twice what was
-/// observed when flat plates, turned to three million attitudes and back, came out of `R I R^T` (16.5).
+/// The number of units in the last place of the largest moment that count as rounding: twice the largest
+/// error observed (16.5) when tensors of flat plates were turned to three million attitudes and back by `R I
+/// R^T`.
 const ROUNDING_ULPS: f64 = 32.0;
 
-/// What counts as rounding for a diagonal tensor, whose moments come from a sum or two.
+/// The same for a diagonal tensor, whose moments are the sums of a few terms.
 pub(super) const DIAGONAL_ROUNDING_ULPS: f64 = 4.0;
 
-/// How far relative to the largest entry a tensor may be from a possible one for the message to point at
-/// [`Inertia::within`]: what two printed digits leave open.
+/// If a tensor is nearer than this to a possible one, relative to the largest entry, the error message
+/// mentions [`Inertia::within`]: about the rounding of two printed digits.
 const PRINTED: f64 = 1e-2;
 
-/// What the entries of the matrix are called, by columns.
+/// The names of the entries of the matrix, by columns.
 const ENTRIES: [Subject; 9] = {
     use Subject::{Ixx, Ixy, Ixz, Iyy, Iyz, Izz};
     [Ixx, Ixy, Ixz, Ixy, Iyy, Iyz, Ixz, Iyz, Izz]
 };
 
 impl Inertia {
-    /// A tensor summed up by this library from real masses: possible by construction, to whatever rounding
-    /// its sums have, so only its range is checked.
+    /// A tensor that this library has summed from masses. It is possible by construction, up to the rounding
+    /// of its sums, so only its range is checked.
     pub(crate) fn of_masses(tensor: Matrix3<f64>) -> Result<Self, Error> {
         in_range(Subject::Moment, &tensor)?;
         representable(Subject::PrincipalMoment, moments_of(&tensor).as_slice())?;
@@ -43,8 +44,8 @@ impl Inertia {
                 .when(difference > tolerance)?;
         }
         let tensor = symmetrized(tensor);
-        // Moments that were given are as exact as they stand; those of a turned tensor carry the rounding of
-        // a turn.
+        // Given moments have only their own rounding; moments of a turned tensor also have the rounding of
+        // the rotation.
         let (ulps, tolerance) =
             if is_diagonal(&tensor) { (DIAGONAL_ROUNDING_ULPS, 0.0) } else { (ROUNDING_ULPS, tolerance) };
         for axis in 0..3 {
@@ -58,16 +59,17 @@ impl Inertia {
         Ok(Self { tensor })
     }
 
-    /// The tensor nearest to one whose digits were rounded, as printed tables, files in single precision and
-    /// other programs give it: symmetric, without a negative moment, and within the triangle inequality.
+    /// The possible tensor nearest to a matrix whose digits were rounded, for instance from a printed table,
+    /// a file in single precision or another program. A possible tensor is symmetric, has no negative moment,
+    /// and satisfies the triangle inequality.
     ///
-    /// What `try_from` takes is taken as there. Otherwise it is the tensor with the
-    /// least distance in the Frobenius norm: mirrored entries get their mean, the principal axes stay, and
-    /// the principal moments go to the nearest that a body can have. A flat body or a rod comes out where the
-    /// given one was impossible.
+    /// A matrix that `try_from` accepts gives the same tensor here. Otherwise the result is the possible
+    /// tensor at the least distance in the Frobenius norm: mirrored entries are replaced by their mean, the
+    /// principal axes stay the same, and the principal moments become the nearest that a body can have. An
+    /// impossible matrix gives a flat body or a rod.
     ///
-    /// Returns the tensor and its distance from the given one, relative to the largest principal moment given
-    /// and at most `relative_tolerance`; four digits want about 1e-3.
+    /// Returns the tensor and its distance from the given one, relative to the given largest principal
+    /// moment. The distance is at most `relative_tolerance`; for values of four digits use about 1e-3.
     ///
     /// ```
     /// use nalgebra::{Matrix3, Vector3};
@@ -83,8 +85,8 @@ impl Inertia {
     /// ```
     ///
     /// # Errors
-    /// An entry that is not finite, a tolerance that is not finite or below zero, a nearest tensor that is
-    /// farther away than the tolerance or zero, or moments beyond `f64`.
+    /// An entry that is not finite; a tolerance that is not finite or is negative; a nearest tensor that is
+    /// farther than the tolerance or is zero; or moments beyond `f64`.
     pub fn within(tensor: &Matrix3<f64>, relative_tolerance: f64) -> Result<(Self, f64), Error> {
         not_negative(Subject::RelativeTolerance, relative_tolerance)?;
         let strict = Self::rounded(tensor);
@@ -116,8 +118,8 @@ impl Inertia {
     }
 }
 
-/// That `moments`, smallest first, can belong to a body: none below zero, and no one above the sum of
-/// the other two, to rounding.
+/// Checks that `moments`, smallest first, can belong to a body: none is negative, and none exceeds the sum of
+/// the other two, up to rounding.
 pub(super) fn physically_possible(moments: &Vector3<f64>, tolerance: f64) -> Result<(), Error> {
     not_below_zero(Subject::SmallestMoment, moments[0], moments[2], tolerance)?;
     let excess = (moments[2] - moments[1]) - moments[0];
@@ -129,15 +131,16 @@ fn not_below_zero(what: Subject, value: f64, largest: f64, tolerance: f64) -> Re
     Refusal::NegativeMoment { what, value, printed: -value <= PRINTED * largest }.when(value < -tolerance)
 }
 
-/// The moments nearest to `moments`, in any order, that a body can have: none below zero, none above the sum
-/// of the other two.
+/// The possible moments nearest to `moments`, which may be in any order. Possible means that none is negative
+/// and none exceeds the sum of the other two.
 ///
-/// Possible moments form a cone whose edges are the rods, (0, 1, 1) and its like, and whose faces are the
-/// flat bodies. What lies outside is projected onto the flat bodies; if that leaves a moment below zero, onto
-/// the rods; and if they are all on the far side, onto zero.
+/// Possible moments form a cone. Its edges are the rods, such as (0, 1, 1), and its faces are the flat
+/// bodies. Moments outside the cone are projected onto a face; if the projection has a negative moment, onto
+/// an edge; and if that is negative too, onto zero.
 ///
-/// They also give the nearest tensor in the Frobenius norm, with the principal axes of the one given: no two
-/// symmetric matrices are nearer than their sorted eigenvalues are [HW53](crate::references).
+/// With the principal axes of the given tensor, they also give the nearest tensor in the Frobenius norm: the
+/// distance of two symmetric matrices is at least the distance of their sorted eigenvalues
+/// [HW53](crate::references).
 pub(super) fn nearest_possible(moments: &Vector3<f64>) -> Vector3<f64> {
     let order = ascending(moments);
     let [a, b, c] = order.map(|i| moments[i]);

@@ -1,4 +1,4 @@
-//! Principal axes: the three perpendicular directions about which a body spins cleanly.
+//! Principal axes: the three perpendicular directions about which a body can spin steadily.
 
 use super::{Inertia, PrincipalMoments, ascending, is_diagonal};
 use crate::error::Error;
@@ -9,14 +9,14 @@ use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
-/// Which of a body's three principal axes, by its moment.
+/// One of a body's three principal axes, named by its moment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Axis {
-    /// The axis with the smallest moment: the easiest spin.
+    /// The axis with the smallest moment.
     Smallest,
-    /// The axis in between: the one that flips.
+    /// The axis with the middle moment: a spin about it is unstable.
     Middle,
-    /// The axis with the largest moment: the hardest spin.
+    /// The axis with the largest moment.
     Largest,
 }
 
@@ -24,7 +24,7 @@ impl Axis {
     /// The three axes, smallest moment first.
     pub const ALL: [Self; 3] = [Self::Smallest, Self::Middle, Self::Largest];
 
-    /// Its place among the sorted moments: 0, 1 or 2.
+    /// Its index among the sorted moments: 0, 1 or 2.
     pub(crate) const fn index(self) -> usize {
         self as usize
     }
@@ -43,11 +43,11 @@ impl fmt::Display for Axis {
 /// The principal moments and axes of an inertia tensor, from
 /// [`Inertia::principal`](crate::Inertia::principal).
 ///
-/// The frame is right-handed and reproducible. With three different moments, each of the first two axes
-/// points so that its first large component (above 0.57) is positive, and the third completes them. Where two
-/// moments agree to rounding, the axis of the lone third points that way; any direction across it is
-/// principal, and the first taken is the one nearest the body axis that leans least on it. Where all three
-/// agree, it is the body's own axes.
+/// The frame is right-handed and reproducible. With three different moments, the sign of each of the first
+/// two axes makes its first large component (above 0.57) positive, and the third axis completes the frame.
+/// Where two moments are equal to rounding, this rule sets the sign of the third moment's axis. Any direction
+/// perpendicular to it is principal then; the first of the other two axes is the one nearest to the body axis
+/// that is most nearly perpendicular to it. Where all three are equal, the frame is the body axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PrincipalAxes {
     moments: Vector3<f64>,
@@ -55,8 +55,8 @@ pub struct PrincipalAxes {
 }
 
 impl PrincipalAxes {
-    /// The moments in kg m², smallest first. The first of an ideal rod is zero to rounding, and may
-    /// come out a few units in the last place of the largest below it.
+    /// The moments in kg m², smallest first. The first moment of an ideal rod is zero to rounding, and may be
+    /// negative by a few units in the last place of the largest.
     #[must_use]
     pub fn moments(&self) -> Vector3<f64> {
         self.moments
@@ -74,19 +74,19 @@ impl PrincipalAxes {
         self.frame.column(axis.index()).into_owned()
     }
 
-    /// The three axes as columns, smallest moment first: a rotation matrix that takes coordinates along
-    /// the principal axes to coordinates in the body frame.
+    /// The three axes as columns, smallest moment first: the rotation matrix from principal axes to body
+    /// axes.
     #[must_use]
     pub fn frame(&self) -> Matrix3<f64> {
         self.frame
     }
 
-    /// The turn of [`frame`](Self::frame) as a unit quaternion.
+    /// The rotation of [`frame`](Self::frame) as a unit quaternion.
     pub(crate) fn rotation(&self) -> UnitQuaternion<f64> {
         UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(self.frame))
     }
 
-    /// Of a symmetric, finite, nonzero matrix.
+    /// The principal axes of a symmetric, finite, nonzero matrix.
     pub(super) fn of(tensor: &Matrix3<f64>) -> Self {
         let (scale, (moments, axes)) = if is_diagonal(tensor) {
             (0, (tensor.diagonal(), Matrix3::identity()))
@@ -105,11 +105,11 @@ impl PrincipalAxes {
 }
 
 impl Inertia {
-    /// The moments along the body's axes where these are principal, otherwise along the principal axes, with
-    /// the turn from those to the body's axes.
+    /// The moments along the body axes if these are principal, otherwise along the principal axes; with the
+    /// rotation from the axes of the moments to the body axes.
     ///
     /// # Errors
-    /// A smallest moment that is not positive, such as that of an ideal rod.
+    /// A smallest moment that is not positive, as in an ideal rod.
     pub(crate) fn along_principal_axes(
         &self,
     ) -> Result<(PrincipalMoments, Option<UnitQuaternion<f64>>), Error> {
@@ -121,10 +121,10 @@ impl Inertia {
     }
 }
 
-/// The moments as those of a body that can turn about each axis, smallest first.
+/// The moments of a body that can turn about each axis, smallest first.
 ///
 /// # Errors
-/// A smallest moment that is not positive, such as that of an ideal rod.
+/// A smallest moment that is not positive, as in an ideal rod.
 impl TryFrom<PrincipalAxes> for PrincipalMoments {
     type Error = Error;
 
@@ -142,12 +142,12 @@ pub(crate) fn moments_of(tensor: &Matrix3<f64>) -> Vector3<f64> {
     PrincipalAxes::of(tensor).moments
 }
 
-/// The principal moments and axes, by columns, in any order. Jacobi's method [Jac46](crate::references): each
-/// rotation clears one product; it keeps the small moment of a needle to the relative accuracy that the
-/// entries allow [DV92](crate::references), which the usual reduction does not.
+/// The principal moments and axes, by columns, in any order, by Jacobi's method [Jac46](crate::references).
+/// Each rotation zeroes one product. The small moment of a needle keeps the relative accuracy of the entries
+/// [DV92](crate::references); the usual reduction to tridiagonal form loses it.
 fn diagonalized(mut a: Matrix3<f64>) -> (Vector3<f64>, Matrix3<f64>) {
     let mut v = Matrix3::identity();
-    // Convergence is quadratic: ten sweeps are several times what the worst matrix needs.
+    // Convergence is quadratic: ten sweeps are several times the number that the worst matrix needs.
     for _ in 0..10 {
         let mut clean = true;
         for (p, q) in [(0, 1), (0, 2), (1, 2)] {
@@ -160,12 +160,12 @@ fn diagonalized(mut a: Matrix3<f64>) -> (Vector3<f64>, Matrix3<f64>) {
     (a.diagonal(), v)
 }
 
-/// One Jacobi rotation in the plane of axes `p` and `q`; false if their product was already zero to rounding
-/// relative to both moments.
+/// One Jacobi rotation in the plane of axes `p` and `q`. Returns `false` if their product was already zero to
+/// rounding, relative to both moments.
 fn rotate(a: &mut Matrix3<f64>, v: &mut Matrix3<f64>, p: usize, q: usize) -> bool {
     let product = a[(p, q)];
     let (mp, mq) = (a[(p, p)], a[(q, q)]);
-    // Relative to the geometric mean, so that a small moment is not swamped by a large one.
+    // Relative to the geometric mean, so that a large moment does not hide a small one.
     let negligible = f64::EPSILON * 0.125 * mp.abs().sqrt() * mq.abs().sqrt();
     if product == 0.0 {
         return false;
@@ -218,8 +218,8 @@ fn canonical_frame(moments: &Vector3<f64>, axes: &[Vector3<f64>; 3]) -> Matrix3<
     Matrix3::from_columns(&[a, b, c]).map(|x| x + 0.0)
 }
 
-/// The axis, turned so that its first component above 0.57 is positive. A unit vector always has one:
-/// the largest is at least 1/sqrt(3) = 0.577...
+/// The axis or its opposite, such that its first component above 0.57 is positive. Every unit vector has such
+/// a component: the largest is at least 1/sqrt(3) = 0.577...
 fn pointing(axis: &Vector3<f64>) -> Vector3<f64> {
     let negative = axis.iter().find(|x| x.abs() > 0.57).is_some_and(|&x| x < 0.0);
     if negative { -axis } else { *axis }

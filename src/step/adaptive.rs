@@ -1,5 +1,5 @@
-//! A run whose steps are chosen by their error: Taylor series, or a pair of high order where a torque is a
-//! function.
+//! A run whose steps are chosen by their error: by Taylor series, or by an embedded pair of high order where
+//! a torque is a function.
 
 mod collocation;
 mod dense;
@@ -26,7 +26,7 @@ use series::Variation;
 
 pub(super) use dense::{AdaptiveRun, Tracked};
 
-/// That the tolerance of a step is above rounding.
+/// Checks that the tolerance of a step is above rounding.
 pub(super) fn check_tolerance(tolerance: f64) -> Result<(), Error> {
     positive(Subject::Tolerance, tolerance)?;
     let least = 4.0 * f64::EPSILON;
@@ -34,25 +34,25 @@ pub(super) fn check_tolerance(tolerance: f64) -> Result<(), Error> {
     Refusal::TooSmall { what, value: tolerance, least, meaning }.when(tolerance < least)
 }
 
-/// How often a step is tried again, shorter, before it is refused.
+/// The number of tries, each shorter, before a step is refused.
 const TRIES: usize = 60;
 
-/// A step of more than this number of decay times is held back by stability, not by its error: about the
-/// bound of [HW96](crate::references), IV.2, for explicit steps of low order.
+/// Stability, not the error, limits a step of more than this number of decay times; about the bound of
+/// [HW96](crate::references), IV.2, for explicit steps of low order.
 const STIFF: f64 = 3.25;
 
-/// After this number of such steps in a row the law is taken to be stiff.
+/// After this number of such steps, never interrupted by six others in a row, the law counts as stiff.
 const STIFF_STEPS: u32 = 15;
 
 /// A run, or a piece of one, under torques that act in all of it.
 #[derive(Debug, Clone)]
 struct Run {
     system: Arc<System<f64>>,
-    /// When it begins, s after the start of the whole of which it is a piece.
+    /// Its start, s after the start of the whole run.
     from: f64,
-    /// How long it lasts, s; infinite where nothing ends it.
+    /// Its duration, s; infinite where nothing ends it.
     duration: f64,
-    /// The time that is requested, s since its start: a step may go beyond.
+    /// The requested time, s since its start; a step may go beyond it.
     goal: f64,
     tolerance: f64,
     /// Seconds since its start.
@@ -60,17 +60,18 @@ struct Run {
     state: State<f64>,
     /// The last step taken, s.
     last: f64,
-    /// The length of the momentum of a free body, which does not change; zero with torques.
+    /// The length of the momentum of a free body, which is constant; zero with torques.
     momentum: f64,
     steps: usize,
     rejected: usize,
-    /// The number of stiff steps without six others between them.
+    /// The number of stiff steps since six others in a row.
     stiff: u32,
-    /// The number of steps since that were not.
+    /// The number of other steps since the last stiff one.
     mild: u32,
-    /// Where flips are looked for.
+    /// The search for flips, if they are tracked.
     flips: Option<Flips>,
-    /// That of the state by the state at the start of the whole, its spin in rad/s, if it is tracked.
+    /// The derivatives of the state with respect to the start of the whole run, with the spin in rad/s, if
+    /// they are tracked.
     variation: Option<Box<Variation>>,
 }
 
@@ -105,12 +106,12 @@ impl Run {
         })
     }
 
-    /// How long a step is that nothing limits: to the time requested.
+    /// The length of a step that nothing limits: to the requested time.
     fn ahead(&self) -> f64 {
         self.goal - self.time
     }
 
-    /// A step of about `h` seconds that ends no later than the run, and whether it ends it.
+    /// A step of about `h` seconds that does not pass the end of the run, and whether it reaches that end.
     fn fitted(&self, h: f64) -> Result<(f64, bool), Error> {
         let remaining = self.duration - self.time;
         if remaining.abs() <= h.abs() {
@@ -129,8 +130,7 @@ impl Run {
         self.time = if last { self.duration } else { self.time + h };
     }
 
-    /// Brings attitude and momentum back to the lengths that do not change; returns how far off they were,
-    /// relative to these.
+    /// Restores the constant lengths of attitude and momentum; returns the relative deviation before.
     fn project(&self, end: &mut State<f64>) -> f64 {
         let attitude = normalize(&mut end.attitude) - 1.0;
         if self.momentum == 0.0 {
@@ -141,7 +141,7 @@ impl Run {
         largest(&[attitude, (scale - 1.0).abs()])
     }
 
-    /// The length of a momentum whose squares may leave the range of `f64`.
+    /// The length of a momentum whose squares may overflow or underflow.
     fn length(momentum: &Vector3<f64>) -> f64 {
         let size = largest(momentum.as_slice());
         if size == 0.0 {
@@ -163,7 +163,7 @@ impl Run {
         }
     }
 
-    /// That no step is short enough, with the last, s.
+    /// The error that no step is short enough; `shortest` is the last one tried, s.
     fn no_step(&self, shortest: f64) -> Error {
         let tried = self.steps + self.rejected;
         Refusal::NoStep { tried, reached: self.from + self.time, shortest: shortest.abs() }.into()
@@ -193,14 +193,14 @@ pub(super) fn normalize<T: Analytic>(attitude: &mut Quaternion<T>) -> f64 {
     length.size()
 }
 
-/// An attitude the square of whose length may leave the range of numbers.
+/// Normalizes an attitude whose squared length may overflow or underflow.
 #[cold]
 fn normalize_extreme<T: Analytic>(attitude: &mut Quaternion<T>) -> f64 {
     let mut largest = attitude.coords[attitude.coords.map(|x| x.size()).imax()].clone();
     if largest.is_zero() {
         return 0.0;
     }
-    // Below zero it has no root, and would turn the quaternion's sign.
+    // A number with a negative value has no root, and dividing by it would change the quaternion's sign.
     if largest.sqrt().size().is_nan() {
         largest = -largest;
     }
@@ -210,19 +210,19 @@ fn normalize_extreme<T: Analytic>(attitude: &mut Quaternion<T>) -> f64 {
     largest.size() * length.size()
 }
 
-/// The size of the largest number, without a square, which would leave the range before the number does; NaN
-/// if one is.
+/// The largest absolute value, computed without squares, which could overflow; NaN if any part is NaN.
 fn largest(parts: &[f64]) -> f64 {
     parts.iter().map(|x| x.abs()).fold(0.0, |most, x| if x > most || x.is_nan() { x } else { most })
 }
 
-/// A share, of which zero is zero of anything.
+/// `part / whole`; 0 where `part` is 0, for any `whole`.
 fn ratio(part: f64, whole: f64) -> f64 {
     if part == 0.0 { 0.0 } else { part / whole }
 }
 
-/// The natural logarithm of a number not below zero, to 1e-5; of zero minus infinity. For choosing steps: by
-/// rounded operations alone, so that it is the same wherever `f64` follows IEEE 754.
+/// The natural logarithm of a number that is not negative, to 1e-5; minus infinity at zero. It serves to
+/// choose steps, and uses only correctly rounded operations, so that it is the same wherever `f64` follows
+/// IEEE 754.
 fn logarithm(x: f64) -> f64 {
     if x == 0.0 || !x.is_finite() {
         return if x == 0.0 { f64::NEG_INFINITY } else { x };

@@ -18,22 +18,22 @@ const LONGEST: f32 = 0.5;
 /// The most parts of one step.
 const MOST_PARTS: f32 = 4096.0;
 
-/// The position stage of a physics engine for one body: it takes the attitude and the spin that the velocity
-/// stage left (after forces, damping, contacts and joints) to those at the end of the step.
+/// The position stage of a physics engine for one body. It starts from the attitude and spin after the
+/// velocity stage (forces, damping, contacts and joints), and returns those at the end of the step.
 ///
-/// It replaces both the update of the attitude and the gyroscopic term. For `f32` and `f64`; it allocates
-/// nothing, never panics, and uses no function but `+ - * /` and the square root, so that it has the same
-/// bits where floats follow IEEE 754, and in C compiled as `examples/engines/c/position_stage.h` says.
+/// It replaces both the update of the attitude and the gyroscopic term. It works in `f32` and `f64`,
+/// allocates nothing, never panics, and uses only `+ - * /` and the square root. So the bits are the same
+/// wherever floats follow IEEE 754, and in C compiled as `examples/engines/c/position_stage.h` says.
 ///
-/// - But for rounding, the step changes neither energy nor momentum, whatever the spin and `h`, if no axis is
-///   locked. So the energy that a body gains is the work that the engine's velocity stages do.
-/// - But for rounding, a step by `-h` leads back.
-/// - The rate of the turn is right to the sixth power of the turn in a step, that of the flips to the
-///   eighth. A turn of more than half a radian is taken in parts.
+/// - If no axis is locked, the step changes energy and momentum only by rounding, for any spin and any `h`.
+///   So the energy that a body gains is the work of the engine's velocity stages.
+/// - A step by `-h` returns to the start, up to rounding.
+/// - The error in the rate of the turn is of the sixth order in the turn of one step, the error in the rate
+///   of the flips of the tenth. A turn of more than half a radian is taken in parts.
 ///
 /// The step of the spin is the addition theorem of the elliptic functions that solve Euler's equations
-/// ([DLMF](crate::references), section 22.8), with the time replaced by the first terms of its series; a
-/// wrong time on the right curve changes no conserved quantity.
+/// ([DLMF](crate::references), section 22.8), with the time replaced by the first terms of its series. An
+/// error in time along the correct curve changes no conserved quantity.
 ///
 /// ```
 /// use nalgebra::{Quaternion, Vector3};
@@ -51,32 +51,33 @@ const MOST_PARTS: f32 = 4096.0;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PositionStage<T: Scalar> {
     coefficients: Coefficients<T>,
-    /// Takes coordinates along the principal axes to coordinates in the body frame.
+    /// The rotation from the principal axes to the body frame.
     frame: Option<Quaternion<T>>,
 }
 
-/// Where a step of the [`PositionStage`] ends.
+/// The end of a step of the [`PositionStage`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stepped<T: Scalar> {
-    /// Takes body coordinates to world; of length 1 to rounding.
+    /// From body to world; of length 1 to rounding.
     pub attitude: Quaternion<T>,
     /// The spin in world axes, rad/s.
     pub omega: Vector3<T>,
-    /// The number of equal parts in which the step was taken. Zero if it was not taken, and attitude and spin
-    /// are as they were: for numbers that are not finite, an attitude of no length, a turn of more than about
-    /// 2000 rad (times the largest `|I_j - I_k| / I_i` where that is above 1: moments that no solid has).
+    /// The number of equal parts in which the step was taken. Zero if the step was not taken; attitude and
+    /// spin are then unchanged. This happens for numbers that are not finite, an attitude of length zero, and
+    /// a turn of more than about 2000 rad (divided by the largest `|I_j - I_k| / I_i` where that is above 1:
+    /// moments that no solid has).
     pub parts: u32,
 }
 
 impl<T: Field + Float + From<f32>> PositionStage<T> {
     /// For a body with these moments along the axes of its frame, in any order, kg m².
     ///
-    /// Zero about one axis is a thin rod, whose spin about its length weighs nothing. Moments that no solid
-    /// has (the largest above the sum of the others) are taken as they are.
+    /// A zero moment about one axis means a thin rod, whose spin about its length has no momentum. Moments
+    /// that no solid has (the largest above the sum of the others) are accepted.
     ///
     /// # Errors
-    /// A moment that is negative or not finite; a zero moment with the other two different; moments so
-    /// different that their ratios have no number.
+    /// A moment that is negative or not finite; a zero moment if the other two differ; moments whose ratios
+    /// overflow.
     pub fn new(moments: &Vector3<T>) -> Result<Self, Error> {
         Ok(Self { coefficients: Coefficients::of_moments([moments.x, moments.y, moments.z])?, frame: None })
     }
@@ -84,11 +85,11 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
     /// For a body with these inverse moments along the axes of its frame, 1/(kg m²), as engines store them.
     /// Zero locks an axis: no torque turns the body about it.
     ///
-    /// With one or more locked axes the spin stays constant over the step and the attitude turns about it:
-    /// that is the exact motion of a body whose locked axes are fixed in it and have no spin about them, and
-    /// of a body moved by a script. An engine that locks axes of the world gives zeros while any is locked.
-    /// With two locked the constant spin is exact. With one it keeps the energy, but not the momentum about
-    /// the two free axes.
+    /// With one or more locked axes the spin stays constant over the step and the attitude turns about it.
+    /// This is the exact motion of a body that is moved by a script, and of a body whose locked axes are
+    /// fixed in the body and have no spin about them. An engine that locks axes of the world passes zeros
+    /// while any axis is locked. With two locked axes the constant spin is exact. With one it conserves the
+    /// energy, but not the momentum about the two free axes.
     ///
     /// ```
     /// use nalgebra::{Quaternion, Vector3};
@@ -100,21 +101,21 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
     /// ```
     ///
     /// # Errors
-    /// An inverse moment that is negative or not finite, or whose inverse is not; and as of
+    /// An inverse moment that is negative or not finite, or whose inverse is not finite; and the errors of
     /// [`new`](Self::new).
     pub fn of_inverse(inverse: &Vector3<T>) -> Result<Self, Error> {
         let inverse = [inverse.x, inverse.y, inverse.z];
         Ok(Self { coefficients: Coefficients::of_inverse_moments(inverse)?, frame: None })
     }
 
-    /// This body with its principal axes turned in the body frame: `frame` takes coordinates along the
-    /// principal axes to coordinates in the body frame. Its length does not matter.
+    /// The same body with its principal axes turned in the body frame: `frame` is the rotation from principal
+    /// axes to body frame. Its length does not matter.
     ///
     /// # Errors
-    /// A frame that is not finite, or of no length.
+    /// A frame that is not finite, or has length zero.
     pub fn in_frame(self, frame: Quaternion<T>) -> Result<Self, Error> {
         let mut frame = frame.coords;
-        // Where squares leave the range of numbers.
+        // Where squares overflow or underflow.
         let ordinary = number::<T>(1e-30)..=number(1e30);
         if !ordinary.contains(&square(&Quaternion::from_vector(frame))) {
             for x in frame.iter() {
@@ -140,8 +141,8 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
         Stepped { attitude, omega, parts }
     }
 
-    /// Attitude, spin and number of parts of a step too long for one. As a [`Stepped`], they would drag the
-    /// numbers of a short step into memory with them.
+    /// Attitude, spin and number of parts of a step that is too long for one part. If this returned a
+    /// [`Stepped`], the numbers of a short step would be moved from registers to memory.
     #[cold]
     #[inline(never)]
     fn in_parts(&self, q: &Quaternion<T>, omega: &Vector3<T>, h: T) -> (Quaternion<T>, Vector3<T>, u32) {
@@ -207,13 +208,13 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
         let turn = conserving_turn(&self.coefficients.coupling, &weights, &omega, &h, &rate, |x| x.sqrt());
         let (below, [tangents, _]) = turn;
         let [a, b, c] = tangents;
-        // What rounding left of the attitude's length is divided out.
+        // The attitude is divided by its length, which rounding has changed.
         let square = ((below * below + a * a) + (b * b + c * c)) * length;
         // The root and the division do not wait for each other.
         let scale = T::one() / (below * square);
         let factor = (scale * below) * square.sqrt();
-        // The change of the spin is relative to the attitude before: small, so that a steady spin keeps its
-        // digits, which turning the spin to the body and back would not.
+        // The change of the spin is relative to the attitude before the step, and small. So a steady spin
+        // keeps its digits; rotating the spin to the body and back would lose some.
         let [u, v, t] = change_of_spin(&turn);
         let back = |i: usize| ((rotation[i][0] * u + rotation[i][1] * v) + rotation[i][2] * t) * scale;
         let omega = Vector3::new(before.x + back(0), before.y + back(1), before.z + back(2));
@@ -248,7 +249,7 @@ struct End<T: Scalar> {
     omega: Vector3<T>,
     turn: T,
     length: T,
-    /// What the attitude was multiplied by.
+    /// The factor of the attitude.
     factor: T,
 }
 
@@ -267,8 +268,8 @@ impl<T: Field + Float + From<f32>> End<T> {
     }
 }
 
-/// The square of the longest turn of a part, and a hair more for what the parts of a longer step are rounded
-/// by.
+/// The square of the longest turn of a part, and a little more, to allow for rounding in the parts of a
+/// longer step.
 #[inline(always)]
 fn longest<T: Field + Float + From<f32>>() -> T {
     number::<T>(LONGEST) * number(LONGEST) * number(1.0001)
@@ -281,12 +282,12 @@ fn turn_square<T: Field + Float>(omega: &Vector3<T>, h: T) -> T {
     (x + y) + z
 }
 
-/// The end of a part that needs no gyroscopic term: a turn about the spin, which stays.
+/// The end of a part that needs no gyroscopic term: a turn about the spin, which is constant.
 #[inline(always)]
 fn steady_turn<T: Field + Float + From<f32>>(attitude: &Quaternion<T>, omega: &Vector3<T>, h: T) -> End<T> {
     let n = number::<T>;
     let (one, turn, length) = (T::one(), turn_square(omega, h), square(attitude));
-    // Of the tangent of half the turn, over half the turn.
+    // The series of the tangent of half the turn, divided by half the turn.
     let series = one / n(12.0) + turn * (one / n(120.0) + turn * (n(17.0) / n(20160.0)));
     let half = (one + turn * series) * (h / n(2.0));
     let [a, b, c] = three(|i| omega[i] * half);

@@ -1,4 +1,5 @@
-//! Torques on a body, as they are given: checked, and turned to other axes of the body.
+//! Torques on a body, as the caller states them, with their checks and their transformation to other body
+//! axes.
 
 mod named;
 
@@ -18,9 +19,10 @@ pub enum Torque<T: nalgebra::Scalar> {
     InBody(Vector3<T>),
     /// Constant along the world's axes, N m.
     InWorld(Vector3<T>),
-    /// `arm x field`, with the arm fixed in the body and the field in the world. A compass needle has its
-    /// magnetic moment (A m²) for an arm in the field's tesla; a heavy top has the vector from its point to
-    /// its centre of mass (m) for an arm, and its weight (N) for a field. Near rest it is a spring.
+    /// `arm x field`, with the arm fixed in the body and the field in the world. For a compass needle, the
+    /// arm is its magnetic moment (A m²) and the field is in tesla; for a heavy top, the arm is the vector
+    /// from its fixed point to its centre of mass (m) and the field is its weight (N). Near rest it acts like
+    /// a spring.
     Aligning {
         /// In body axes.
         arm: Vector3<T>,
@@ -29,23 +31,24 @@ pub enum Torque<T: nalgebra::Scalar> {
     },
     /// `-c_i w_i` along each principal axis, `c` in N m s: viscous drag.
     Damping(Vector3<T>),
-    /// `k L x (L x w)`, `k` in s/(kg m²): dissipation inside a body that is not quite rigid. It keeps `|L|`
-    /// and takes energy, until the body turns about the axis of its largest moment
+    /// `k L x (L x w)`, `k` in s/(kg m²): dissipation inside a body that is not quite rigid. It conserves
+    /// `|L|` and reduces the energy until the body turns about the axis of its largest moment
     /// [BKMR96](crate::references).
     Dissipation(T),
-    /// `strength n x I n`, with `n` the unit vector to a body that attracts: the gravity gradient of one that
-    /// is far away, as [`Torque::gravity_gradient`] gives it.
+    /// `strength n x I n`, with `n` the unit vector to a distant attracting body: the gravity gradient.
+    /// [`Torque::gravity_gradient`] computes its fields from an orbit.
     GravityGradient {
-        /// `3 mu / r^3`, 1/s²: of a circular orbit three times the square of its rate.
+        /// `3 mu / r^3`, 1/s²; in a circular orbit, three times the square of the orbital rate.
         strength: T,
         /// `n` at time zero, in world axes: of length 1, to 1e-6.
         direction: Vector3<T>,
-        /// How fast `n` turns, in world axes, rad/s: the rate of the orbit about its normal; zero where `n`
-        /// stands still.
+        /// The angular velocity of `n` in world axes, rad/s: that of the orbit, along its normal; zero if `n`
+        /// is constant.
         orbit: Vector3<T>,
     },
-    /// `amplitude cos(rate t + phase)`, with `t` the time of the [`Stepper`](crate::step::Stepper): a motor
-    /// that pushes to and fro; two of them make a push that turns round in the body.
+    /// `amplitude cos(rate t + phase)`, with `t` the time of the [`Stepper`](crate::step::Stepper): an
+    /// oscillating motor. Two of them, about different axes and a quarter of a period apart, add up to a
+    /// torque vector that rotates in the body.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
@@ -74,7 +77,7 @@ pub enum Torque<T: nalgebra::Scalar> {
         start: T,
         /// s.
         end: T,
-        /// What acts from the start to the end, and nowhere else.
+        /// The torque that acts between the two times.
         torque: Box<Torque<T>>,
     },
     /// A function of time, attitude and spin, from [`Torque::function`].
@@ -83,7 +86,8 @@ pub enum Torque<T: nalgebra::Scalar> {
 
 type LawOfTorque<T> = dyn Fn(T, &Matrix3<T>, &Vector3<T>) -> Vector3<T> + Send + Sync;
 
-/// The function of a [`Torque::Function`]. Clones share it; two are equal if they are clones of one.
+/// The function of a [`Torque::Function`]. Clones share it, and two are equal only if one is a clone of the
+/// other.
 #[derive(Clone)]
 pub struct TorqueFunction<T: nalgebra::Scalar>(Arc<LawOfTorque<T>>);
 
@@ -100,14 +104,14 @@ impl<T: nalgebra::Scalar> PartialEq for TorqueFunction<T> {
 }
 
 impl<T: nalgebra::Scalar> Torque<T> {
-    /// A torque by a law of its own: from the time (s), the rotation matrix of the attitude (body to world)
-    /// and the spin in body axes (rad/s) to the torque in body axes (N m). `rotation.tr_mul(&v)` is the
-    /// world's vector `v` in body axes.
+    /// A torque given by a function. Its arguments are the time (s), the rotation matrix of the attitude
+    /// (body to world) and the spin in body axes (rad/s); it returns the torque in body axes (N m).
+    /// `rotation.tr_mul(&v)` gives the body components of a world vector `v`.
     ///
-    /// The time is that of the [`Stepper`](crate::step::Stepper), which counts it; a
-    /// [`Method`](crate::step::Method) by itself starts each step at zero. Methods with kicks hold time and
-    /// attitude for each half kick and take the spin within it by the explicit midpoint rule: of the second
-    /// order, and reversible where the law does not depend on the spin.
+    /// The time is that of the [`Stepper`](crate::step::Stepper), which advances it; a
+    /// [`Method`](crate::step::Method) used alone starts each step at time zero. In methods with kicks, time
+    /// and attitude are constant during each half kick, and the spin follows the explicit midpoint rule: it
+    /// has order two, and is reversible if the function does not depend on the spin.
     ///
     /// The time is rounded, at 1e9 s to 1e-7 s. An adaptive run takes that for an error if the torque changes
     /// fast: it makes short steps, or refuses. Of a [`Periodic`](Self::Periodic) torque and of an orbit it
@@ -127,7 +131,7 @@ impl<T: nalgebra::Scalar> Torque<T> {
     /// # Ok::<(), tumbling::Error>(())
     /// ```
     ///
-    /// Drag of the air, `c` (N m s²) times the square of the spin against it, on a body that turns about one
+    /// Air drag, `c` (N m s²) times the square of the spin and opposite to it, on a body that turns about one
     /// axis: `I w' = -c w²`, so `w = w0 / (1 + c w0 t / I)`.
     ///
     /// ```
@@ -147,14 +151,14 @@ impl<T: nalgebra::Scalar> Torque<T> {
     }
 }
 
-/// What a torque may depend on.
+/// The quantities on which a torque may depend.
 #[derive(Debug)]
 pub(crate) struct Instant<'a, T: nalgebra::Scalar> {
     /// The body's inverse principal moments, 1/(kg m²).
     pub(crate) inverse: &'a Vector3<T>,
     /// s.
     pub(crate) time: &'a T,
-    /// Takes body axes to the world's.
+    /// From body axes to world axes.
     pub(crate) rotation: &'a Matrix3<T>,
     /// Angular momentum in body axes, kg m²/s.
     pub(crate) momentum: &'a Vector3<T>,
@@ -163,19 +167,19 @@ pub(crate) struct Instant<'a, T: nalgebra::Scalar> {
 }
 
 impl<'a, T: nalgebra::Scalar> Instant<'a, T> {
-    /// With another momentum.
+    /// The same instant with another momentum.
     pub(super) fn with(&self, momentum: &'a Vector3<T>) -> Self {
         Self { momentum, ..*self }
     }
 }
 
 impl<T: Analytic> TorqueFunction<T> {
-    /// Its value in body axes for a spin, N m.
+    /// The torque in body axes at a given spin, N m.
     pub(super) fn at(&self, now: &Instant<'_, T>, omega: &Vector3<T>) -> Vector3<T> {
         (self.0)(now.time.clone(), now.rotation, omega)
     }
 
-    /// The momentum after it has acted for `h` seconds, by the explicit midpoint rule.
+    /// The momentum after the torque has acted for `h` seconds, by the explicit midpoint rule.
     pub(super) fn kick(&self, now: &Instant<'_, T>, h: &T) -> Vector3<T> {
         let half = h.clone() / T::integer(2);
         let omega = now.momentum.component_mul(now.inverse);
@@ -184,12 +188,12 @@ impl<T: Analytic> TorqueFunction<T> {
     }
 }
 
-/// How far the length of a direction may be from 1: several roundings of `f32`.
+/// The tolerance on the length of a direction: several roundings of `f32`.
 const UNIT_TOLERANCE: f64 = 1e-6;
 
 impl Torque<f64> {
-    /// That its numbers are finite, its coefficients of damping and dissipation not below zero, and its
-    /// directions of length 1.
+    /// Checks that all numbers are finite, damping, dissipation and the gradient's strength are not negative,
+    /// times are in order, and directions have length 1.
     pub(crate) fn validate(&self) -> Result<(), Error> {
         match self {
             Self::InBody(torque) | Self::InWorld(torque) => finite_vector(Subject::Torque, torque),
@@ -231,15 +235,16 @@ impl Torque<f64> {
     /// The torque along a body's principal axes.
     ///
     /// # Errors
-    /// Damping that differs from axis to axis, where these are others: it is given along the principal axes.
+    /// Damping that differs between axes, for a body whose axes are not principal: it is given along the
+    /// principal axes.
     pub(crate) fn along(self, frame: &Frame) -> Result<Self, Error> {
         let Some(to_principal) = frame.matrix() else { return Ok(self) };
         Ok(match self {
             Self::Damping(c) if c.x != c.y || c.y != c.z => {
                 return Err(Refusal::Undefined {
                     what: Subject::UnequalDamping,
-                    why: "it is given along the principal axes, and those of a body with products of inertia have no order to go \
-                          by: give the body's moments along them, without products",
+                    why: "it is given along the principal axes, which have no defined order if there are products \
+                          of inertia: give the moments along the principal axes, without products",
                 }.into());
             }
             Self::Function(TorqueFunction(law)) => Self::function(move |time, rotation, omega| {
@@ -257,7 +262,7 @@ impl Torque<f64> {
     }
 }
 
-/// Whether `a <= b`: a number type has no order, but a square root of what is not below zero.
+/// Whether `a <= b`. The number types have no order, but the square root of `b - a` is a number only then.
 pub(in crate::step) fn before_or_at<T: Analytic>(a: &T, b: &T) -> bool {
     !(b.clone() - a.clone()).sqrt().size().is_nan()
 }

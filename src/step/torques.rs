@@ -6,8 +6,8 @@ use crate::number::{Analytic, Field};
 use alloc::vec::Vec;
 use nalgebra::{Matrix3, Vector3};
 
-/// The sum of torques, so that the order of those that are added to one number or vector changes rounding
-/// alone. Functions and torques with a time act one after another in a kick, in their order.
+/// The sum of torques. The order of torques that add to the same number or vector changes only rounding. In a
+/// kick, functions and timed torques act one after another, in their order.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Torques<T: nalgebra::Scalar> {
     /// Constant in body axes, N m.
@@ -24,7 +24,7 @@ pub(crate) struct Torques<T: nalgebra::Scalar> {
     pub(crate) timed: Vec<Timed<T>>,
 }
 
-/// A vector that is constant in the world, and the matrix that takes it, in body axes, to its torque.
+/// A constant world vector, and the matrix that maps its body components to its torque.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct WorldVector<T: nalgebra::Scalar> {
     pub(crate) vector: Vector3<T>,
@@ -47,7 +47,7 @@ pub(crate) struct Gradient<T: nalgebra::Scalar> {
     pub(crate) orbit: Vector3<T>,
 }
 
-/// Torques that act from a time until before another.
+/// Torques that act from `start` until before `end`.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Timed<T: nalgebra::Scalar> {
     pub(crate) start: T,
@@ -97,7 +97,7 @@ impl<T: Field> Torques<T> {
         }
     }
 
-    /// More than three vectors are sums of the world's three axes.
+    /// More than three vectors are replaced by the world's three axes.
     fn add_world(&mut self, more: WorldVector<T>) {
         if let Some(one) = self.world.iter_mut().find(|one| one.vector == more.vector) {
             one.torque += more.torque;
@@ -117,8 +117,8 @@ impl<T: Field> Torques<T> {
 }
 
 impl Torques<f64> {
-    /// A bound on what constant, periodic and world-fixed torques can be together, N m, and on each
-    /// coefficient: infinite where a sum overflows.
+    /// A bound on the sum of constant, periodic and world-fixed torques, N m, and on each coefficient;
+    /// infinite where a sum overflows.
     pub(crate) fn largest(&self) -> f64 {
         let world = self.world.iter().map(|one| 3.0 * one.torque.amax() * one.vector.amax());
         let periodic = self.periodic.iter().map(|one| one.amplitude.amax());
@@ -165,9 +165,9 @@ impl<T: Analytic> Torques<T> {
         sum
     }
 
-    /// The momentum (body axes) after they have acted for `h` seconds, one kind after another, while attitude
-    /// and time stand still; `adjoint` in the opposite order. Damping decays and dissipation turns by their
-    /// own exact laws, so that neither overshoots however long the step; a function acts by the explicit
+    /// The momentum (body axes) after the torques have acted for `h` seconds, one kind after another, at
+    /// constant attitude and time; `adjoint` applies them in the opposite order. Damping and dissipation use
+    /// their exact solutions, so that neither overshoots in a long step; a function acts by the explicit
     /// midpoint rule.
     pub(crate) fn kick(&self, now: &Instant<'_, T>, h: &T, adjoint: bool) -> Vector3<T> {
         let mut momentum = now.momentum.clone();
@@ -188,7 +188,7 @@ impl<T: Analytic> Torques<T> {
     }
 }
 
-/// The first `count` numbers, or these from the last to the first.
+/// The numbers below `count`, ascending or, if `reversed`, descending.
 fn in_order(count: usize, reversed: bool) -> impl Iterator<Item = usize> {
     (0..count).map(move |i| if reversed { count - 1 - i } else { i })
 }
@@ -216,9 +216,9 @@ fn damped<T: Analytic>(momentum: &Vector3<T>, rates: &Vector3<T>, h: &T) -> Vect
     momentum.zip_map(rates, |x, rate| if rate.is_zero() { x } else { x * (-(rate * h.clone())).exp() })
 }
 
-/// The flow of `L' = L x (L x w)` with `w = J L`: each component decays by `exp(-|L|^2 J_i t)`, and the whole
-/// is brought back to its length. Rates are taken from the slowest, so that one component always stays;
-/// lengths relative to the largest component, so that no square leaves the range.
+/// The flow of `L' = L x (L x w)` with `w = J L`: each component decays by `exp(-|L|^2 J_i t)`, and then the
+/// vector is rescaled to its initial length. Rates are relative to the slowest, so that one component never
+/// vanishes; lengths are relative to the largest component, so that no square overflows or underflows.
 fn dissipated<T: Analytic>(momentum: &Vector3<T>, inverse: &Vector3<T>, time: &T) -> Vector3<T> {
     if time.is_zero() {
         return momentum.clone();
@@ -230,8 +230,8 @@ fn dissipated<T: Analytic>(momentum: &Vector3<T>, inverse: &Vector3<T>, time: &T
     let part = momentum.map(|x| x / largest.clone());
     let square = part.dot(&part);
     let decay = |i: usize| {
-        // The difference of the rates first: where it is zero the product stays zero, however large the
-        // others.
+        // Subtract the rates first: where the difference is zero the product is zero, however large the other
+        // factors are.
         let faster = (inverse[i].clone() - inverse[slowest].clone()) * time.clone();
         (-(faster * largest.clone() * largest.clone() * square.clone())).exp()
     };

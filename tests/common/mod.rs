@@ -12,7 +12,7 @@ use tumbling::{Error, ErrorKind, PrincipalMoments};
 
 pub type Exact = BigRational;
 
-/// Asserts that a result is a refusal of this kind whose sentence holds `words`; returns the error.
+/// Asserts that a result is an error of this kind whose sentence contains `words`; returns the error.
 #[track_caller]
 pub fn refused<T: std::fmt::Debug>(result: Result<T, Error>, kind: ErrorKind, words: &str) -> Error {
     let error = result.expect_err(words);
@@ -41,7 +41,7 @@ pub fn free_motion(moments: impl Into<[f64; 3]>, omega: &Vector3<f64>) -> FreeMo
     FreeMotion::new(PrincipalMoments::try_from(moments.into()).unwrap(), omega).unwrap()
 }
 
-/// The number that follows `words` in a sentence.
+/// The number after `words` in a sentence.
 #[track_caller]
 pub fn number_after(sentence: &impl ToString, words: &str) -> f64 {
     let sentence = sentence.to_string();
@@ -87,7 +87,7 @@ pub fn determinant(m: &[[Exact; 3]; 3]) -> Exact {
     dot(&m[0], &cross(&m[1], &m[2]))
 }
 
-/// The determinant of `m - x 1`: zero exactly at the eigenvalues, and of one sign between them.
+/// The determinant of `m - x 1`: zero exactly at the eigenvalues, with one sign between two of them.
 pub fn characteristic(m: &[[Exact; 3]; 3], x: &Exact) -> Exact {
     let shifted =
         std::array::from_fn(|i| std::array::from_fn(|j| if i == j { &m[i][j] - x } else { m[i][j].clone() }));
@@ -108,7 +108,7 @@ pub fn vector(range: f64) -> impl Strategy<Value = Vector3<f64>> {
     (-range..range, -range..range, -range..range).prop_map(|(x, y, z)| Vector3::new(x, y, z))
 }
 
-/// A spin of up to 1 rad/s with no small component, so that no motion of it is special.
+/// A spin of up to 1 rad/s without a small component, so that no motion of it is a special case.
 pub fn generic_spin() -> impl Strategy<Value = Vector3<f64>> {
     let component = || (0.2..1.0_f64, any::<bool>()).prop_map(|(x, back)| if back { -x } else { x });
     (component(), component(), component()).prop_map(|(x, y, z)| Vector3::new(x, y, z))

@@ -28,7 +28,7 @@ impl Hash {
 
     /// Puts a number in.
     pub fn put(&mut self, x: f64) {
-        // Which bits a NaN has IEEE 754 leaves open.
+        // IEEE 754 does not define the bits of a NaN.
         let bits = if x.is_nan() { u64::MAX } else { x.to_bits() };
         for byte in bits.to_le_bytes() {
             self.state = (self.state ^ u64::from(byte)).wrapping_mul(0x100_0000_01b3);
@@ -77,7 +77,7 @@ impl Random {
         Vector3::from_fn(|_, _| self.signed())
     }
 
-    /// From 1 down to 2^-`most`, every power of two alike.
+    /// From 1 down to 2^-`most`, with every power of two equally likely.
     fn size(&mut self, most: u64) -> f64 {
         let halvings = self.bits() % most;
         (0..halvings).fold(0.75 + 0.25 * self.signed(), |size, _| 0.5 * size)
@@ -105,7 +105,7 @@ impl Random {
         match self.bits() % 10 {
             0 => omega = Vector3::zeros(),
             1 => omega = Vector3::new(0.0, omega.y, 0.0),
-            // Next to an axis, as often as not the middle one.
+            // Next to an axis, in half of the cases the middle one.
             2 | 3 => {
                 let (axis, size) = (self.bits() % 3, self.size(40));
                 for k in 0..3 {

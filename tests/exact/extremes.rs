@@ -1,5 +1,5 @@
-//! Bodies with three different moments and spins from one end of the number range to the other: what is
-//! accepted is made of numbers, and instants come in order.
+//! Bodies with three different moments and spins from one end of the number range to the other: all results
+//! for accepted inputs are finite, and instants are in order.
 
 use crate::common::*;
 use nalgebra::{UnitQuaternion, Vector3};
@@ -49,7 +49,7 @@ fn constants(regime: Regime) -> Vec<f64> {
     }
 }
 
-/// Whether all that can be read off a motion is a number, and its flips are in order.
+/// Checks that all results of a motion are finite and its flips are in order.
 fn holds(motion: &FreeMotion, t: f64, u: f64) -> Result<(), TestCaseError> {
     for none in [f64::NAN, f64::INFINITY] {
         let errors = [

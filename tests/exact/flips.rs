@@ -126,7 +126,7 @@ fn after_a_billion_flips_the_spin_is_where_the_count_of_flips_says() {
     assert!((motion.omega(near).unwrap().x.abs() - spin.x.abs()).abs() < 1e-6);
 }
 
-/// Counting by arithmetic, and by going through them one by one.
+/// Counted by arithmetic, and by visiting the flips one by one.
 #[test]
 fn flips_are_counted_without_being_visited() {
     let motion = motion([1.0, 2.0, 3.0], [0.3, 1.0, -0.2]);
@@ -154,7 +154,7 @@ fn flips_are_counted_without_being_visited() {
             assert_eq!(flips.nth(n), times.get(n).copied());
             assert_eq!(flips.next(), times.get(n + 1).copied());
         }
-        // An end that is a flip belongs to the interval, a beginning that is one does not.
+        // A flip at the end of an interval belongs to it, a flip at its beginning does not.
         if let [first, .., last] = times[..] {
             assert_eq!(motion.flips(first, last).unwrap().remaining() as usize, times.len() - 1);
         }

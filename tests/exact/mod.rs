@@ -30,7 +30,7 @@ fn distinct(m: &Vector3<f64>) -> bool {
     (0..3).all(|i| (m[i] / m[(i + 1) % 3] - 1.0).abs() > 0.02)
 }
 
-/// Numbers of the table, to what `f64` sees of their 40 digits.
+/// Numbers of the table, as the nearest `f64` to their 40 digits.
 fn numbers(value: &Value) -> Vec<f64> {
     let number = |x: &Value| x.as_str().unwrap().parse().unwrap();
     value.as_array().unwrap().iter().map(number).collect()

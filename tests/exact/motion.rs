@@ -14,9 +14,9 @@ fn length(v: &[f64]) -> f64 {
     scale * v.iter().map(|x| (x / scale) * (x / scale)).sum::<f64>().sqrt()
 }
 
-/// The worst errors of spin and attitude over a table, in roundings times what the motion makes of them:
-/// `plain` and `tight` as the table's condition numbers. Comparing to the table's `f64` costs at most half a
-/// unit.
+/// The worst errors of spin and attitude over a table, in roundings times the condition of the motion:
+/// `plain` and `tight` are the table's condition numbers. Comparing with the table's `f64` costs at most half
+/// a unit.
 fn judge(table: &str) -> [(f64, String); 4] {
     let file: Value = serde_json::from_str(table).unwrap();
     let mut worst = [(); 4].map(|()| (0.0, String::new()));
@@ -180,7 +180,7 @@ fn a_needle_given_askew_is_known_to_a_few_roundings_over_its_thinness() {
         }
         let unit = 0.5 * f64::EPSILON / thin;
         assert!(worst[0] < 4.0 * unit && worst[1] < 8.0 * unit, "{thin:e}: {worst:?}");
-        // And not better: the sentence is no bound out of the air.
+        // The error is not smaller either: the sentence in the documentation is not an arbitrary bound.
         assert!(worst[0] > unit && worst[1] > unit, "{thin:e}: {worst:?}");
     }
 }

@@ -8,7 +8,7 @@ use tumbling::Axis;
 use tumbling::exact::Regime;
 
 proptest! {
-    // Neighbours on the two sides of every border: a motion and one whose inputs differ by roundings.
+    // Neighbours on both sides of every border: a motion and one whose inputs differ by roundings.
     #[test]
     fn a_nearly_symmetric_body_moves_as_a_symmetric_one(
         c in 0.3..1.9_f64, omega in generic_spin(), t in -30.0..30.0_f64, power in 13..16_i32, axis in 0..3_usize,
@@ -51,7 +51,7 @@ proptest! {
             let off = !matches!(near.regime(), Regime::Separatrix { .. });
             prop_assert!(off);
             let near = near.at(t).unwrap();
-            // The difference grows from one rounding as every push does.
+            // The difference grows from one rounding, like every deviation.
             let bound = 1e-14 * (rate * t.abs()).exp();
             prop_assert!((near.omega - at.omega).norm() < bound);
             prop_assert!(apart(&near.attitude, &at.attitude) < bound);

@@ -1,5 +1,5 @@
-//! Derivatives of the exact motion against differences taken with hundreds of digits, and against what must
-//! hold.
+//! Derivatives of the exact motion against differences with hundreds of digits, and against laws that they
+//! must obey.
 
 mod any_axes;
 
@@ -51,8 +51,8 @@ fn norm<const N: usize>(m: &SMatrix<f64, 3, N>) -> f64 {
     if size > 0.0 { size * (m / size).norm() } else { 0.0 }
 }
 
-/// What one rounding of the spin or of the time makes of the angle that the body has spun through, and the
-/// derivatives with it: that angle in radians, or 1.
+/// The condition of the angle that the body has spun through, and of the derivatives with it, for one
+/// rounding of the spin or of the time: that angle in radians, or 1.
 fn condition(omega: &Vector3<f64>, t: f64) -> f64 {
     (omega.norm() * t.abs()).max(1.0)
 }
@@ -147,7 +147,7 @@ fn time() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// That two sides agree to some roundings of the terms they are sums of.
+/// Checks that two sides agree to some roundings of the terms in their sums.
 fn agree<const N: usize>(
     left: &SMatrix<f64, 3, N>,
     right: &SMatrix<f64, 3, N>,
@@ -177,7 +177,8 @@ proptest! {
         prop_assert!(agree(&by_spin, &tensor, size, condition), "{by_spin}");
         let by_moments = rotation * (tensor * change.omega_by_moments() + diagonal(&at.omega))
             + turned(&change.turn_by_moments());
-        // Right to the norm of the whole derivative by the tensor: its columns are of any size.
+        // The accuracy is relative to the norm of the whole derivative by the tensor: its columns may have
+        // any size.
         let size = norm(&(tensor * change.omega_by_tensor)) + omega.norm()
             + momentum.norm() * norm(&change.turn_by_tensor);
         prop_assert!(agree(&by_moments, &diagonal(&omega), size, condition), "{by_moments}");

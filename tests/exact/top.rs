@@ -13,8 +13,8 @@ fn distance(a: &[f64], b: &[f64], sign: f64) -> f64 {
     a.iter().zip(b).map(|(x, y)| (x - sign * y).powi(2)).sum::<f64>().sqrt()
 }
 
-/// The worst error of spin and attitude in each regime, in roundings times what the motion makes of them.
-/// Comparing to the table's `f64` costs at most half a unit.
+/// The worst error of spin and attitude in each regime, in roundings times the condition of the motion.
+/// Comparing with the table's `f64` costs at most half a unit.
 fn judge(table: &str) -> BTreeMap<String, [f64; 2]> {
     let cases: Value = serde_json::from_str(table).unwrap();
     let mut worst = BTreeMap::new();
@@ -96,7 +96,7 @@ fn a_plane_pendulum_stays_in_its_plane_for_ever() {
 }
 
 /// Period, mean rate, and the highest and lowest lean: the worst relative error of each in each regime, in
-/// roundings times its condition number. What is zero or infinite must be so.
+/// roundings times its condition number. Zero and infinite values must be exact.
 fn judge_observables(table: &str) -> BTreeMap<String, [f64; 4]> {
     let cases: Value = serde_json::from_str(table).unwrap();
     let mut worst = BTreeMap::new();
@@ -129,7 +129,7 @@ fn period_mean_rate_and_lean_meet_their_table_in_every_regime() {
     assert!(worst.values().flatten().all(|units| *units <= 8.0), "{worst:#?}");
 }
 
-/// A top that is nothing special, about its third axis.
+/// A top without special symmetry of its motion, about its third axis.
 fn any_top() -> impl Strategy<Value = (LagrangeTop, f64)> {
     (0.3..2.0_f64, 0.1..1.9_f64, attitude(), generic_spin(), 0.1..1.0_f64, 0.3..2.0_f64).prop_map(
         |(across, ratio, start, omega, arm, weight)| {

@@ -89,7 +89,7 @@ fn a_plate_may_miss_the_triangle_inequality_by_four_units_in_the_last_place() {
         "triangle inequality",
     );
     assert!(error.to_string().contains("within"), "{error}");
-    // Too far off to come from rounded digits: no way out is offered.
+    // Too far from a possible tensor for rounded digits: the message suggests nothing.
     let error =
         refused(PrincipalMoments::new(1.0, 2.0, 3.5), ErrorKind::Impossible, "2 + 1 >= 3.5 fails by 0.5");
     assert!(!error.to_string().contains("within"), "{error}");

@@ -1,4 +1,4 @@
-//! The nearest tensor that a body can have, for digits that were printed.
+//! The possible tensor nearest to one whose printed digits were rounded.
 
 use super::any_tensor;
 use crate::common::*;
@@ -35,7 +35,7 @@ fn digits_that_were_printed_are_refused_by_default_and_taken_within_a_stated_tol
         let (again, again_by) = Inertia::within(&nearest.matrix(), 0.0).unwrap();
         assert_eq!((again, again_by), (nearest, 0.0));
     }
-    // By a large margin the digits are not to blame, and the message does not say so.
+    // If the excess is large, the digits are not the reason, and the message does not mention them.
     let error = Inertia::from_moments(1.0, 2.0, 3.5).unwrap_err();
     assert!(!error.to_string().contains("within"), "{error}");
     for bad in [f64::NAN, -1e-3, f64::INFINITY] {

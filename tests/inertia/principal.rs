@@ -5,7 +5,7 @@ use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::{Axis, Inertia};
 
-/// `R I R^T` as anyone would write it, made exactly symmetric.
+/// `R I R^T` by two plain products, made exactly symmetric.
 fn turned(moments: &Vector3<f64>, attitude: &UnitQuaternion<f64>) -> Matrix3<f64> {
     let r = attitude.to_rotation_matrix().into_inner();
     let m = r * Matrix3::from_diagonal(moments) * r.transpose();
@@ -83,7 +83,7 @@ proptest! {
         }
     }
 
-    // Turned about its own axis a symmetric top is the same body: the frame must not follow the turn.
+    // A symmetric top turned about its own axis is the same body: the frame must not follow the turn.
     #[test]
     fn a_symmetric_top_has_one_frame_however_it_is_turned_about_its_axis(
         across in 0.2..1.0_f64, along in 0.0..1.0_f64, tilt in attitude(), about in -3.0..3.0_f64, flat in any::<bool>(),

@@ -21,7 +21,7 @@ fn the_error_of_a_controlled_run_follows_its_tolerance() {
             assert!(off < 8.0 * tolerance + 4e-11, "{tolerance:e}: {off:e}");
             1_000_000 - left
         });
-        // The order rises with the digits, so that the number of steps hardly does.
+        // The order increases with the number of digits, so the number of steps hardly does.
         assert!(steps[4] > steps[0] && steps[4] < 2 * steps[0], "{steps:?}");
     }
     let finest = adaptive(&system, &start(&system, &omega), 40.0, 1e-17, &mut 1_000_000);
@@ -34,24 +34,24 @@ fn an_adaptive_run_is_finite_or_refused_and_soon() {
     let moments = Vector3::new(1.0, 2.0, 2.5);
     let start = |l: Vector3<f64>| State { attitude: Quaternion::identity(), momentum: l };
     let lossy = |torque| under(moments, vec![torque]);
-    // Came out as NaN: an error that was NaN counted as none.
+    // These gave NaN once, because an error that was NaN counted as none.
     let fast = start(Vector3::new(1.0, 1e6, 1.0));
     let refused = adaptive(&lossy(Torque::Dissipation(1.0)), &fast, 6e-3, 1e-4, &mut 1_000_000).unwrap_err();
     assert_eq!(refused.kind(), ErrorKind::TooMany, "{refused}");
     assert!(refused.to_string().contains("dissipation"), "{refused}");
     let vast = start(Vector3::new(1.0, 2.0, 3.0) * 1e203);
     assert!(adaptive(&free(moments), &vast, 1e-200, 1e-4, &mut 1_000_000).is_err());
-    // Stiff, and back in time: each took half a minute.
+    // Stiff, and backward in time: each took half a minute once.
     let slow = start(Vector3::new(1.0, 2.0, 3.0));
     for (torque, duration) in [(Torque::Dissipation(1e9), 1.0), (Torque::Dissipation(1e9), -1.0)] {
         let mut budget = 1_000_000;
         let run = adaptive(&lossy(torque.clone()), &slow, duration, 1e-6, &mut budget);
         assert_eq!(run.unwrap_err().kind(), ErrorKind::TooMany, "{torque:?} {duration}");
-        // Seen long before the budget is spent.
+        // Detected long before the budget is used up.
         assert!(budget > 990_000, "{torque:?} {duration}: {budget} left");
     }
-    // Damping winds the body up without bound: the law is not stiff, the spin is fast, and the budget ends
-    // it.
+    // Damping accelerates the body without bound: the law is not stiff, the spin is fast, and the budget is
+    // used up.
     let wound = adaptive(&lossy(Torque::Damping(moments * 1e9)), &slow, -1.0, 1e-6, &mut 20_000);
     assert_eq!(wound.unwrap_err().kind(), ErrorKind::TooMany);
 }
@@ -105,13 +105,13 @@ fn a_body_at_rest_is_set_turning_by_a_torque_that_comes_later() {
 fn the_attitude_of_an_adaptive_run_stays_a_unit_quaternion_and_its_error_within_the_tolerance() {
     let moments = PrincipalMoments::new(1.0, 2.0, 2.5).unwrap();
     let omega = Vector3::new(0.3, 1.4, 0.2);
-    // Its length fell to 0.8 in 500 s; in 1e5 s the momentum grew until no step was short enough.
+    // Once its length fell to 0.8 in 500 s; in 1e5 s the momentum grew until no step was short enough.
     let body = Body::spinning(moments.into(), UnitQuaternion::identity(), &omega).unwrap();
     let end = Stepper::adaptive(&body, 1e-3, 1_000_000).unwrap().step(1e5).unwrap();
     let (length, momentum) = (end.attitude.norm(), end.momentum.norm() / body.momentum_world().norm());
     assert!((length - 1.0).abs() < 4.0 * f64::EPSILON, "{length}");
     assert!((momentum - 1.0).abs() < 1e-12, "{momentum}");
-    // A start of another length stands for the same attitude; one of no length for none.
+    // A start with another length is the same attitude; a start of length zero is none.
     let system = free(moments);
     let unit = start(&system, &omega);
     let of_length = |length: f64| State { attitude: unit.attitude * length, ..unit };

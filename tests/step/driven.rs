@@ -38,7 +38,7 @@ fn tops_and_a_damped_spin_end_where_sixty_digits_say() {
     }
 }
 
-/// Amplitude, rate and phase: one turning in the body by two of the same rate; another rate; and a third.
+/// Amplitude, rate and phase: two of the same rate that rotate in the body; another rate; and a third.
 const PUSHES: [(Vector3<f64>, f64, f64); 4] = [
     (Vector3::new(0.5, 0.0, 0.2), 2.5, 0.3),
     (Vector3::new(0.1, -0.4, 0.0), 2.5, 0.3 - std::f64::consts::FRAC_PI_2),
@@ -189,7 +189,7 @@ fn a_thruster_acts_for_the_whole_of_its_time_and_no_longer() {
 
 #[test]
 fn a_torque_within_a_torque_acts_while_both_of_them_do() {
-    // 2000 N m for a thousandth of a second on 4 kg m², from rest; over before the outer one ends.
+    // 2000 N m for a thousandth of a second on 4 kg m², from rest; it is over before the outer interval ends.
     let body = spinning([2.0, 3.0, 4.0], &Vector3::zeros());
     let push = || Torque::InBody(Vector3::z() * 2000.0);
     for (first, inner, expected) in [
@@ -217,11 +217,11 @@ fn a_refused_adaptive_run_says_what_is_in_the_way() {
     refused(drag.flips(1.0), ErrorKind::Undefined, "no series");
     refused(drag.step_with_transition(1.0), ErrorKind::Undefined, "no derivatives");
     refused(drag.expected_error(1.0), ErrorKind::Undefined, "no derivatives");
-    // A direction of another length is another strength.
+    // A direction of another length would be another strength.
     let long = Torque::gravity_gradient(&Vector3::new(0.6, 0.8, 0.1), &Vector3::new(0.0, 0.0, 0.3));
     let long = refused(System::with(moments, vec![long]), ErrorKind::OutOfBounds, "off 1 by 0.00499");
     assert!(long.to_string().contains("direction"), "{long}");
-    // Rates beyond the numbers leave no step.
+    // Rates that overflow leave no step.
     let lossy = under(moments, vec![Torque::Dissipation(1e300)]);
     let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(1.0, 2.0, 3.0) };
     let lost = adaptive(&lossy, &start, 1.0, 1e-9, &mut 1000);
@@ -278,7 +278,7 @@ fn a_run_that_was_refused_on_its_way_stays_where_its_last_step_took_it() {
         let there = run.step_to(1.0).unwrap();
         assert!((there.momentum - Vector3::new(0.0, 0.0, 2.0)).norm() < 1e-12, "{there:?}");
     }
-    // One that stiff dissipation stops has no states but those of its last step.
+    // A body that stiff dissipation stops has no states except those of its last step.
     let torques = vec![Torque::Dissipation(30.0), Torque::gravity(&Vector3::new(0.1, 0.2, 0.3), 10.0)];
     let system = under([1.0, 2.0, 2.5], torques);
     let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(1.0, 2.0, 3.0) };
@@ -303,7 +303,7 @@ fn a_torque_added_on_the_way_acts_by_the_time_of_the_stepper() {
     let mut later = stepper.clone().with_torques([Torque::during(4.0, 5.0, push.clone())]).unwrap();
     let _ = later.step(3.0).unwrap();
     assert!((later.omega().z - 4.0 / 2.5).abs() < 1e-12);
-    // What was before does not hold with it.
+    // Earlier times are no longer available.
     let added = stepper.with_torques([push]).unwrap();
     assert!(added.at(1.5).is_err());
 }

@@ -1,4 +1,4 @@
-//! What an adaptive run says of its own error, against the closed forms of a pendulum and of a top.
+//! The error that an adaptive run reports for itself, against the closed forms of a pendulum and of a top.
 
 use super::spinning;
 use crate::common::refused;
@@ -21,7 +21,7 @@ fn off_and_expected(stepper: &Stepper, time: f64, truth: &UnitQuaternion<f64>) -
     [stepper.body().unwrap().attitude().angle_to(truth), expected]
 }
 
-/// A pendulum about y let go at `angle` from the upright is there again after each of its periods.
+/// A pendulum about y, released at `angle` from the upright, is there again after each period.
 fn pendulum(angle: f64, tolerance: f64, periods: f64) -> [f64; 2] {
     let (moment, pull) = (2.0_f64, 9.8_f64);
     let inertia = Inertia::from_moments(1.0, moment, 1.5).unwrap();

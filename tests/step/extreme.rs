@@ -1,4 +1,4 @@
-//! Extreme inputs: whatever is answered is finite, of a unit attitude where that is promised, and the rest is
+//! Extreme inputs: every answer is finite, with a unit attitude where that is promised; everything else is
 //! refused.
 
 use super::{finite, steppers};

@@ -123,8 +123,8 @@ fn a_game_steps_spheres_tops_and_bodies_of_any_mass() {
     }
 }
 
-/// What rounding leaves of an attitude after a time: how far the motions are whose moments or momentum are a
-/// rounding off.
+/// The effect of rounding on an attitude after a time: the distance of motions whose moments or momentum
+/// differ by a rounding.
 fn left_by_rounding(moments: &Vector3<f64>, omega: &Vector3<f64>, time: f64, rounding: f64) -> f64 {
     let at = |moments: Vector3<f64>, omega: Vector3<f64>| {
         let motion = FreeMotion::new(PrincipalMoments::try_from(moments).ok()?, &omega).ok()?;
@@ -173,7 +173,7 @@ fn a_rod_longer_than_112_diameters_is_stepped_in_double_precision() {
 }
 
 proptest! {
-    /// Sums over inverse moments cancel in needles: taken as they stand they were off by a radian.
+    /// Sums over inverse moments cancel in needles: computed as written they were off by a radian.
     #[test]
     fn a_game_steps_a_needle_as_well_as_its_moments_are_known(
         thin in -9.0..0.0_f64,

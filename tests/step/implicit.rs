@@ -11,8 +11,8 @@ const IMPLICIT: [Method; 3] = [Method::ImplicitMidpoint, Method::Gauss4, Method:
 
 #[test]
 fn roundings_of_what_is_conserved_walk_at_random_and_do_not_drift() {
-    // Each step rounds what it conserves by less than a unit; a walk of this number of steps goes as far as
-    // its root.
+    // Each step rounds its conserved quantities by less than a unit; a random walk of this number of steps
+    // goes as far as the square root of the number.
     const STEPS: u32 = 50_000;
     let walk = f64::EPSILON * f64::from(STEPS).sqrt();
     for method in IMPLICIT {
@@ -34,7 +34,7 @@ fn roundings_of_what_is_conserved_walk_at_random_and_do_not_drift() {
     }
 }
 
-/// What is left of `L' - L = h (M x w + torque)` at the means of momentum and attitude.
+/// The residue of `L' - L = h (M x w + torque)` at the means of momentum and attitude.
 fn midpoint_misses(system: &System<f64>, from: &State<f64>, end: &State<f64>, h: f64) -> f64 {
     let mean = State {
         attitude: (from.attitude + end.attitude).normalize(),
@@ -89,7 +89,7 @@ fn a_stiff_damping_and_a_stiff_spring_are_stepped_over_by_the_equations_of_the_m
         let from = State { attitude, momentum: Vector3::new(0.4, 3.0, -1.2) };
         let end = Method::ImplicitMidpoint.step(&system, &from, 0.5).unwrap();
         let off = midpoint_misses(&system, &from, &end, 0.5);
-        // The mean is small against the momenta that it is taken of.
+        // The mean is small relative to the momenta from which it is computed.
         assert!(off < 4e-15 * (1.0 + decay), "{decay}: {off:e}");
     }
 }

@@ -1,4 +1,4 @@
-//! Every stepping method against the exact motion, and against what it says of itself.
+//! Every stepping method against the exact motion, and against its own description.
 
 use super::{adaptive, changes, free, free_motion, start};
 use nalgebra::{Quaternion, Vector3};

@@ -62,7 +62,7 @@ fn start(system: &System<f64>, omega: &Vector3<f64>) -> State<f64> {
     State { attitude: Quaternion::identity(), momentum: system.momentum(omega) }
 }
 
-/// Energy, momentum, its direction and the attitude's length: how far each has moved, of one.
+/// Relative changes of energy, momentum, its direction and the attitude's length.
 fn changes(system: &System<f64>, start: &State<f64>, end: &State<f64>) -> [f64; 4] {
     let relative = |x: f64, y: f64| (x / y - 1.0).abs();
     [
@@ -84,7 +84,7 @@ fn in_axes(moments: Vector3<f64>, axes: &UnitQuaternion<f64>) -> Inertia {
     Inertia::try_from((tensor + tensor.transpose()) * 0.5).unwrap()
 }
 
-/// The state along axes that `turn` takes to the old ones.
+/// The same state in other axes, which `turn` rotates to the old ones.
 fn seen_along(state: &State<f64>, turn: &UnitQuaternion<f64>) -> State<f64> {
     State { attitude: state.attitude * turn.into_inner(), momentum: turn.inverse() * state.momentum }
 }

@@ -1,5 +1,5 @@
-//! The order of every method under torques that depend on time, attitude and spin. Orders are proven on power
-//! series by the proofs; here they are seen in `f64`.
+//! The order of every method under torques that depend on time, attitude and spin. The proofs prove the
+//! orders on power series; these tests observe them in `f64`.
 
 use super::{adaptive, apart, in_axes, seen_along, steppers, turn_by, under};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
@@ -28,7 +28,7 @@ fn order(
     ((errors[0] / errors[1]).log2(), errors[1])
 }
 
-/// What a method's order is under a torque.
+/// The order of a method under a torque.
 fn claimed(method: Option<Method>) -> f64 {
     match method {
         Some(
@@ -54,7 +54,7 @@ fn driven_by_time_attitude_and_spin_every_method_has_its_order() {
         rotation.tr_mul(&Vector3::new((2.0 * time).sin(), 0.3, 0.5 * time.cos()))
             - omega.component_mul(&Vector3::new(0.2, 0.1, 0.3)) * omega.norm()
     };
-    // The truth by a fine adaptive run along the principal axes, with the law written for them.
+    // The reference is a fine adaptive run along the principal axes, with the law written for them.
     let t = 1.0;
     let principal = body.inertia().principal();
     let (frame, turn) = (principal.frame(), turn_by(&principal.frame()));

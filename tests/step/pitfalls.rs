@@ -1,4 +1,4 @@
-//! The three wrong engines must be wrong in the way their pitfall says.
+//! Each of the three wrong engines must err in the way that its pitfall describes.
 
 use crate::common::*;
 use nalgebra::{UnitQuaternion, Vector3};
@@ -10,7 +10,7 @@ fn start(moments: &Vector3<f64>, q: UnitQuaternion<f64>, omega: &Vector3<f64>) -
     Body::spinning(Inertia::from_moments(moments.x, moments.y, moments.z).unwrap(), q, omega).unwrap()
 }
 
-/// By how much a motion strays: in energy, and in the direction of the momentum.
+/// The errors of a motion: in energy, and in the direction of the momentum.
 fn strays(bodies: &[Body]) -> (f64, f64) {
     let first = bodies[0];
     let energy = |b: &Body| (b.energy() / first.energy() - 1.0).abs();

@@ -1,4 +1,4 @@
-//! The position stage of an engine: nothing gained from nowhere, flips at their times, any body, any step.
+//! The position stage of an engine: no energy from nothing, flips at the right times, any body, any step.
 
 use super::free_motion;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
@@ -88,21 +88,21 @@ fn the_motion_is_the_exact_one_at_sixty_hertz() {
     }
 }
 
-/// Flips of ten minutes at 60 Hz.
+/// The flips of ten minutes at 60 Hz.
 struct Flips {
     counted: usize,
-    /// How many the exact motion has.
+    /// Their number in the exact motion.
     exact: usize,
-    /// How many, if between two seconds the motion is the exact one of the state at the first.
+    /// Their number if, between two seconds, the motion is the exact one from the state at the first.
     piecewise: f64,
-    /// By how much the latest is off, s.
+    /// The largest error in the time of a flip, s.
     late: f64,
     /// The largest change of `2 E I_2 - |L|^2`, which sets the time between two flips, relative to `|L|^2`.
     walked: f64,
 }
 
 fn flips<T: Real>(moments: &Vector3<f64>, omega: [f64; 3]) -> Flips {
-    // Of the body as the type has it.
+    // The moments as rounded to the number type.
     let moments = &moments.map(|x| real::<T>(x).into());
     let exact: Vec<f64> = free_motion(*moments, &omega.into()).flips(0.0, 600.0).unwrap().collect();
     let form = moments.map(|moment| moment * (moments.y - moment));
@@ -110,7 +110,7 @@ fn flips<T: Real>(moments: &Vector3<f64>, omega: [f64; 3]) -> Flips {
     let square = moments.component_mul(&Vector3::from(omega)).norm_squared();
     let body = body::<T>(moments);
     let mut motion = start::<T>(omega);
-    // The step as the type has it.
+    // The step as rounded to the number type.
     let h: f64 = real::<T>(1.0 / 60.0).into();
     let mut flips = Flips { counted: 0, exact: exact.len(), piecewise: 0.0, late: 0.0, walked: 0.0 };
     let mut before = omega[1];
@@ -144,7 +144,7 @@ fn every_flip_of_ten_minutes_comes_at_its_time() {
                 "{name}, push {push}: {counted}/{exact}, {late} s"
             );
         }
-        // What single precision rounds off the energy changes the time from flip to flip, and nothing else.
+        // The rounding of the energy in single precision changes the time between flips, and nothing else.
         let Flips { counted, exact, piecewise, walked, .. } = flips::<f32>(&moments, [0.6, 6.0, 0.6]);
         assert!((counted as f64 - piecewise).abs() < 1.0, "{name}: {counted} of {piecewise}, exact {exact}");
         assert!(counted.abs_diff(exact) <= 2, "{name}: {counted}, not {exact}");
@@ -200,9 +200,9 @@ fn event() -> impl Strategy<Value = Event> {
     ]
 }
 
-/// The energy gained beyond the work done, in units of rounding and of the number of parts: what the stages
-/// of an engine do to the spin is work, all else comes from nowhere. A spin rounded by a share of its length
-/// changes the energy by that share of `|omega| |L|`.
+/// The energy gained beyond the work done, in units of rounding and of the number of parts: the stages of an
+/// engine do work on the spin, and any other energy comes from nowhere. A relative rounding of the spin
+/// changes the energy by the same fraction of `|omega| |L|`.
 fn from_nowhere<T: Real>(moments: [f64; 3], events: &[Event]) -> f64 {
     let moments = Vector3::from(moments);
     let body = body::<T>(&moments);
@@ -223,7 +223,7 @@ fn from_nowhere<T: Real>(moments: [f64; 3], events: &[Event]) -> f64 {
             }
             Event::Damping(share) => motion.omega *= real::<T>(1.0 - share),
             Event::Step(turn) => {
-                // The fastest that this energy allows, so that the turn is at most as said.
+                // The fastest spin at this energy, so that the turn is at most as stated.
                 let h = turn / now.omega.norm().max((2.0 * before / moments.min()).sqrt());
                 motion = stepped(&body, &motion, h);
                 parts += motion.parts;
@@ -283,7 +283,7 @@ fn a_tensor_in_any_frame_moves_as_in_its_own() {
     assert!((a.attitude.coords - (b.attitude * frame.quaternion()).coords).norm() < 1e-12);
 }
 
-/// Powers of two, so that only what leaves the range of numbers could differ.
+/// Powers of two, so that only overflow and underflow could make a difference.
 fn frames_of_any_length<T: Real + std::fmt::Debug>(exponents: std::ops::RangeInclusive<i32>) {
     let own = body::<T>(&Vector3::new(0.3, 0.5, 0.7));
     let from = start::<T>([1.0, 4.0, -2.0]);
@@ -417,7 +417,7 @@ fn what_cannot_be_stepped_stays_as_it_was_and_says_so() {
         assert!(same(end.attitude.coords.as_slice(), attitude.coords.as_slice()));
     }
     assert_eq!(body.step(&unit, &slow, 0.0).omega, slow);
-    // An attitude that is not of length 1 stands for its direction.
+    // An attitude of another length stands for its direction.
     let long = body.step(&Quaternion::new(3.0, 0.0, 0.0, 0.0), &slow, 0.01);
     assert_eq!(long, body.step(&unit, &slow, 0.01));
     for moments in [[-1.0, 1.0, 1.0], [1.0, f32::NAN, 1.0], [1.0, 1.0, f32::INFINITY]] {

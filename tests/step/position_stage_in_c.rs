@@ -1,5 +1,6 @@
-//! The position stage in C has the bits of the one in Rust, compiles without a word in C and C++, refuses
-//! what no body has, and options that break it. Without a C compiler the tests say so and check nothing.
+//! The position stage in C has the same bits as the one in Rust, compiles without warnings in C and C++,
+//! refuses moments that no body has, and rejects compiler options that break it. Without a C compiler the
+//! tests report this and check nothing.
 
 use nalgebra::{Quaternion, Vector3};
 use num_traits::Float;
@@ -107,7 +108,7 @@ fn words(output: &Output) -> String {
     [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text)).concat()
 }
 
-/// What the compiler says to a program that is given as text.
+/// The compiler's messages for a program that is given as text.
 fn of_text(compiler: &str, options: &[&str], program: &str) -> Output {
     let folder = tempfile::tempdir().unwrap();
     let source = folder.path().join("program.c");
@@ -121,7 +122,7 @@ fn of_text(compiler: &str, options: &[&str], program: &str) -> Output {
         .unwrap()
 }
 
-/// What a program of `examples/engines/c` prints; it must compile without a warning and end well.
+/// The output of a program of `examples/engines/c`, which must compile without warnings and succeed.
 fn printed(compiler: &str, options: &[&str], source: &Path) -> String {
     let folder = tempfile::tempdir().unwrap();
     let program = folder.path().join("program");
@@ -261,7 +262,7 @@ fn the_header_names_its_version_its_home_and_its_licence() {
     }
 }
 
-/// The program in the chapter prints what the chapter says that it prints.
+/// The program in the chapter prints the output that the chapter shows.
 #[test]
 fn the_program_of_the_chapter_counts_the_flips_that_it_says() {
     let chapter = std::fs::read_to_string(root().join("book/chapters/put-it-into-your-engine.md")).unwrap();

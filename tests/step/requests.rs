@@ -1,4 +1,4 @@
-//! States requested on the way of an adaptive run: the run is the same with them and without.
+//! States requested during an adaptive run do not change the run.
 
 use super::apart as off;
 use super::{adaptive, under};

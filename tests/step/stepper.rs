@@ -42,7 +42,7 @@ proptest! {
         let _ = splitting.run(0.05, 40).last().unwrap().unwrap();
         let now = splitting.body().unwrap();
         prop_assert!((now.momentum_world() - body.momentum_world()).norm() < 1e-12 * body.momentum_world().norm());
-        // Back: what is stepped is the same as if it had never been read.
+        // Backward: reading it has not changed the motion.
         for state in stepper.run(-0.05, 40) {
             state.unwrap();
         }
@@ -79,7 +79,7 @@ proptest! {
             let mut b = stepper(&turned).unwrap().with_torques(torques(axes)).unwrap();
             for (a, b) in a.run(0.02, 50).zip(b.run(0.02, 50)) {
                 let (a, b) = (seen_along(&a.unwrap(), &axes), b.unwrap());
-                // Two splittings of the same body differ where its axes come in another order.
+                // Two splittings of the same body differ if its axes have another order.
                 let bound = if name == "splitting" { 2e-2 } else { 1e-6 };
                 prop_assert!(apart(&a, &b) < bound, "{name} {}", apart(&a, &b));
             }
@@ -190,7 +190,7 @@ fn damping_by_axis_of_a_body_with_products_of_inertia_is_refused() {
     assert!(stepper.with_torques([Torque::Damping(Vector3::repeat(0.1))]).is_ok());
 }
 
-/// A coin, whose two equal moments leave its axes open, has those that it was given along.
+/// A coin, whose two equal moments leave its axes undetermined, keeps the axes in which it was given.
 #[test]
 fn damping_by_axis_of_a_body_with_two_equal_moments_acts_along_the_axes_of_its_tensor() {
     let damping = Torque::Damping(Vector3::new(0.1, 0.2, 0.3));

@@ -1,4 +1,4 @@
-//! Damping far faster than the motion: steps as long as the motion allows.
+//! Damping far faster than the motion: steps as long as the motion permits.
 
 use super::apart as off;
 use super::{adaptive, start, under};
@@ -38,7 +38,7 @@ fn uneven_damping_of_512_a_second_takes_few_steps() {
     }
 }
 
-/// Of damping of 1e9 N m s about one axis nothing is left but the slow decay about the others.
+/// With damping of 1e9 N m s about one axis, only the slow decay about the other axes remains.
 #[test]
 fn an_axis_held_by_its_damping_leaves_the_others_to_decay() {
     let system = system(vec![Torque::Damping(Vector3::new(1e9, 1.0, 1e-3))]);
@@ -53,8 +53,8 @@ fn an_axis_held_by_its_damping_leaves_the_others_to_decay() {
     assert!((end.momentum.x / expected.x - 1.0).abs() < 1e-3, "{:?}", end.momentum);
 }
 
-/// A heavy body with a push from 0.7 s to 1.3 s, its damping by its name and as a function. To a run that is
-/// given the function it is no damping: DOP853 takes thousands of short steps.
+/// A heavy body with a push from 0.7 s to 1.3 s. Its damping is given by its name and as a function; a run
+/// does not recognize the function as damping, so DOP853 takes thousands of short steps.
 fn held_and_pushed(fast: f64, slow: f64, weight: f64, push: f64) -> [System<f64>; 2] {
     let damping = Vector3::new(slow, fast, 0.5 * slow);
     let function = Torque::function(move |_, _, omega| -damping.component_mul(omega));
@@ -89,7 +89,7 @@ proptest! {
 }
 
 /// The first explicit step after 0.7 s has 5.66 decay times, where the differences from the steps of lower
-/// order vanish: it was taken for right, with an error of 7e-10.
+/// order vanish; it was once accepted with an error of 7e-10.
 #[test]
 fn no_explicit_step_is_taken_for_right_where_damping_hides_its_error() {
     let [solved, explicit] = held_and_pushed(1624.9174, 0.164_920_21, 1.671_169_3, 0.175_138_14);
@@ -99,7 +99,7 @@ fn no_explicit_step_is_taken_for_right_where_damping_hides_its_error() {
     assert!(off(&finer, &other) < 1e-13 && off(&one, &finer) < 1e-11, "{:e}", off(&one, &finer));
 }
 
-/// Wherever in its count of steps a run without an end comes to a switch, from where no step is known yet.
+/// A run without an end may reach a switch, after which no step is known yet, at any count of steps.
 #[test]
 fn a_push_that_ends_lets_a_stiff_run_without_end_go_on() {
     let damping = Torque::Damping(Vector3::new(0.4, 570.0, 0.2));
@@ -144,7 +144,7 @@ fn extreme_damping_is_finite_or_refused_and_soon() {
     }
 }
 
-/// Once at rest, however long the rest: nothing is left to step.
+/// Once the body is at rest, any further time needs no steps.
 #[test]
 fn a_spin_that_damping_stops_at_once_is_at_rest_to_the_end() {
     let system = system(vec![Torque::Damping(Vector3::new(1e6, 2e6, 3.5e6))]);

@@ -1,4 +1,4 @@
-//! Bodies under torques, against motions that are known exactly.
+//! Bodies under torques, against motions with exact solutions.
 
 use super::{free, under};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
@@ -8,7 +8,7 @@ use tumbling::step::{Method, State, Stepper, System, Torque};
 /// A torque of this size, from two vectors.
 type Kind = fn(f64, Vector3<f64>, Vector3<f64>) -> Torque<f64>;
 
-/// At 1 s, where a step ends and the next begins, one of two torques acts: the first has ended.
+/// At 1 s a step ends and the next begins; then only the second of two torques acts.
 #[test]
 fn a_torque_that_takes_over_from_another_is_the_other_one_for_longer() {
     let (moments, push) = (PrincipalMoments::new(1.0, 2.0, 2.6).unwrap(), Vector3::new(0.3, -0.2, 0.5));
@@ -81,7 +81,7 @@ fn implicit_euler_with_the_damping_inside_never_turns_the_momentum_round() {
     }
 }
 
-/// Two torques of a kind act as one of twice the size, in values and in kicks.
+/// Two equal torques act as one of twice the size, in values and in kicks.
 #[test]
 fn two_torques_of_a_kind_are_one_of_twice_the_size() {
     let (x, y) = (Vector3::new(0.3, -0.2, 0.7), Vector3::new(-0.1, 0.8, 0.4));

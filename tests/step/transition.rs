@@ -1,5 +1,5 @@
-//! State transitions under torques, about equilibria too, where the motion itself stands still and only its
-//! derivatives move.
+//! State transitions under torques, also about equilibria, where the motion is constant and only its
+//! derivatives change.
 
 use nalgebra::{Matrix6, UnitQuaternion, Vector3, Vector6};
 use tumbling::step::{Stepper, Torque};
@@ -35,7 +35,7 @@ fn differences(omega: Vector3<f64>, torques: &[Torque<f64>], h: f64) -> Matrix6<
     matrix
 }
 
-/// Each column is within a share of its length.
+/// The error of each column is within a fraction of its length.
 fn agree(found: &Matrix6<f64>, expected: &Matrix6<f64>, within: f64, torques: &[Torque<f64>]) {
     for axis in 0..6 {
         let off = (found.column(axis) - expected.column(axis)).norm() / expected.column(axis).norm();

@@ -1,28 +1,28 @@
-//! The library's documentation, made by rustdoc and laid beside the pages, where the chapters link to it.
+//! The library's documentation, made by rustdoc and copied next to the pages, where the chapters link to it.
 
 use crate::command::measure;
 use crate::site::files;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The folder beside the pages.
+/// The folder, next to the pages.
 const FOLDER: &str = "api";
 
-/// Has rustdoc write it.
+/// Runs rustdoc.
 ///
 /// # Errors
-/// Cargo could not be run, or did not get through; it has said why.
+/// Cargo could not be run or failed; its own message was printed.
 pub(crate) fn make() -> Result<(), String> {
     measure::cargo(&["doc", "--quiet", "--no-deps", "-p", "tumbling", "-p", "tumbling-scenes"])
 }
 
-/// Copies what was made last beside the pages, and says whether there was any.
+/// Copies the latest documentation next to the pages; returns whether there was any.
 ///
 /// # Errors
 /// A file that cannot be copied.
 pub(crate) fn lay_beside(pages: &Path) -> Result<bool, String> {
-    // The library's own pages, what they load, and the sources they lead to: what else was documented there
-    // is not ours to show.
+    // Only the library's own pages, the files that they load, and their sources: the folder also contains
+    // documentation of other crates.
     let Some(made) = made().filter(|made| made.join("tumbling/index.html").is_file()) else {
         return Ok(false);
     };
@@ -37,7 +37,7 @@ pub(crate) fn lay_beside(pages: &Path) -> Result<bool, String> {
     Ok(true)
 }
 
-/// Where cargo puts documentation: beside the folder of this program's profile.
+/// Cargo's folder for documentation, next to the folder of this program's profile.
 fn made() -> Option<PathBuf> {
     let program = std::env::current_exe().ok()?;
     let target = program.ancestors().find(|folder| folder.join("doc").is_dir())?;
@@ -62,15 +62,15 @@ mod tests {
     use crate::site::paths;
 
     #[test]
-    fn every_room_of_the_library_is_on_its_page() {
+    fn every_module_of_the_library_is_on_its_page() {
         let root = paths::repository();
         let library = fs::read_to_string(root.join("src/lib.rs")).unwrap();
         let page = fs::read_to_string(paths::chapters().join("library.md")).unwrap();
-        let rooms: Vec<&str> =
+        let modules: Vec<&str> =
             library.lines().filter_map(|line| line.strip_prefix("pub mod ")?.strip_suffix(';')).collect();
-        assert!(rooms.len() >= 7);
-        for room in rooms {
-            let link = format!("({FOLDER}/tumbling/{room}/index.html)");
+        assert!(modules.len() >= 7);
+        for module in modules {
+            let link = format!("({FOLDER}/tumbling/{module}/index.html)");
             assert!(page.contains(&link), "the chapter library.md does not link to {link}");
         }
     }

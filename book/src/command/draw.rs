@@ -1,4 +1,4 @@
-//! Drawing figures into their committed files, or checking that these are what would be drawn.
+//! Draws figures into their committed files, or checks that the files are up to date.
 
 use crate::site::files::write_changed;
 use crate::{complain, say};
@@ -14,10 +14,10 @@ use std::time::{Duration, Instant};
 use tumbling_bodies::BodyModel;
 use tumbling_figures::{Figure, registry};
 
-/// Draws these figures into `folder`, touching only files whose bytes change.
+/// Draws these figures into `folder`; only files whose bytes change are written.
 ///
 /// # Errors
-/// Names each figure that could not be drawn or written, after drawing the others.
+/// The names of the figures that could not be drawn or written; the others were drawn.
 pub(crate) fn draw(figures: &[&Figure], folder: &Path) -> Result<(), String> {
     let start = Instant::now();
     let mut changed = 0;
@@ -43,7 +43,7 @@ pub(crate) fn draw(figures: &[&Figure], folder: &Path) -> Result<(), String> {
     Ok(())
 }
 
-/// The body of a name or a file; whether other units were meant is asked at once.
+/// The body for a name or a file; if its units look wrong, a question is printed at once.
 ///
 /// # Errors
 /// A body that cannot be read.
@@ -69,8 +69,8 @@ pub(crate) fn folder_name(name: &str) -> String {
 /// Compares these figures with their committed files.
 ///
 /// # Errors
-/// Names each figure whose file is missing or differs, each that could not be drawn, and, when every
-/// figure was asked for, each drawing in the folder that belongs to none.
+/// The names of figures whose files are missing or differ, of figures that could not be drawn, and, when all
+/// figures were requested, of drawings in the folder that no figure draws.
 pub(crate) fn check(figures: &[&Figure], folder: &Path) -> Result<(), String> {
     let mut wrong = Vec::new();
     each_made(
@@ -101,7 +101,7 @@ pub(crate) fn check(figures: &[&Figure], folder: &Path) -> Result<(), String> {
     ))
 }
 
-/// Drawings that no figure draws.
+/// Drawings that belong to no figure.
 fn strays(figures: &[&Figure], folder: &Path) -> Vec<String> {
     let Ok(entries) = fs::read_dir(folder) else {
         return vec![format!("  cannot read {}", folder.display())];
@@ -118,10 +118,10 @@ fn file_of(figure: &Figure, folder: &Path) -> PathBuf {
     folder.join(format!("{}.svg", figure.name))
 }
 
-/// Makes as many things on every core, and hands each over, in order, with the time that it took.
+/// Makes `count` things on all cores, and passes each to `take`, in order, with the time that it took.
 ///
 /// # Errors
-/// The first that `take` returns; nothing more is made then.
+/// The first error of `take`; nothing more is made after it.
 pub(crate) fn each_made<T: Send, E>(
     count: usize,
     make: impl Fn(usize) -> Result<T, String> + Sync,

@@ -1,7 +1,7 @@
 //! The reader's way through the exercises: what is done, what comes next, and a fresh start.
 //!
-//! No record is kept. A file that is still as the book has it is open; each other one is run, and is done if
-//! it passes and nothing outside of its marks was changed.
+//! No progress is recorded. A file that equals the book's is open. Any other file is run, and is done if it
+//! passes and has no change outside its marks.
 
 use crate::site::files::write_changed;
 use crate::{complain, say};
@@ -10,7 +10,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, ValueParser};
 use std::process::ExitCode;
 use tumbling_exercises::{self as exercises, Exercise};
 
-/// What to do instead of listing them.
+/// Other tasks than listing the exercises.
 #[derive(Debug, Clone, PartialEq, Eq, Subcommand)]
 pub(crate) enum Command {
     /// Name the next one that is not done, with its file and its command
@@ -25,8 +25,8 @@ pub(crate) enum Command {
     Untouched,
 }
 
-/// An exercise's name on the command line. Where the exercises cannot be read any will do: `run` says why
-/// they cannot.
+/// An exercise's name on the command line. If the exercises cannot be read, any name is accepted, and `run`
+/// reports why they cannot be read.
 fn name() -> ValueParser {
     let value = |e: Exercise| PossibleValue::new(e.name).help(e.title);
     match exercises::all() {
@@ -64,10 +64,10 @@ pub(crate) fn run(command: Option<&Command>) -> Result<ExitCode, String> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// How far a reader has come with an exercise.
+/// A reader's progress with an exercise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Standing {
-    /// As the book has it.
+    /// As in the book.
     Open,
     /// Changed, and does not pass.
     Begun,
@@ -77,19 +77,19 @@ enum Standing {
     Gone,
 }
 
-/// The file that a reader edits, as messages name it.
+/// The path of the file that a reader edits, for messages.
 fn shown(exercise: &Exercise) -> String {
     format!("book/exercises/stubs/{}.md", exercise.name)
 }
 
-/// The standing by the file alone: `Begun` where only a run shows whether it is done; nothing where it cannot
-/// be read.
+/// The standing as far as the file alone shows it: `Begun` where only a run can show whether it is done;
+/// `None` where the file cannot be read.
 fn before_running(exercise: &Exercise) -> Option<Standing> {
     let text = exercises::file(exercise, &exercises::stubs()).ok()?;
     Some(if text.replace("\r\n", "\n") == exercise.stub() { Standing::Open } else { Standing::Begun })
 }
 
-/// How it stands with each of these, in their order.
+/// The standing of each of these, in their order.
 fn standings(all: &[Exercise]) -> Result<Vec<Standing>, String> {
     let mut standings: Vec<Standing> =
         all.iter().map(|e| before_running(e).unwrap_or(Standing::Gone)).collect();
@@ -114,7 +114,7 @@ fn standings(all: &[Exercise]) -> Result<Vec<Standing>, String> {
     Ok(standings)
 }
 
-/// What is said while nothing else is to be seen, on the first run for a minute or more.
+/// A message for the first run, which shows nothing else for a minute or more.
 fn running(changed: usize) -> String {
     let what = if changed == 1 { "the one exercise".into() } else { format!("the {changed} exercises") };
     format!("Running {what} that you have changed. The first run compiles the library, and takes a while.")

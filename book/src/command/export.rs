@@ -10,7 +10,7 @@ use tumbling_bodies::BodyModel;
 use tumbling_figures::{Figure, Theme};
 use tumbling_media::Drawing;
 
-/// How figures leave the book.
+/// Options for files of figures outside the book.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
     /// Write files for other programs, in this format [default: svg]
@@ -60,11 +60,12 @@ impl Arguments {
     }
 }
 
-/// Writes these figures into the folder that was given: the book's own, or those of a body; with `all`, those
-/// that follow a body and that this one has.
+/// Writes these figures into the given folder: the book's own, or those of a body. With `all`, only figures
+/// that follow a body and that this body has.
 ///
 /// # Errors
-/// The folder of the pages' own drawings; each figure that could not be drawn or written, after the others.
+/// If the folder is the one of the pages' own drawings; also the figures that could not be drawn or written,
+/// after all others.
 pub(crate) fn export(
     figures: &[&Figure],
     body: Option<&BodyModel>,
@@ -126,7 +127,7 @@ fn exported(svg: &str, format: Format, width: Option<u32>) -> Result<Vec<u8>, St
     }
 }
 
-/// Exported drawings have no place among those that the pages take.
+/// Exported drawings must not be among those of the pages.
 pub(crate) fn own_folder_refused(folder: &Path) -> Result<(), String> {
     let [given, own] = [folder, &paths::figures()].map(|folder| folder.canonicalize().ok());
     if given.is_some() && given == own {

@@ -79,10 +79,11 @@ enum Format {
     Frames,
 }
 
-/// Pictures a second; in hundredths of a second, as GIF counts, a whole number.
+/// Pictures per second. GIF counts in hundredths of a second, and the time of a picture is a whole number of
+/// these.
 const RATE: f64 = 20.0;
 
-/// As many colours as a film of a few hundred kilobytes has.
+/// The number of colours of a film of a few hundred kilobytes.
 const COLOURS: usize = 64;
 
 /// A spin in rad/s or in turns a second.
@@ -175,13 +176,13 @@ fn whole(file: &Path, arguments: &Arguments, film: &Film, count: u32, shown: Sho
     Ok(format!("  {at}  {size} kB, {count} pictures of {wide} × {high}"))
 }
 
-/// A video, three times over, by ffmpeg; returns what was written.
+/// Writes a video of three repetitions by ffmpeg; returns a line on it.
 fn video(file: &Path, count: u32, shown: Shown<'_>) -> Written {
     let folder = tempfile::TempDir::new()?;
     frames(folder.path(), count, shown)?;
     let even = "pad=ceil(iw/2)*2:ceil(ih/2)*2";
     let once = format!("-framerate {RATE} -i %04d.png -vf {even} -pix_fmt yuv420p once.mp4");
-    // What is encoded is repeated as it is.
+    // The encoded video is repeated without encoding it again.
     for how in [&once, "-stream_loop 2 -i once.mp4 -c copy -movflags +faststart film.mp4"] {
         let how = ["-loglevel", "error"].into_iter().chain(how.split(' '));
         let made = Command::new("ffmpeg").current_dir(&folder).args(how).output()?;
@@ -256,7 +257,7 @@ mod tests {
         let pictures = (film.seconds() * RATE).round() as u32;
         for name in ["book", "book-navy"] {
             let file = fs::read(paths::chapters().join(format!("films/{name}.gif"))).unwrap();
-            // Each picture's block that says how long it stays: five hundredths of a second.
+            // The block of each picture with its duration: five hundredths of a second.
             let stays = file.windows(6).filter(|bytes| bytes[..3] == [0x21, 0xf9, 4] && bytes[4..] == [5, 0]);
             assert_eq!(stays.count() as u32, pictures, "{name}");
             assert!(fs::exists(paths::chapters().join(format!("films/{name}-still.png"))).unwrap());

@@ -11,7 +11,7 @@ use std::time::Instant;
 use tumbling_measure::measure::Effort;
 use tumbling_measure::{atlas as hard, campaign, contestant, setup};
 
-/// What to measure.
+/// The measurements.
 #[derive(Debug, Args)]
 #[command(
     args_conflicts_with_subcommands = true,
@@ -30,11 +30,11 @@ pub(crate) struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum What {
-    /// Count what scenes cost by what is requested; needs valgrind
+    /// Count what scenes cost by their outputs; needs valgrind
     ///
     /// Renews crates/measure/record/scenes.csv.
     Scenes {
-        /// Write nothing; fail where the record says otherwise
+        /// Write nothing; fail where the record differs
         #[arg(long)]
         check: bool,
     },
@@ -96,7 +96,7 @@ pub(crate) fn atlas() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// On a terminal one line that changes, else a line for each piece of work.
+/// On a terminal, one line that changes; otherwise a line for each part of the work.
 fn progress() -> impl FnMut(&str) {
     let terminal = std::io::stderr().is_terminal();
     move |what| {

@@ -1,15 +1,15 @@
-//! Answers: the right one of each question, and those of the problems, rest on what the section's code
-//! asserts.
+//! Answers: checks that the right answers of questions, and the answers of problems, rest on assertions of
+//! the section's code.
 
 use super::chapter::{Chapter, Section};
 use super::offence::Offence;
 use crate::preprocess::question;
 use std::ops::Range;
 
-/// What an answer rests on.
+/// The evidence for an answer.
 const ASSERTED: &str = "it as a string that an `assert_eq!` of this section expects";
 
-/// The answers that no assertion gives.
+/// The answers that no assertion contains.
 pub(super) fn offences(chapter: &Chapter) -> Vec<Offence> {
     let mut found = Vec::new();
     let mut offend = |at, what| found.push(chapter.offence(chapter.line(at), what, ASSERTED));
@@ -40,7 +40,7 @@ fn section(chapter: &Chapter, at: usize) -> Option<&Section> {
     chapter.sections.iter().rev().find(|s| begins(s) <= at)
 }
 
-/// What the code of a section asserts, with numbers or without.
+/// The strings that the code of a section asserts, with numbers or without.
 fn asserted(section: &Section) -> impl Iterator<Item = &str> {
     section.blocks.iter().flat_map(|block| {
         let numbers = block.code.phrases.iter().filter(|p| p.asserted).map(|p| p.text.as_str());

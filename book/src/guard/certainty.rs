@@ -1,8 +1,8 @@
-//! How certain a number is: by the calls that its assertion rests on, not by a label.
+//! How certain a number is. The calls in its assertion show this, not a label.
 //!
-//! `exactly(x)` and `enclosed(x)` of the proofs' crate give back what they are given and take exact numbers
-//! or intervals alone; the compiler refuses a float. So an assertion whose values all stand in such calls is
-//! one about those. Whatever else it rests on is computed in floats, and only asserted.
+//! `exactly(x)` and `enclosed(x)` of the proofs' crate return their argument. They accept only exact numbers
+//! and only intervals; the compiler refuses a float. So an assertion whose values are all in such calls is
+//! about exact numbers or intervals. Any other assertion is about floats, and counts only as asserted.
 
 use super::digits;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
@@ -11,25 +11,25 @@ use syn::parse::Parser as _;
 use syn::punctuated::Punctuated;
 use syn::{Expr, ExprLit, ExprMacro, Lit, Token};
 
-/// What holds a number, the weakest first.
+/// The kind of evidence for a number, weakest first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Certainty {
-    /// In the description that a drawing has of itself, and nowhere else.
+    /// Only in the description inside a drawing.
     Drawn,
     /// Computed in floats.
     Asserted,
-    /// A real number, in an interval whose ends round alike.
+    /// A real number in an interval whose ends round to the same digits.
     Enclosed,
     /// Exact arithmetic.
     Exact,
-    /// An input, or a bound that is chosen.
+    /// An input, or a chosen bound.
     Given,
     /// History, with its source.
     Fact,
 }
 
 impl Certainty {
-    /// Of several statements of the same words, what they are worth together.
+    /// The certainty of several statements of the same words together.
     pub(crate) fn with(self, other: Self) -> Self {
         let sure = |c: Self| matches!(c, Self::Exact | Self::Enclosed);
         match (sure(self), sure(other)) {
@@ -53,16 +53,16 @@ impl fmt::Display for Certainty {
     }
 }
 
-/// The names that an assertion's certainty is read by.
+/// The names of the calls that show an assertion's certainty.
 const OWN: [&str; 3] = ["enclosed", "exactly", "given"];
 
-/// By these a float would become an exact number.
+/// With these a float could become an exact number.
 const LETS_FLOATS_IN: &str =
     "of_f64 of_decimal of_literal from_float from_f64 approximate_float parse to_i64 to_int_unchecked";
 
-/// What this comparison rests on; literals alone are given.
+/// The certainty of a comparison; literals alone are given.
 pub(super) fn rests_on(expr: &Expr) -> Certainty {
-    // What a method or a cast makes of an exact number is not exact.
+    // The result of a method or a cast of an exact number is not exact.
     let given = |all: Certainty| if all == Certainty::Given { all } else { Certainty::Asserted };
     match expr {
         Expr::Lit(_) => Certainty::Given,
@@ -92,7 +92,7 @@ pub(super) fn weakest<'a>(all: impl IntoIterator<Item = &'a Expr>) -> Certainty 
     all.into_iter().map(rests_on).min().unwrap_or(Certainty::Given)
 }
 
-/// What the arguments of a `format!` rest on; `{name}` in the pattern brings a value that stands in no call.
+/// The certainty of the arguments of a `format!`; a `{name}` in the pattern is a value without such a call.
 fn formatted(format: &ExprMacro) -> Certainty {
     let parse = Punctuated::<Expr, Token![,]>::parse_terminated;
     let arguments = parse.parse2(format.mac.tokens.clone()).unwrap_or_default();
@@ -125,7 +125,7 @@ pub(super) fn prints_own_digits(expr: &Expr) -> bool {
     outside.map(digits::plain).any(|found| !found.is_empty())
 }
 
-/// What would let a block pass floats for exact numbers: the line, from zero, and what stands there.
+/// Names with which a block could pass floats for exact numbers: the line, from zero, and the name.
 pub(super) fn laundering(block: TokenStream) -> Vec<(usize, String)> {
     let mut found = Laundering::default();
     found.look(block);
@@ -153,7 +153,7 @@ impl Laundering {
                 }
                 other => other.to_string(),
             };
-            // What the proofs' crate itself gives may have these names.
+            // Imports from the proofs' crate may have these names.
             if before == "use" && word == "tumbling_proofs" {
                 tokens.by_ref().find(|token| token.to_string() == ";");
             }

@@ -35,7 +35,7 @@ impl Chapter {
     }
 }
 
-/// What stands between two headings, the first of them included.
+/// The contents between two headings, with the first heading.
 #[derive(Debug, Default)]
 pub(crate) struct Section {
     pub(crate) passages: Vec<Passage>,

@@ -1,4 +1,4 @@
-//! Reads the Rust of a block: which phrases it holds.
+//! Reads the Rust code of a block for its phrases.
 
 use super::certainty::{Certainty, laundering, prints_own_digits, weakest};
 use super::digits;
@@ -11,14 +11,13 @@ use syn::punctuated::Punctuated;
 use syn::visit::Visit;
 use syn::{BinOp, Expr, ExprLit, Lit, Token};
 
-/// What a block holds, in its order.
+/// The contents of a block, in its order.
 #[derive(Debug, Default)]
 pub(crate) struct Code {
     pub(crate) phrases: Vec<Phrase>,
-    /// The strings without a number or a denial that assertions expect: answers in words.
+    /// The expected strings of assertions without a number or a negation: answers in words.
     pub(crate) answers: Vec<String>,
-    /// What holds nothing, though it looks so: the line, from zero, what stands there, and what would be
-    /// right.
+    /// Code that looks like evidence and is not: the line, from zero, the words, and what would be right.
     pub(crate) hollow: Vec<(usize, String, &'static str)>,
     pub(crate) comments: Vec<Comment>,
 }
@@ -35,7 +34,7 @@ pub(crate) struct Literal {
 #[derive(Debug)]
 pub(crate) struct Comment {
     pub(crate) lines: Vec<Literal>,
-    /// Whether it stands behind code.
+    /// Whether it follows code on its line.
     pub(crate) note: bool,
     /// The values of the literals on a note's line.
     pub(crate) values: Vec<f64>,
@@ -48,10 +47,10 @@ pub(crate) struct Fault {
     pub(crate) what: String,
 }
 
-/// Reads a block.
+/// Reads a block of Rust.
 ///
 /// # Errors
-/// Where and why it is no Rust.
+/// The line and the reason why it is not Rust.
 pub(crate) fn read(text: &str) -> Result<Code, Fault> {
     shallow(text)?;
     let statements = syn::Block::parse_within.parse_str(text).map_err(|e| fault(&e))?;
@@ -89,7 +88,7 @@ fn shallow(text: &str) -> Result<(), Fault> {
                 ')' | ']' | '}' => depth = depth.saturating_sub(1),
                 _ => {}
             }
-            // Signs before an operand nest as well.
+            // Signs before an operand nest too.
             match c {
                 '-' | '!' | '&' | '*' => signs += 1,
                 c if c.is_alphanumeric() => signs = 0,
@@ -136,9 +135,9 @@ struct Reader<'a> {
     lines: Vec<&'a str>,
     code: Code,
     fault: Option<syn::Error>,
-    /// How many branches surround this, which may never be taken.
+    /// The number of enclosing branches, which may never be executed.
     branches: usize,
-    /// The lines of assertions, and what they rest on.
+    /// The lines of assertions, with their certainty.
     claimed: HashMap<usize, Certainty>,
 }
 
@@ -160,7 +159,7 @@ impl<'a> Reader<'a> {
         self.lines.get(at.line).and_then(|line| line.get(at.start..at.end)).unwrap_or_default()
     }
 
-    /// All literals, but not the doc comments that the compiler takes for such.
+    /// All literals, without the doc comments, which the compiler treats as literals.
     fn literals(&self, tokens: TokenStream, into: &mut Vec<Literal>) {
         for token in tokens {
             match token {
@@ -199,7 +198,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// The values that a literal brings to its line: a number, with its sign, or those in a string that is no
+    /// The values of a literal: a number with its sign, or the numbers of a string that is not a format
     /// pattern.
     fn values(&self, at: &Literal) -> Vec<f64> {
         let written = self.written(at);
@@ -214,7 +213,7 @@ impl<'a> Reader<'a> {
         digits.parse().map(|v: f64| if minus { -v } else { v }).into_iter().collect()
     }
 
-    /// One side of `assert_eq!`: strings with numbers, and those that deny, are what the text must repeat.
+    /// One side of `assert_eq!`: the text must repeat its strings with a number or a negation.
     fn expected(&mut self, expr: &Expr, certainty: Certainty) {
         match expr {
             Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => {
@@ -233,7 +232,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// An assertion in this line that holds nothing.
+    /// An assertion in this line that is no evidence.
     fn hollow(&mut self, line: usize, why: &str) {
         self.code.hollow.push((line, why.to_owned(), COMPUTED));
     }
@@ -247,7 +246,7 @@ impl<'a> Reader<'a> {
                     self.claim(&binary.right);
                 }
                 BinOp::Lt(_) | BinOp::Le(_) => {
-                    // Only how far two numbers are apart, `(x - 3.0 / 23.0).abs()`, pins one of them.
+                    // Only a distance, `(x - 3.0 / 23.0).abs()`, fixes the value of a number.
                     let apart = matches!(&*binary.left, Expr::MethodCall(c) if c.method == "abs" || c.method == "norm");
                     if let (true, Expr::Lit(bound)) = (apart, &*binary.right)
                         && self.values(&self.literal(bound.lit.span())).iter().any(|bound| *bound > 1e-3)
@@ -264,11 +263,11 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// A string with one of these says that something does not happen: dropped from the text, it is missed.
+/// Negations: if the text loses such a string, the guard notices.
 const DENIALS: [&str; 4] = ["does not", "do not", "it is not", "never "];
-/// What an assertion should be.
+/// The requirement on an assertion.
 const COMPUTED: &str = "a computed value compared with what it must be";
-/// Where a number may come from that is called exact.
+/// The permitted sources of exact numbers.
 const EXACT: &str = "the proofs' own `enclosed`, `exactly` and `given!`, and no float that becomes exact";
 
 impl<'ast> Visit<'ast> for Reader<'_> {
@@ -287,7 +286,7 @@ impl<'ast> Visit<'ast> for Reader<'_> {
         let arguments = match Punctuated::<Expr, Token![,]>::parse_terminated.parse2(mac.tokens.clone()) {
             Ok(arguments) => arguments,
             Err(e) => {
-                // Other macros have a grammar of their own, and say nothing that a text may repeat.
+                // Other macros have a grammar of their own, and contain nothing that a text may repeat.
                 if name.starts_with("assert") {
                     self.fault.get_or_insert(e);
                 }
@@ -299,7 +298,7 @@ impl<'ast> Visit<'ast> for Reader<'_> {
             self.hollow(line, "an assertion inside a branch, which may never be taken");
         }
         let weakest = weakest(arguments.iter().take(if name == "assert" { 1 } else { 2 }));
-        // Of literals alone nothing is claimed.
+        // A comparison of literals alone states nothing.
         let certainty = if weakest == Certainty::Given { Certainty::Asserted } else { weakest };
         if name.starts_with("assert") {
             let end = mac.delimiter.span().close().end().line.saturating_sub(1);

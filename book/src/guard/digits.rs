@@ -10,7 +10,7 @@ pub(crate) struct Numeral {
     pub(crate) value: f64,
 }
 
-/// The numbers of a text of which these ranges are TeX, without those that are parts of formulas.
+/// The numbers of a text, without those that are parts of formulas; the ranges are the TeX in it.
 pub(crate) fn numerals(text: &str, tex: &[Range<usize>]) -> Vec<Numeral> {
     let (mut found, mut at) = (Vec::new(), 0);
     for formula in tex {
@@ -30,9 +30,9 @@ pub(crate) fn plain(text: &str) -> Vec<Numeral> {
     numerals(text, &[])
 }
 
-/// Whether a number in a formula is a value, and not an index, a factor or an entry that is true or false
-/// with the formula: it has a point or a power of ten, stands in a tuple of numbers or at the end of `symbol
-/// = number`, or is all of the formula.
+/// Whether a number in a formula is a value, and not an index, a factor or an entry that belongs to the
+/// formula. It is a value if it has a decimal point or a power of ten, is in a tuple of numbers or at the end
+/// of `symbol = number`, or is the whole formula.
 fn is_value(text: &str, formula: &Range<usize>, at: &Range<usize>) -> bool {
     let before = &text[formula.start..at.start];
     let after = &text[at.end..formula.end];
@@ -119,7 +119,7 @@ pub(crate) fn with_unit<'a>(text: &'a str, numeral: &Numeral) -> &'a str {
     &text[numeral.at.start..numeral.at.end + length]
 }
 
-/// Where this phrase stands in the text as a whole, and is no part of a longer number, word or unit.
+/// The places where the text contains this phrase as a whole, not as part of a longer number, word or unit.
 pub(crate) fn quotations<'a>(text: &'a str, phrase: &'a str) -> impl Iterator<Item = Range<usize>> + 'a {
     let found = text.match_indices(phrase).map(|(at, _)| at..at + phrase.len());
     found.filter(move |at| {
@@ -132,7 +132,7 @@ fn begins(before: &str, phrase: &str) -> bool {
     !before.ends_with(|c: char| c.is_alphanumeric() || (number && "-./^_".contains(c)))
 }
 
-/// A number must be followed by no word: what is counted, and in which unit, belongs to the phrase.
+/// No word may follow a number: the counted thing and the unit belong to the phrase.
 fn ends(phrase: &str, after: &str) -> bool {
     let mut next = after.chars();
     let (first, second) = (next.next().unwrap_or('.'), next.next().unwrap_or(' '));

@@ -1,17 +1,17 @@
-//! The equations of a chapter, handed to the proofs: each is a law of the library's own functions, or on the
-//! short list of exemptions, or nothing but values.
+//! The equations of a chapter, passed to the proofs. Each must be a law of the library's own functions, be on
+//! the short list of exemptions, or only assign values.
 
 use super::chapter::Chapter;
 use super::laws;
 use super::offence::Offence;
 use tumbling_proofs::equations::{Equation, Fault, read};
 
-/// How an equation is held: by what functions of the library give, or less.
+/// The kinds of evidence for an equation, strongest first: proven from functions of the library, or less.
 #[rustfmt::skip]
 pub(super) const KINDS: [&str; 6] = ["proven", "proven of a formula written again", "as text, a part of it proven",
     "exempt", "notation", "values"];
 
-/// The maths of a chapter, as it stands there.
+/// The maths of a chapter, as written.
 fn maths(chapter: &Chapter) -> Vec<Equation> {
     let passages = chapter.sections.iter().flat_map(|section| &section.passages);
     passages
@@ -25,7 +25,7 @@ fn maths(chapter: &Chapter) -> Vec<Equation> {
         .collect()
 }
 
-/// Proves the equations of a chapter; what cannot be proven is an offence.
+/// Proves the equations of a chapter; an equation that cannot be proven is an offence.
 ///
 /// # Errors
 /// The list of exemptions cannot be read.

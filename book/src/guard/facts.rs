@@ -1,4 +1,4 @@
-//! The facts file: numbers that no computation can give, each with the words it stands in.
+//! The facts file: numbers that no computation can produce, each with the words around it.
 
 use serde::Deserialize;
 
@@ -25,7 +25,7 @@ pub(crate) struct Fact {
 /// Reads the facts.
 ///
 /// # Errors
-/// What is wrong with the file, or with one fact of it.
+/// A fault in the file, or in one of its facts.
 pub(crate) fn read(text: &str) -> Result<Vec<Fact>, String> {
     let facts = toml::from_str::<File>(text).map_err(|e| e.to_string())?.fact;
     for fact in &facts {

@@ -1,4 +1,4 @@
-//! Holds each number of a chapter to a phrase that stands in its section's code.
+//! Finds for each number of a chapter a phrase in the code of its section that contains it.
 
 use super::certainty::Certainty;
 use super::chapter::{Chapter, Section};
@@ -11,16 +11,17 @@ use super::spelled;
 use std::collections::HashMap;
 use std::ops::Range;
 
-/// The number words that no code holds, each with the word behind it, by chapter, as often as it is said.
+/// The number words that are in no phrase, by chapter, each with the word after it, as often as the chapter
+/// has it.
 pub(crate) type Words = HashMap<String, Vec<String>>;
 
-/// What there is besides the chapter.
+/// The data besides the chapter.
 #[derive(Debug, Default)]
 pub(crate) struct Beside {
     pub(crate) facts: Vec<Fact>,
-    /// What the drawings say of themselves, title and description, by the figure's name.
+    /// The title and description of each drawing, by the figure's name.
     pub(crate) drawings: HashMap<String, String>,
-    /// Those of chapters that are not in it are free.
+    /// A chapter without an entry may have any number words.
     pub(crate) words: Words,
 }
 
@@ -28,13 +29,13 @@ pub(crate) struct Beside {
 #[derive(Debug, Default)]
 pub(crate) struct Findings {
     pub(crate) offences: Vec<Offence>,
-    /// Where the numbers and number words of the text stand in the chapter's bytes.
+    /// The places of the numbers and number words, in bytes of the chapter.
     pub(crate) places: Vec<Range<usize>>,
-    /// Each number and what holds it: `file:line: number: holder`.
+    /// Each number with its evidence: `file:line: number: holder`.
     pub(crate) held: Vec<String>,
 }
 
-/// What holds a number, and how certain that is.
+/// The evidence for a number, and its certainty.
 type Holder = (String, Certainty);
 
 /// Checks a chapter.
@@ -60,7 +61,7 @@ struct Checker<'a> {
     beside: &'a Beside,
     found: Findings,
     ordinals: HashMap<u8, usize>,
-    /// The number words that no phrase holds, and where.
+    /// The number words that are in no phrase, and their places.
     counting: Vec<(String, usize)>,
 }
 
@@ -87,8 +88,8 @@ impl Checker<'_> {
         self.asserted_is_said(&phrases);
     }
 
-    /// The text says what the code asserts, and in the same order: so numbers cannot trade places, nor rows
-    /// of a table.
+    /// The text must contain what the code asserts, in the same order, so that neither numbers nor rows of a
+    /// table can trade places.
     fn asserted_is_said(&mut self, phrases: &[Phrase]) {
         for rows in [true, false] {
             let mut latest: Option<(&Phrase, usize)> = None;
@@ -125,7 +126,8 @@ impl Checker<'_> {
         let quoted = self.quoted(passage, phrases);
         let note = passage.kind == Kind::Note;
         for word in words {
-            // The code's reader holds a note's numbers, and each word of it that is a literal of its line.
+            // The code's reader has checked a note's numbers, and each word of it that is a literal of its
+            // line.
             let at = passage.source(word.at.start);
             match holder(&quoted, &word.at) {
                 _ if note && passage.values.iter().any(|value| word.says(*value)) => {}
@@ -143,7 +145,7 @@ impl Checker<'_> {
             let own = digits::with_unit(text, number);
             let by_drawing = || in_drawing(own, phrases);
             let holder = match &mut drawn {
-                // The words for a figure say what the drawing says of itself, in the same order.
+                // The alternative text of a figure must repeat its drawing's description, in the same order.
                 Some(rest) if passage.kind == Kind::Alt => rest.any(|words| words == own).then(by_drawing),
                 _ => holder(&quoted, &number.at)
                     .or_else(|| drawn.clone()?.any(|words| words == own).then(by_drawing)),
@@ -161,7 +163,7 @@ impl Checker<'_> {
         self.found.held.push(format!("{file}:{line}: `{own}`: {name}: {certainty}"));
     }
 
-    /// Objects to a number that nothing holds.
+    /// Reports a number without evidence.
     fn refuse(&mut self, at: usize, own: &str, passage: &Passage, phrases: &[Phrase]) {
         if passage.kind == Kind::Alt {
             let figure = passage.figure.as_deref().unwrap_or("?");
@@ -196,7 +198,7 @@ impl Checker<'_> {
         found
     }
 
-    /// `1. The first` and so on: the numbers before headings of one level count up from one.
+    /// The numbers before headings of one level (`1. The first`) must count up from one.
     fn ordinal(&mut self, passage: &Passage, level: u8, numbers: &mut Vec<Numeral>) {
         let Some(first) = numbers.first() else { return };
         if first.at.start != 0 || !passage.text[first.at.end..].starts_with(". ") {
@@ -217,7 +219,7 @@ impl Checker<'_> {
         self.beside.facts.iter().filter(|f| f.chapter == self.chapter.name)
     }
 
-    /// Each number word that no phrase holds stands in the chapter's list, and as often as there.
+    /// Each number word that is in no phrase must be in the chapter's list, and as often as there.
     fn words_are_listed(&mut self) {
         let Some(listed) = self.beside.words.get(&self.chapter.name) else { return };
         let mut left: Vec<&str> = listed.iter().map(String::as_str).collect();
@@ -244,15 +246,15 @@ impl Checker<'_> {
     }
 }
 
-/// What a number word must be.
+/// The requirement on a number word.
 const LISTED: &str = "digits that the section's code asserts or notes, or, where it is language, these words for this chapter in book/words.toml";
 
-/// The bytes of the chapter from which these of a passage came.
+/// The bytes of the chapter that correspond to these bytes of a passage.
 fn span(passage: &Passage, at: &Range<usize>) -> Range<usize> {
     passage.source(at.start)..passage.source(at.end - 1) + 1
 }
 
-/// What a drawing says, an assertion of the section may say too.
+/// If an assertion of the section contains what a drawing states, its certainty counts.
 fn in_drawing(own: &str, phrases: &[Phrase]) -> Holder {
     let says = phrases.iter().filter(|phrase| digits::quotations(&phrase.text, own).next().is_some());
     let certainty = says.map(|phrase| phrase.certainty).reduce(Certainty::with);

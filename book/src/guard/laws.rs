@@ -1,4 +1,4 @@
-//! Which laws each chapter states, in its order, and which of its maths claims nothing.
+//! The laws that each chapter states, in its order, and its maths that states nothing.
 
 use crate::site::{files, paths};
 use serde::Deserialize;
@@ -60,7 +60,7 @@ pub(super) const CHAPTERS: &[(&str, &[Law])] = &[
     ("glossary", &[GYROSCOPIC_TORQUE]),
 ];
 
-/// What of `equations.toml` is said of a piece of maths.
+/// The entries of `equations.toml` for a piece of maths.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Line {
@@ -77,7 +77,7 @@ struct Lists {
     notation: Vec<Line>,
 }
 
-/// Of a chapter.
+/// The entries for a chapter.
 fn own(lines: &'static [Line], chapter: &str) -> &'static [Exemption] {
     let of = lines.iter().filter(|line| line.chapter == chapter);
     of.map(|line| Exemption { tex: &line.tex, reason: &line.why, proof: line.proof.as_deref() })
@@ -85,7 +85,7 @@ fn own(lines: &'static [Line], chapter: &str) -> &'static [Exemption] {
         .leak()
 }
 
-/// What is expected of a chapter.
+/// The laws and exemptions that a chapter must have.
 ///
 /// # Errors
 /// `equations.toml` cannot be read, at which line and why.

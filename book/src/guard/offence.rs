@@ -1,17 +1,17 @@
-//! What the guard objects to, and where.
+//! A finding of the guard, and its place.
 
 use std::fmt;
 
-/// A place where the book says something that nothing holds.
+/// A place where the book states something without evidence.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Offence {
     /// The file, as the reader of the message would open it.
     pub(crate) file: String,
     /// Its line, counted from one.
     pub(crate) line: usize,
-    /// What stands there.
+    /// The words at that place.
     pub(crate) found: String,
-    /// What would have been right.
+    /// The right words or evidence.
     pub(crate) expected: String,
 }
 

@@ -1,8 +1,8 @@
-//! Running text, as phrases quote it.
+//! Running text, in the form that phrases are compared with.
 
 use std::ops::Range;
 
-/// Where a passage stands.
+/// The kind of place of a passage.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Default)]
 pub(crate) enum Kind {
     /// Its level, from one.
@@ -13,7 +13,7 @@ pub(crate) enum Kind {
     Caption,
     /// A row of a table, as `| a | b |`.
     Row,
-    /// The words for those who do not see the figure.
+    /// The alternative text of a figure.
     Alt,
     /// A comment in Rust.
     Comment,
@@ -21,8 +21,8 @@ pub(crate) enum Kind {
     Note,
 }
 
-/// Running text as phrases quote it: a minus is `-`, code a single `\u{fffc}`, and TeX stands without its
-/// dollars and its thin spaces, a power of ten as `3e-13`.
+/// Running text in the form that phrases are compared with: a minus is `-`, code is a single `\u{fffc}`, TeX
+/// has no dollar signs and no thin spaces, and a power of ten is `3e-13`.
 #[derive(Debug, Default)]
 pub(crate) struct Passage {
     pub(crate) kind: Kind,
@@ -30,9 +30,9 @@ pub(crate) struct Passage {
     pub(crate) tex: Vec<Tex>,
     /// The name of the drawing that it belongs to.
     pub(crate) figure: Option<String>,
-    /// Of a note, the values of the literals on its line.
+    /// For a note, the values of the literals on its line.
     pub(crate) values: Vec<f64>,
-    /// Where each stretch of the text begins, here and in the chapter.
+    /// The start of each stretch of the text, here and in the chapter.
     places: Vec<(usize, usize)>,
 }
 
@@ -42,7 +42,7 @@ pub(crate) struct Tex {
     /// Its bytes in the passage's text.
     pub(crate) at: Range<usize>,
     pub(crate) written: String,
-    /// Whether it stands by itself, between double dollars.
+    /// Whether it is displayed, between double dollars.
     pub(crate) display: bool,
 }
 

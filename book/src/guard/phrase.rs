@@ -1,24 +1,25 @@
-//! The words with numbers that a section's code holds.
+//! The phrases with numbers in a section's code.
 
 use super::certainty::Certainty;
 use super::digits;
 use std::cell::Cell;
 use std::ops::Range;
 
-/// Words with numbers that the text may repeat.
+/// Words with numbers, which the text may repeat.
 #[derive(Debug, Clone)]
 pub(crate) struct Phrase {
     pub(super) text: String,
     /// The text as it begins a sentence.
     pub(super) first: String,
-    /// Whether an assertion expects it, so that the text must repeat it; otherwise it is the note at a line's
-    /// end.
+    /// Whether an assertion expects it; then the text must repeat it. Otherwise it is a note at the end of a
+    /// line.
     pub(super) asserted: bool,
-    /// What the assertion rests on; of an input's note, that it is given.
+    /// The certainty of the assertion; for the note of an input, `Given`.
     pub(super) certainty: Certainty,
-    /// Its line: of a block's phrase within the block, from zero; of a section's, in the chapter's file.
+    /// The line: within the block, from zero, for a phrase of a block; in the chapter's file, for one of a
+    /// section.
     pub(super) line: usize,
-    /// Where the text says it first.
+    /// The first place where the text has it.
     pub(super) said: Cell<Option<usize>>,
 }
 
@@ -36,12 +37,12 @@ impl Phrase {
         self.text.starts_with('|')
     }
 
-    /// What it is, in words.
+    /// A description of it.
     pub(super) fn holder(&self) -> String {
         format!("the {} in line {}", if self.asserted { "assertion" } else { "note" }, self.line)
     }
 
-    /// Where the passage says it: a row as a whole, other phrases anywhere.
+    /// The places where the passage has it: a row as a whole, other phrases anywhere.
     pub(super) fn quotations<'b>(&'b self, text: &'b str) -> impl Iterator<Item = Range<usize>> + 'b {
         let row = (self.is_row() && text.trim() == self.text).then_some(0..text.len());
         let phrase = (!self.is_row()).then_some(&self.text);
@@ -51,8 +52,8 @@ impl Phrase {
     }
 }
 
-/// The phrases, each with what all that state the same words are worth together. one that is exact or
-/// enclosed beside an assertion in floats strengthens it, and need not be said once more.
+/// The phrases, each with the certainty of all phrases with the same words together. A phrase that is exact
+/// or enclosed strengthens an equal one in floats, and the text need not repeat it.
 pub(super) fn strengthened(phrases: Vec<Phrase>) -> Vec<Phrase> {
     let sure = |c: Certainty| matches!(c, Certainty::Exact | Certainty::Enclosed);
     let mut kept: Vec<Phrase> = Vec::new();
@@ -69,7 +70,7 @@ pub(super) fn strengthened(phrases: Vec<Phrase>) -> Vec<Phrase> {
     kept
 }
 
-/// The phrase that is most like these words: that begins and ends as they do.
+/// The phrase that is most similar to these words: the one with the longest common beginning and end.
 pub(super) fn nearest(phrases: &[Phrase], own: &str) -> String {
     let alike = |phrase: &&Phrase| {
         let (a, b) = (own.bytes(), phrase.text.bytes());

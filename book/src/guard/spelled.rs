@@ -1,6 +1,7 @@
 //! Number words: `twice`, `a twentieth`, `three axes`, `the third line`.
 //!
-//! Each stands in a phrase of the section's code, as numbers do, or in `words.toml` with the word behind it.
+//! Each must be in a phrase of the section's code, as numbers must, or in `words.toml` with the word after
+//! it.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -10,12 +11,14 @@ use std::sync::LazyLock;
 #[derive(Debug, Clone)]
 pub(crate) struct Word {
     pub(crate) at: Range<usize>,
-    /// Of a fraction, the number that it is one part of; nothing where it is not of one number.
+    /// The number, for a fraction its denominator; `None` for words such as `half` that have no single
+    /// number.
     value: Option<f64>,
 }
 
 impl Word {
-    /// Whether it is this number in words, a fraction as what it is or as a division.
+    /// Whether the word means this number; a fraction may stand for its value or for a division by its
+    /// denominator.
     pub(crate) fn says(&self, number: f64) -> bool {
         let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * b.abs();
         self.value.is_some_and(|value| near(value, number) || near(value * number, 1.0))
@@ -29,12 +32,12 @@ const OTHERS: &str = "hundred 1e2 thousand 1e3 million 1e6 billion 1e9 fifth 5 t
     fiftieth 50 hundredth 1e2 thousandth 1e3 millionth 1e6 billionth 1e9 twice 2 thrice 3 twofold 2 tenfold 10 \
     hundredfold 100";
 const POWERS: [&str; 4] = ["hundred", "thousand", "million", "billion"];
-/// Words that order, or are of no one number.
+/// Ordinals, and words without a single number.
 const ORDER: &str = "first second third thirds fourth sixth seventh eighth ninth sixteenth half halves quarter quarters \
     once ones double doubled triple dozen";
 
-/// The value of each word of these lists, if it has one, and whether its plural counts too. All words of the
-/// book are looked up in it.
+/// The value of each word of these lists, if it has one, and whether its plural counts too. A table, since
+/// every word of the book is looked up.
 static KNOWN: LazyLock<HashMap<&str, (Option<f64>, bool)>> = LazyLock::new(|| {
     let order = ORDER.split_whitespace().map(|word| (word, (None, false)));
     let tens = TENS.split(' ').zip((20..).step_by(10));
@@ -44,7 +47,7 @@ static KNOWN: LazyLock<HashMap<&str, (Option<f64>, bool)>> = LazyLock::new(|| {
     order.chain(plain.map(|(word, n)| (word, (Some(f64::from(n)), false)))).chain(parts).collect()
 });
 
-/// What a number word is worth, if it is of one number.
+/// The value of a number word, if it has a single one.
 fn value(word: &str) -> Option<Option<f64>> {
     let known = |word: &str| KNOWN.get(word).map(|known| known.0);
     let plural = || word.strip_suffix('s').and_then(|one| KNOWN.get(one)).filter(|known| known.1);
@@ -84,7 +87,7 @@ pub(crate) fn words(text: &str) -> Vec<Word> {
     found
 }
 
-/// A number word with the word behind it, in lower case: what it counts.
+/// A number word with the word after it, in lower case: the counted thing.
 pub(crate) fn counted(text: &str, at: &Range<usize>) -> String {
     let rest = &text[at.end..];
     let behind = rest.strip_prefix(' ').unwrap_or_default();

@@ -4,7 +4,7 @@ fn german() -> String {
     files::text(&paths::book().join("words.de.toml")).unwrap()
 }
 
-/// What is said against the German book once these words stand in place of those.
+/// The faults of the German book if the first words are replaced by the second.
 fn faults(said: &str, altered: &str) -> String {
     assert!(german().contains(said), "{said}");
     let language = Language::parse("de", &german().replacen(said, altered, 1));

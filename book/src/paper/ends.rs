@@ -1,4 +1,4 @@
-//! What stands at the end of a book on paper: answers to questions, hints and solutions.
+//! The pages at the end of a book on paper: answers to questions, hints and solutions.
 
 use super::page::{Page, opened};
 use super::tree::{Element, Node};
@@ -11,7 +11,7 @@ const MOVED: [&str; 3] = ["Hint", "Solution", "Answer"];
 const ANSWERS: (&str, &str) = ("answers", "Answers to the questions");
 const SOLUTIONS: (&str, &str) = ("solutions", "Hints and solutions");
 
-/// What has been taken from the pages so far.
+/// The contents taken from the pages so far.
 #[derive(Debug, Default)]
 pub(super) struct Ends {
     answers: Vec<Node>,
@@ -104,7 +104,7 @@ fn to_end(target: &str, words: &str) -> Element {
     Element::new("p", &[("class", "to-end")], vec![link(target, vec![Node::Text(words.into())])])
 }
 
-/// Takes the answer out of a question, with the question itself to stand before it.
+/// Removes the answer from a question; the question is repeated before the answer at the end.
 fn answer(page: &str, question: &mut Element) -> Vec<Node> {
     let Some(id) = question.get("id").map(str::to_owned) else { return Vec::new() };
     let quote = question.children.iter_mut().find_map(|node| match node {

@@ -15,7 +15,7 @@ use zip::{CompressionMethod, ZipWriter};
 pub(super) struct Entry {
     pub(super) name: String,
     media: &'static str,
-    /// What the manifest says of it besides.
+    /// Its further properties in the manifest.
     properties: String,
     pub(super) content: Vec<u8>,
 }
@@ -85,7 +85,7 @@ pub(super) fn entries(paper: &Paper) -> Result<Vec<Entry>, String> {
     Ok(entries)
 }
 
-/// What the manifest must say of a page with formulas or drawings.
+/// The properties that the manifest must state for a page with formulas or drawings.
 fn properties(text: &str) -> String {
     let inside = [("mathml", "<math "), ("svg", "<svg ")].into_iter().filter(|(_, tag)| text.contains(tag));
     inside.map(|(name, _)| name).collect::<Vec<_>>().join(" ")
@@ -127,7 +127,7 @@ fn nav(paper: &Paper) -> String {
     document(paper, "Contents", &out)
 }
 
-/// Which features of the book help those who do not see it, by the names of schema.org.
+/// The book's features for blind readers, by the names of schema.org.
 const FEATURES: [&str; 8] = [
     "structuralNavigation",
     "tableOfContents",
@@ -189,7 +189,7 @@ fn metadata(paper: &Paper, modified: &str) -> String {
     )
 }
 
-/// The time that the publication says it was made at, in UTC: that of `SOURCE_DATE_EPOCH` if it is set.
+/// The stated time of publication, in UTC; `SOURCE_DATE_EPOCH` if it is set.
 fn modified() -> String {
     let given = std::env::var("SOURCE_DATE_EPOCH").ok().and_then(|seconds| seconds.parse().ok());
     let now = || SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or(Duration::ZERO).as_secs();

@@ -1,4 +1,4 @@
-//! Sheets set as widely as their pages allow.
+//! Sheets in the loosest layout that does not need more pages.
 
 use super::sheet::{Size, chapter};
 use super::{NO_BROWSER, Paper, browser, handout, mended, numbers, problems, write};
@@ -8,14 +8,15 @@ use crate::site::files::write_changed;
 use std::fmt::Write as _;
 use std::path::Path;
 
-/// How closely a sheet is set, `fit-N` in `print.css`, and how often what may be repeated stands on it: three
-/// lines to write on, or the answers, of which a page that is cut apart holds several.
+/// A layout: how tight the sheet is, `fit-N` in `print.css`, and how many copies of its repeatable parts it
+/// has: three lines to write on, or the answers, of which a page to be cut apart has several.
 pub(super) type Setting = [usize; 2];
 
-/// How widely a sheet may be set, from the widest on.
+/// The number of layouts, from the loosest to the tightest.
 const FITS: usize = 8;
 
-/// How closely answers are set so that more of them go on a page: not below the letters of the book.
+/// The tightest layout of answers if several copies share a page: their letters are not smaller than the
+/// book's.
 const CLOSE: usize = 4;
 
 /// The sheets of these kinds (`handout`, `problems`, `answers`) of these chapters, or of every one, as HTML,
@@ -38,7 +39,7 @@ pub(super) fn print(
         (name, kind) => problems::sheet(paper, name, size, setting, kind == "answers"),
     };
     let file = |at: usize, ending| folder.join(format!("{}-{}.{ending}", sheets[at].0, sheets[at].1));
-    // First what can be printed by hand, whatever becomes of the browser.
+    // First the files that can be printed by hand, in case the browser fails.
     for at in 0..sheets.len() {
         write(&file(at, "html"), make(at, [FITS / 2, 0])?.as_bytes())?;
     }
@@ -60,7 +61,7 @@ pub(super) fn print(
     each_made(sheets.len(), printed, |at, pdf, _| write(&file(at, "pdf"), &mended(pdf?, &paper.about)))
 }
 
-/// The settings of a sheet of this kind, the best first; the last takes the fewest pages.
+/// The layouts of a sheet of this kind, the best first; the last needs the fewest pages.
 fn widths(kind: &str) -> Vec<Setting> {
     let fits = |times: usize, most: usize| (0..most).map(move |fit| [fit, times]);
     let copies = [3, 2].into_iter().filter(|_| kind == "answers");
@@ -92,15 +93,15 @@ fn chosen(
     Ok(widest(tried, &starts.collect::<Option<Vec<_>>>().ok_or(unread)?))
 }
 
-/// What stands before the body of a sheet, its language, and the rest up to the body's end.
+/// The text before the body of a sheet, its language, and the rest up to the body's end.
 fn parts(html: &str) -> Option<[&str; 3]> {
     let (head, body) = html.split_once("<body")?;
     let (_, language) = head.split_once("<html lang=\"")?;
     Some([head, language.split_once('"')?.0, body.rsplit_once("</body>")?.0])
 }
 
-/// Of each sheet the first of its settings that takes no more pages than the last, by the pages on which all
-/// begin, one after the other, and the page after them.
+/// For each sheet, the first of its layouts that needs no more pages than the last. `starts` has the pages on
+/// which all layouts begin, one after the other, and the page after the last.
 fn widest(tried: &[Vec<Setting>], starts: &[usize]) -> Vec<Setting> {
     let mut pages = starts.windows(2).map(|pair| pair[1].abs_diff(pair[0]));
     let first = tried.iter().filter_map(|settings| {
@@ -110,7 +111,8 @@ fn widest(tried: &[Vec<Setting>], starts: &[usize]) -> Vec<Setting> {
     first.collect()
 }
 
-/// The start of a section on a page of its own. Only of places with a link does the browser say the page.
+/// The start of a section on a page of its own. The browser reports only the pages of places with a link to
+/// them.
 fn start(at: usize) -> String {
     format!("<a href=\"#trial-{at}\"></a><section id=\"trial-{at}\" style=\"break-before: page\"")
 }

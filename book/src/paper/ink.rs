@@ -1,11 +1,11 @@
-//! Drawings in fixed colours, for where no style sheet sets them.
+//! Drawings in fixed colours, for places without a style sheet.
 
 use super::tree::{Element, Node, rewritten};
 
-/// What stands for the colour of the text.
+/// The colour that replaces the colour of the text.
 const TEXT: &str = "#1f2328";
 
-/// The drawing with each `var(--name,value)` replaced by its value, and the colour of the text by ours.
+/// The drawing with each `var(--name,value)` replaced by its value, and the text's colour replaced by ours.
 pub(super) fn fixed(drawing: Element) -> Element {
     let mut fixed = drawing;
     recolour(&mut fixed);

@@ -1,5 +1,5 @@
-//! What a browser leaves out of a tagged PDF and PDF/UA asks for: metadata, standard tags, words for links,
-//! and marks on what stands in the margins.
+//! Additions to a tagged PDF that PDF/UA requires and a browser omits: metadata, standard tags, descriptions
+//! of links, and marks on the contents of the margins.
 //!
 //! Chromium writes each object as plain text with its dictionary in front, one entry a line, and a table of
 //! where they begin. A file that looks otherwise is not touched.
@@ -13,13 +13,13 @@ use flate2::write::ZlibEncoder;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::{Read as _, Write as _};
 
-/// How the words of a formula begin: what is tagged as a figure with such words is a formula.
+/// The beginning of a formula's description: a figure with such a description is a formula.
 pub(super) const FORMULA: &str = "formula: ";
 
-/// Objects by their numbers: what stands between `obj` and `endobj`.
+/// Objects by their numbers: the text between `obj` and `endobj`.
 pub(super) type Objects = BTreeMap<usize, Vec<u8>>;
 
-/// The PDF with what it lacks.
+/// The PDF with the additions.
 ///
 /// # Errors
 /// How it differs from what Chromium writes.
@@ -135,7 +135,7 @@ fn tagged(element: &str, items: &BTreeSet<usize>) -> String {
     out
 }
 
-/// Gives an item of a list a body to hold what stands in it directly: a link, another list.
+/// Adds a body to an item of a list, for its direct contents: a link, another list.
 fn with_body(item: usize, kids: Vec<(usize, String)>, objects: &mut Objects) {
     let parent = format!("\n/P {item} 0 R\n");
     let has = |name: &str| kids.iter().any(|(_, kid)| kid.contains(name));
@@ -154,7 +154,7 @@ fn with_body(item: usize, kids: Vec<(usize, String)>, objects: &mut Objects) {
     objects.insert(item, held.into_bytes());
 }
 
-/// What stands in a string up to the parenthesis that ends it, escaped as it is.
+/// The contents of a string up to the parenthesis that ends it, still escaped.
 fn literal(text: &str) -> Option<&str> {
     let (mut escaped, mut depth) = (false, 0_usize);
     let end = text.char_indices().find(|&(_, c)| {
@@ -180,7 +180,7 @@ fn target(link: &str, pages: &BTreeMap<String, usize>) -> String {
     pages.get(place).map_or("A place in this book".to_owned(), |page| format!("Page {page}"))
 }
 
-/// The text of a page, with what no tag holds marked as no part of the content: the margins.
+/// The text of a page, in which everything without a tag is marked as not part of the content: the margins.
 fn marked(stream: &[u8]) -> Option<Vec<u8>> {
     let begin = stream.windows(8).position(|at| at == b" stream\n")? + 8;
     let packed = stream[begin..].strip_suffix(b"endstream")?;

@@ -55,11 +55,11 @@ enum What {
     },
 }
 
-/// What is said where no browser is found.
+/// The message if no browser is found.
 pub(crate) const NO_BROWSER: &str = "No Chromium, Chrome or Edge was found to print the PDF (the variable CHROMIUM can name one). \
                           Open the HTML in any browser, and print it from there.";
 
-/// Writes what was asked for.
+/// Writes the requested files.
 ///
 /// # Errors
 /// What is wrong with the book, or a file that cannot be written.

@@ -1,4 +1,5 @@
-//! On which page of a PDF each named place is, as a browser writes it: objects in plain text, pages in order.
+//! The page number of each named place in a PDF, as browsers write PDFs: objects in plain text, pages in
+//! order.
 
 use super::mend;
 use std::collections::BTreeMap;

@@ -1,4 +1,4 @@
-//! A page on paper, and how a fold stands on it.
+//! A page on paper, and the form of a fold on it.
 
 use super::tree::{Element, Node};
 

@@ -16,7 +16,7 @@ use mdbook_driver::MDBook;
 use mdbook_preprocessor::book::BookItem;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What the book says of itself.
+/// The book's metadata.
 #[derive(Debug, Clone)]
 pub(super) struct About {
     pub(super) title: String,
@@ -38,7 +38,7 @@ impl Paper {
     /// Builds the pages, and reads them.
     ///
     /// # Errors
-    /// What is wrong with the book, or a link that leads nowhere.
+    /// A fault in the book, or a link that leads nowhere.
     pub(super) fn read() -> Result<Self, String> {
         let folder = tempfile::TempDir::new().map_err(|e| format!("no folder for the pages: {e}"))?;
         let built = build::rendered(Some(folder.path()), Preprocess::Pages)?;
@@ -59,7 +59,7 @@ impl Paper {
             let html = files::text(&built.join(format!("{name}.html")))?;
             let body = body(&html, &name).map_err(|what| format!("{name}.html: {what}"))?;
             let number = chapter.number.as_ref().map(|n| n.to_string().trim_end_matches('.').to_owned());
-            // A page below another, or without goals, is no chapter: it has no handout of its own.
+            // A page below another one, or without goals, is not a chapter and has no handout.
             let number = number.filter(|number| !number.contains('.') && goals::of(&name).is_ok());
             let title = chapter.name.clone();
             match Language::of(&name)? {
@@ -85,7 +85,7 @@ impl Paper {
     }
 }
 
-/// What a page says, as paper can show it.
+/// The contents of a page in a form for paper.
 fn body(html: &str, page: &str) -> Result<Vec<Node>, String> {
     let (_, main) = html.split_once("<main id=\"main\" tabindex=\"-1\">").ok_or("has no <main>")?;
     let (main, _) = main.split_once("</main>").ok_or("its <main> does not end")?;
@@ -105,7 +105,7 @@ fn body(html: &str, page: &str) -> Result<Vec<Node>, String> {
     wrong.map_or(Ok(plain), Err)
 }
 
-/// What stands on paper for an element.
+/// The replacement for an element on paper.
 fn on_paper(mut element: Element, page: &str, shown: &BTreeSet<String>) -> Result<Vec<Node>, String> {
     let class = |class: &str| element.has_class(class);
     Ok(match element.name.as_str() {

@@ -44,7 +44,7 @@ pub(super) fn sheet(
             let Problem { asked, answer } = problem;
             let after = Element::new("div", &[("class", "answer")], answer.clone());
             let nodes: Vec<_> = asked.iter().cloned().chain(answers.then(|| after.into())).collect();
-            // What takes longer to answer has more room.
+            // A problem with a longer answer gets more space.
             let (room, words) = (1 + text(answer).len() / 90, xml(&sheet::within(&nodes, class)));
             format!("<li class=\"problem\" style=\"flex-grow: {room}\">{words}</li>\n")
         });
@@ -57,7 +57,7 @@ pub(super) fn sheet(
     let body = if answers {
         let all = list(0, count);
         let checked = say("The numbers are computed and checked by the book’s tests.");
-        // On a page that is cut apart, one copy is enough for a screen reader.
+        // A page to be cut apart has several copies; one is enough for a screen reader.
         let copies = (0..times.max(1)).map(|at| {
             let again = if at == 0 { "" } else { " aria-hidden=\"true\"" };
             format!("<section class=\"copy of-{times}\"{again}>{head}{all}<p class=\"for\">{of} {checked}</p></section>\n")
@@ -124,7 +124,7 @@ fn written(paper: &Paper, name: &str) -> Result<Vec<Problem>, String> {
     Ok(found)
 }
 
-/// What a sheet shows of an element: no programs, and no links, since nothing leads on from paper.
+/// The parts of an element that a sheet shows: no programs and no links, which lead nowhere on paper.
 fn on_sheet(element: Element) -> Vec<Node> {
     let dropped = ["program", "to-end", "summary"].iter().any(|class| element.has_class(class));
     match element.name.as_str() {

@@ -150,7 +150,7 @@ pub(super) fn document(
     ))
 }
 
-/// The element that stands next after the one with this id, among these nodes.
+/// The next element after the one with this id, among these nodes.
 pub(super) fn after<'a>(nodes: &'a [Node], id: &str) -> Option<&'a Element> {
     let mut elements = nodes.iter().filter_map(Node::element);
     elements.by_ref().find(|element| element.get("id") == Some(id))?;
@@ -160,7 +160,7 @@ pub(super) fn after<'a>(nodes: &'a [Node], id: &str) -> Option<&'a Element> {
 /// The page of this name among those with a number.
 ///
 /// # Errors
-/// There is none; names those that there are.
+/// No such page; the error names the existing ones.
 pub(super) fn chapter<'a>(paper: &'a Paper, name: &str) -> Result<&'a Page, String> {
     let numbered = || paper.chapters();
     numbered().find(|page| page.name == name).ok_or_else(|| {

@@ -1,4 +1,5 @@
-//! What stands on paper for a widget: a drawing of what it shows, and a line that says where the live one is.
+//! The replacement for a widget on paper: a drawing of its contents, and a line with the place of the live
+//! one.
 
 use super::ink;
 use super::tree::{Element, Node, parse};
@@ -6,14 +7,14 @@ use crate::site::{files, paths};
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// What is to be seen on paper in a widget's place: a row of `book/paper/stills.toml`.
+/// The replacement of one widget: a row of `book/paper/stills.toml`.
 #[derive(Deserialize)]
 struct Still {
     figure: String,
     live: String,
 }
 
-/// What stands in this page for a widget; `shown` are the figures that the page has.
+/// The replacement for a widget in this page; `shown` are the figures that the page has.
 ///
 /// # Errors
 /// A widget without a still, or a drawing that cannot be read.

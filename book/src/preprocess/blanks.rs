@@ -6,7 +6,7 @@ use super::{Piece, Source};
 use crate::language::UNITS;
 use pulldown_cmark::{Event, Tag, TagEnd};
 
-/// What may stand behind a unit.
+/// The characters that may follow a unit.
 const MARKS: [char; 6] = ['.', ',', ';', ':', ')', '?'];
 
 /// Replaces these blanks in a chapter, and brackets its citations; code and descriptions of images stay.
@@ -21,7 +21,7 @@ pub(super) fn replace(source: &Source<'_>, pieces: &[Piece<'_>], edits: &mut Edi
                 edits.replace(range.end..range.end, "\\]".into());
             }
             Event::Text(_) if !raw => {
-                // A formula takes the unit behind it along.
+                // A formula keeps the unit after it on its line.
                 let after = source.text[..range.start].ends_with('$');
                 let start = range.start + if after { unit_behind(&source.text[range.clone()]) } else { 0 };
                 for at in inside(&source.text[start..range.end]).map(|at| start + at) {

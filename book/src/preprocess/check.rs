@@ -1,4 +1,4 @@
-//! What Markdown lets pass and a reader, or `cargo test`, would stumble over.
+//! Finds mistakes that Markdown accepts, but that would confuse a reader or `cargo test`.
 
 use super::{Piece, Source};
 use pulldown_cmark::{CodeBlockKind, Event, Tag, TagEnd};

@@ -91,7 +91,7 @@ mod tests {
             let mine = from.split("\n### ").next().unwrap();
             let (shown, folded) = mine.split_once("<details").unwrap();
             assert!(shown.contains(&exercise.task), "before all folds: {shown}");
-            // What each fold shows, in the order of the page, and what is in it.
+            // The words and the contents of each fold, in the order of the page.
             let mut expected = vec![("The code to complete".to_owned(), code(&exercise.open()))];
             for (at, hint) in exercise.hints.iter().enumerate() {
                 let of = exercise.hints.len();

@@ -1,6 +1,6 @@
 //! Figures: `![what is seen](../../figures/NAME.svg)` becomes the drawing itself, with its caption.
 //!
-//! Inline, a drawing takes the reader's theme; as an `<img>` it could not.
+//! A drawing inside the page uses the reader's theme; an `<img>` could not.
 
 use super::edits::Edits;
 use super::palette::Palette;
@@ -43,8 +43,8 @@ pub(super) fn replace(
     faults
 }
 
-/// Lays the drawings beside the chapters, whence mdBook copies them to the pages: the links that open
-/// a drawing by itself lead there.
+/// Copies the drawings next to the chapters, from where mdBook copies them to the pages, for the links that
+/// open a drawing on its own.
 pub(super) fn lay_out(shown: &Shown, palette: &Palette, folder: &Path) -> Result<(), String> {
     let alone = |(name, (drawing, _)): (&String, &(Drawing, PathBuf))| {
         (format!("{name}.svg"), drawing.alone(&palette.of(name)).into_bytes())
@@ -58,7 +58,7 @@ fn figure_name(target: &str) -> Option<String> {
     (!name.contains('/')).then(|| name.to_owned())
 }
 
-/// A paragraph that holds a figure and nothing else, and the caption after it.
+/// A paragraph that contains only a figure, and the caption after it.
 struct Place {
     paragraph: Range<usize>,
     caption: Option<Caption>,
@@ -67,7 +67,7 @@ struct Place {
 /// A paragraph that is emphasised from end to end.
 struct Caption {
     paragraph: Range<usize>,
-    /// What is between the two asterisks.
+    /// The text between the two asterisks.
     inner: Range<usize>,
 }
 
@@ -85,7 +85,7 @@ impl Place {
     }
 }
 
-/// Where the image that starts at `image` stands, if it stands alone in its paragraph.
+/// The place of the image that starts at `image`, if it is alone in its paragraph.
 fn placed(pieces: &[Piece<'_>], image: usize) -> Option<Place> {
     let (Event::Start(Tag::Paragraph), paragraph) = pieces.get(image.checked_sub(1)?)? else {
         return None;
@@ -103,7 +103,7 @@ fn caption(next: &[Piece<'_>]) -> Option<Caption> {
         return None;
     };
     let end = next.iter().position(|(e, _)| *e == Event::End(TagEnd::Paragraph))?;
-    // The emphasis that the paragraph begins with must be the one that it ends with.
+    // The emphasis at the start of the paragraph must be the one that ends it.
     let (last, closing) = &next[end - 1];
     (*last == Event::End(TagEnd::Emphasis) && closing == emphasis)
         .then(|| Caption { paragraph: paragraph.clone(), inner: emphasis.start + 1..emphasis.end - 1 })

@@ -1,9 +1,9 @@
 //! The chapters as the index of the search reads them.
 //!
-//! mdBook indexes every word of a page: programs, the description and the numbers in a drawing, and the
-//! controls of a widget too. So the index is made of chapters without these and without the answers of
-//! questions, and with the words in `search.toml`, by which a reader would look for a page and which no
-//! result shows. A page without such words there is found as a whole, behind the chapters that explain.
+//! mdBook indexes every word of a page, even in programs, in the descriptions and numbers of drawings, and in
+//! the controls of widgets. So the index is made from chapters without these and without the answers of
+//! questions. The words in `search.toml` are added: readers may search for them, and no result shows them. A
+//! page without words in that file is indexed as a whole, after the chapters that explain.
 
 use super::programs;
 use crate::site::places::escaped;
@@ -19,10 +19,10 @@ const KINDS: [(&str, &str); 3] = [
     ("<nav aria-label=\"Chapters", "</footer>"),
 ];
 
-/// Leaves out what no reader looks for, and puts the words of `search.toml` in.
+/// Removes what no reader searches for, and adds the words of `search.toml`.
 ///
 /// # Errors
-/// What is wrong with that file.
+/// A fault in that file.
 pub(super) fn reduce(book: &mut Book, root: &Path) -> Result<(), String> {
     let mut sought = words(root)?;
     book.for_each_mut(|item| {
@@ -70,7 +70,7 @@ fn unanswered(text: &str) -> String {
 /// The words of each page, where there are any.
 ///
 /// # Errors
-/// What is wrong with that file.
+/// A fault in that file.
 pub(crate) fn words(root: &Path) -> Result<BTreeMap<String, String>, String> {
     match fs::read_to_string(root.join("search.toml")) {
         Ok(text) => toml::from_str(&text).map_err(|e| format!("book/search.toml: {e}")),

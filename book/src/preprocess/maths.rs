@@ -18,11 +18,11 @@ impl Maths {
     /// MathML for this TeX, written so that Markdown passes it on untouched.
     ///
     /// # Errors
-    /// What is wrong with the TeX.
+    /// A fault in the TeX.
     pub(super) fn shown(&self, tex: &str, display: MathDisplay) -> Result<String, String> {
         let shown = |tex: &str| -> Result<String, String> {
             let shown = self.0.convert_with_local_state(tex, display).map_err(|e| e.error_message())?;
-            // Browsers give a bracket of its own size the room of a sign between two sides.
+            // Around a bracket with its own size, browsers leave as much space as around a relation.
             Ok(guarded(&shown.mathml.replace("<mo minsize=", "<mo lspace=\"0\" rspace=\"0\" minsize=")))
         };
         if display == MathDisplay::Inline {

@@ -1,8 +1,8 @@
 //! Turns what chapters write into what pages show: exercises and programs into folds, TeX into MathML,
 //! figures into inline SVG, widgets into their places, questions into boxes.
 //!
-//! Works on the Markdown, before mdBook makes pages of it, and changes only the byte ranges that hold maths,
-//! a figure, a widget or a program; what only looks like one stays as written.
+//! It works on the Markdown, before mdBook makes pages, and changes only the byte ranges of maths, figures,
+//! widgets and programs.
 
 pub(crate) mod blanks;
 mod check;
@@ -33,7 +33,7 @@ use std::path::{Path, PathBuf};
 /// The name of the preprocessor in `book.toml`.
 pub(crate) const NAME: &str = "tumbling";
 
-/// Only pages need us: other renderers take the Markdown as it stands.
+/// Only HTML pages need this preprocessor: other renderers use the Markdown as it is.
 pub(crate) fn supports(renderer: &str) -> bool {
     renderer == "html"
 }
@@ -41,7 +41,7 @@ pub(crate) fn supports(renderer: &str) -> bool {
 /// The preprocessor.
 pub(crate) enum Preprocess {
     Pages,
-    /// For the index of the search alone.
+    /// The preprocessor for the search index only.
     Index,
 }
 
@@ -89,7 +89,7 @@ fn run(context: &PreprocessorContext, mut book: Book) -> Result<Book> {
             Ok(None) => (chapter.content.clone(), None),
             Err(fault) => return faults.push(fault),
         };
-        // The original has laid out the same drawings and widgets.
+        // The original chapter has already copied the same drawings and widgets.
         let seen = if other.is_some() { &mut Seen::default() } else { &mut seen };
         let written = Source { path: &path, text: &own };
         let text = exercises::replace(&written, &exercises)
@@ -154,7 +154,7 @@ impl Source<'_> {
 /// An event of the Markdown parser and the bytes it came from.
 pub(crate) type Piece<'a> = (Event<'a>, Range<usize>);
 
-/// Reads Markdown as mdBook does, and maths besides.
+/// Reads Markdown as mdBook does, and also maths.
 pub(crate) fn pieces(text: &str) -> Vec<Piece<'_>> {
     let options = Options::ENABLE_TABLES
         | Options::ENABLE_FOOTNOTES

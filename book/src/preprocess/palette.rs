@@ -19,7 +19,7 @@ impl Palette {
         Self(lines.filter(wanted).filter(|line| !line.is_empty()).collect::<Vec<_>>().join("\n"))
     }
 
-    /// A style and the places that its rules look for, to stand in a drawing of this name.
+    /// A style, and the elements that its rules refer to, to be inserted into a drawing with this name.
     pub(super) fn of(&self, name: &str) -> String {
         let mut style = self.0.replace(":root", "svg:root:has(g:target)");
         let mut places = String::new();

@@ -1,10 +1,10 @@
-//! Questions: a quote that begins with `**Predict.**` asks before the text answers. Where there are scripts,
-//! its answer waits until the reader has chosen.
+//! Questions: a quote that begins with `**Predict.**` asks something before the text answers it. If scripts
+//! run, its answer is hidden until the reader has chosen.
 //!
-//! Such a quote is a paragraph with the question, perhaps a list of answers to choose from, and a paragraph
-//! that begins with the right one in italics and goes on with the reason. Without a list the right one is a
-//! number with its unit, and the reader sets a slider. `../../theme/questions.js` does the rest. The box has
-//! the id `CHAPTER-question-NUMBER`.
+//! Such a quote has a paragraph with the question, optionally a list of answers to choose from, and a
+//! paragraph that begins with the right answer in italics and continues with the reason. Without a list, the
+//! right answer is a number with its unit, and the reader sets a slider. `../../theme/questions.js` does the
+//! rest. The box has the id `CHAPTER-question-NUMBER`.
 
 use super::edits::Edits;
 use super::{Piece, Source, nested};
@@ -52,7 +52,7 @@ pub(crate) fn answers(text: &str) -> Vec<(usize, String)> {
     questions.filter_map(right).collect()
 }
 
-/// Why this quote, the first of the pieces, is no question.
+/// The reason why this quote, the first of the pieces, is not a question.
 fn wrong(text: &str, pieces: &[Piece<'_>], quote: &Range<usize>, depth: usize) -> Option<String> {
     if depth > 0 {
         return Some("a question stands in no list and no other quote".to_owned());

@@ -102,7 +102,8 @@ fn place(name: &str, folders: &Folders, placed: &mut Placed) -> Result<String, S
     ))
 }
 
-/// Lays the scripts and modules of these widgets beside the chapters, whence mdBook copies them to the pages.
+/// Copies the scripts and modules of these widgets next to the chapters, from where mdBook copies them to the
+/// pages.
 pub(super) fn lay_out(placed: &Placed, folders: &Folders) -> Result<(), String> {
     let mut all = BTreeMap::new();
     for name in placed.iter().map(String::as_str).chain((!placed.is_empty()).then_some("live")) {

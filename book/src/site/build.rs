@@ -12,10 +12,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-/// The position stage for engines, which a chapter links to; beside the pages in the folder `engine`.
+/// The position stage for engines, which a chapter links to; it is in the folder `engine` next to the pages.
 const TO_TAKE_ALONG: [&str; 2] = ["c/position_stage.h", "position_stage.rs"];
 
-/// Builds the book into `book/html/`, to stand at `site` if that is known.
+/// Builds the book into `book/html/`, for publication at `site` if that is known.
 ///
 /// # Errors
 /// What mdBook or our preprocessor found wrong. A warning counts as wrong, and so does a page with a
@@ -33,7 +33,7 @@ pub(crate) fn build(site: Option<&Site>) -> Result<(), String> {
 /// Builds into `destination`, or where `book.toml` says; returns the number of pages.
 fn build_into(destination: Option<&Path>, site: Option<&Site>) -> Result<usize, String> {
     let folder = rendered(destination, Preprocess::Pages)?;
-    // mdBook copies whatever stands beside the chapters and is no Markdown; this is no page.
+    // mdBook copies all files next to the chapters that are not Markdown; this one must not become a page.
     let _ = fs::remove_file(folder.join("lib.rs"));
     for file in TO_TAKE_ALONG {
         let from = paths::repository().join("examples/engines").join(file);

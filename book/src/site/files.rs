@@ -50,7 +50,7 @@ pub(crate) fn write_changed(file: &Path, content: &[u8]) -> Result<bool, String>
     Ok(true)
 }
 
-/// Lays these files into a folder, and takes away what else is there.
+/// Writes these files into a folder, and removes all others from it.
 ///
 /// # Errors
 /// A file that cannot be written.

@@ -1,4 +1,4 @@
-//! What a reader can do after each chapter, `book/goals.toml`, and by which exercise or question it shows.
+//! What a reader can do after each chapter, `book/goals.toml`, and the exercise or question that shows it.
 
 use crate::site::places::unsound;
 use crate::site::{files, paths};
@@ -7,11 +7,11 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-/// One thing that a reader can do.
+/// Something that a reader can do.
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Goal {
-    /// Goes on from "After this chapter you can".
+    /// Continues "After this chapter you can".
     pub(crate) goal: String,
     /// The name of an exercise of the chapter, or `question N`.
     pub(crate) shown: String,
@@ -52,7 +52,7 @@ fn listed() -> Result<String, String> {
     Ok(out)
 }
 
-/// Where a page lists all goals, alone in its line.
+/// The directive in whose place a page lists all goals; it must be alone in its line.
 const DIRECTIVE: &str = "{{#goals}}\n";
 
 /// A chapter's text with the list of all goals in the place of the directive.

@@ -1,7 +1,7 @@
-//! Hearing what mdBook complains of.
+//! Counts the warnings and errors of mdBook.
 //!
-//! mdBook reports a missing include or an unclosed tag only through `tracing`, and then builds the page all
-//! the same. With nobody listening such a page ships. So we listen, and count.
+//! mdBook reports a missing include or an unclosed tag only through `tracing`, and builds the page anyway. So
+//! we listen to these events and count them; otherwise such a page would be published.
 
 use std::io::stderr;
 use std::sync::Arc;

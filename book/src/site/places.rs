@@ -11,7 +11,7 @@ impl Sentences {
     /// Reads `pages.toml` in the folder of the book, if there is one.
     ///
     /// # Errors
-    /// What is wrong with the file: a sentence with a number in it, which nothing would hold, is.
+    /// The fault in the file. A sentence with a number is one, since no code supports the number.
     pub(crate) fn read(book: &Path) -> Result<Option<Self>, String> {
         let file = book.join("pages.toml");
         match std::fs::read_to_string(&file) {

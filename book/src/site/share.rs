@@ -1,4 +1,5 @@
-//! What a page says to other programs: its description, how it looks when shared, and the map of the site.
+//! Metadata of pages for other programs: the description, the preview of a shared link, and the map of the
+//! site.
 
 use crate::language::{Language, with};
 use crate::site::files::{self, write_changed};
@@ -99,16 +100,16 @@ fn named(html: String) -> String {
     if html.contains("<title>") { html } else { html.replacen("<meta charset=\"UTF-8\">", head, 1) }
 }
 
-/// The page with its own description; nothing if it has none to replace. Without an address it is no page for
-/// others to find.
+/// The page with its own description; `None` if the page has no description to replace. Without an address
+/// the page has no canonical link.
 fn with_head(html: &str, sentence: &str, address: Option<&str>, site: Option<&Site>) -> Option<String> {
     let written = between(html, "<title>", "</title>")?;
-    // The first page has the book's own name.
+    // The first page has the name of the book itself.
     let doubled = written.split_once(" - ").filter(|(page, book)| page == book);
     let title = doubled.map_or(written, |(_, book)| book);
     let old = between(html, "<meta name=\"description\" content=\"", "\">")?;
     let sentence = escaped(sentence);
-    // Without an address the picture's is relative: enough for those who read the pages where they stand.
+    // Without an address, the path of the picture is relative, which is enough for local readers.
     let root = site.map_or("", |Site(root)| root);
     let mut head = format!(
         "{sentence}\">\n        <meta property=\"og:type\" content=\"article\">\n        <meta property=\"og:title\" \

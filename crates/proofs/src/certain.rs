@@ -1,9 +1,9 @@
-//! How certain a number is, seen by the type that it is computed with.
+//! How certain a number is, shown by the type with which it is computed.
 //!
-//! What is asserted of [`exactly`] is a statement about exact fractions or whole numbers, computed without
-//! rounding; what is asserted of [`enclosed`], about real numbers. That the computation is the one that a
-//! text speaks of, neither shows. Both give back what they are given: they are there so that the compiler
-//! refuses a float, and so that a reader, the book's guard too, sees on what an assertion rests.
+//! An assertion about [`exactly`] is about exact fractions or whole numbers, computed without rounding; an
+//! assertion about [`enclosed`] is about real numbers. Neither shows that the computation is the one that a
+//! text describes. Both return their argument. They exist so that the compiler refuses a float, and so that a
+//! reader, or the book's guard, sees on what an assertion rests.
 //!
 //! ```
 //! use tumbling_proofs::{Interval, Rational, enclosed, exactly, given};
@@ -35,19 +35,19 @@ macro_rules! exact {
 }
 exact!(Rational, Fraction, Cost);
 
-/// An exact number, as it is.
+/// Returns an exact number unchanged.
 pub fn exactly<T: Exact>(number: T) -> T {
     number
 }
 
-/// An interval, as it is.
+/// Returns an interval unchanged.
 #[must_use]
 pub fn enclosed(number: Interval) -> Interval {
     number
 }
 
-/// A number that is given, exactly as it is written: `given!(0.1)` is one tenth, which no float is. Of the
-/// type that its place asks for, or of one that is named: `given!(Interval: 0.1)`.
+/// A number exactly as it is written: `given!(0.1)` is one tenth, which no float is. Its type follows from
+/// the context, or is named: `given!(Interval: 0.1)`.
 ///
 /// ```
 /// use tumbling_proofs::{Interval, Rational, given};

@@ -1,7 +1,7 @@
-//! A number that counts: what a formula costs, found by running the formula.
+//! A number that counts its operations: the cost of a formula, found by running it.
 //!
-//! The library's laws are generic over their numbers, so the price of one, in multiplications and
-//! additions, need not be claimed: run it on [`Counted`] numbers inside [`count`] and read it off.
+//! The library's laws are generic over their numbers. So the cost of a law, in multiplications and additions,
+//! can be measured: run it on [`Counted`] numbers inside [`count`] and read the result.
 //!
 //! ```
 //! use nalgebra::{Matrix3, Vector3};
@@ -33,8 +33,8 @@ thread_local! {
     static COST: Cell<Cost> = const { Cell::new(Cost { multiplications: 0, additions: 0, divisions: 0 }) };
 }
 
-/// Runs `work` and returns its result with what it cost in [`Counted`] operations on this thread. What an
-/// inner count finds counts for the outer one too.
+/// Runs `work` and returns its result with its cost in [`Counted`] operations on this thread. The operations
+/// of an inner count also belong to the outer one.
 ///
 /// ```
 /// use tumbling_proofs::counted::{Counted, count};
@@ -56,8 +56,8 @@ pub fn count<R>(work: impl FnOnce() -> R) -> (R, Cost) {
 
 /// An `f64` whose operations are counted, see [`count`].
 ///
-/// A product with the constant [`One::one`] is free: the linear algebra underneath writes such products
-/// where a general scale factor happens to be 1, and a compiler drops them.
+/// A product with the constant [`One::one`] is free: the linear algebra below writes such products where a
+/// general factor happens to be 1, and a compiler removes them.
 #[derive(Debug, Clone, Copy)]
 pub struct Counted {
     value: f64,

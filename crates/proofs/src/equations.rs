@@ -1,12 +1,13 @@
-//! Equations in TeX, each proven of what its names mean: what functions of the library give, the sums of its
-//! closed form too, or, of that form's constants, formulas that are written here a second time.
+//! Equations in TeX, each proven for the meanings of its names. These are results of the library's functions,
+//! the sums of its closed form among them; for the constants of the closed form, they are formulas that are
+//! written here a second time.
 //!
-//! [`read`] takes the pieces of maths of a text, and the [laws](Law) that it is [`Expected`] to state.
-//! Whatever states something must be one of these laws, and is then proven as it stands there, in TeX; or one
-//! of the exemptions, each with its reason, which are compared as text alone; or give nothing but values,
-//! which are numbers and not laws. A law or exemption that is not found is a fault too. A bare expression is
-//! a name alone, or a law whose worth the sentence around it states, or notation. What cannot be read is a
-//! fault.
+//! [`read`] receives the pieces of maths of a text, and the [laws](Law) that the text is [`Expected`] to
+//! state. Every statement must be one of three. It is one of these laws, and is then proven from its TeX. Or
+//! it is one of the exemptions, each with its reason, which are compared only as text. Or it only assigns
+//! values, which are numbers and not laws. A law or exemption that is missing is also a fault. A bare
+//! expression is a name alone, or a law whose value the sentence around it states, or notation. TeX that
+//! cannot be read is a fault.
 //!
 //! ```
 //! use tumbling_proofs::equations::laws;
@@ -35,9 +36,9 @@ use std::fmt;
 pub struct Equation {
     /// Its line in the text.
     pub line: usize,
-    /// What stands between the dollar signs.
+    /// The TeX between the dollar signs.
     pub tex: String,
-    /// Whether it stands on its own.
+    /// Whether it is displayed.
     pub display: bool,
 }
 
@@ -46,7 +47,7 @@ pub struct Equation {
 pub struct Fault {
     /// Its line in the text; `None` for what is missing from it.
     pub line: Option<usize>,
-    /// As it stands there, or should.
+    /// The TeX in the text, or the TeX that is missing.
     pub tex: String,
     /// What is wrong.
     pub problem: String,
@@ -63,27 +64,27 @@ impl fmt::Display for Fault {
 
 impl std::error::Error for Fault {}
 
-/// An equation that is in order, and why.
+/// An equation without fault, and the reason.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Settled {
     /// Its line in the text.
     pub line: usize,
-    /// As it stands there, without spaces.
+    /// The TeX in the text, without spaces.
     pub tex: String,
-    /// What it was proven to be; or the reason why it need not be.
+    /// What it was proven to be; or the reason why it needs no proof.
     pub why: &'static str,
     /// Whether it was proven to be a formula that is written here a second time.
     pub again: bool,
 }
 
-/// What a text is to state: each law and exemption as often as it stands there.
+/// The laws and exemptions that a text must state, each as often as the text must have it.
 #[derive(Debug, Clone, Copy)]
 pub struct Expected {
-    /// Laws; those with one left side in the order of the text.
+    /// Laws; those with the same left side in the order of the text.
     pub laws: &'static [Law],
-    /// Statements that claim nothing about the library, or of which a proof holds what the reason says.
+    /// Statements that claim nothing about the library, or for which a proof shows what the reason says.
     pub exemptions: &'static [Exemption],
-    /// Bare expressions, inline, that name a thing and say nothing about it.
+    /// Bare expressions, inline, that name something and state nothing about it.
     pub notation: &'static [Exemption],
 }
 
@@ -92,24 +93,24 @@ impl Expected {
     pub const NOTHING: Self = Self { laws: &[], exemptions: &[], notation: &[] };
 }
 
-/// What was found in a text.
+/// The findings in a text.
 #[derive(Debug, Clone, Default)]
 pub struct Found {
-    /// Equations proven as they stand there.
+    /// Equations proven from their TeX.
     pub proven: Vec<Settled>,
-    /// Equations compared as text, of which a proof shows a part: what the reason says.
+    /// Equations compared as text; a proof shows a part of them, which the reason names.
     pub apart: Vec<Settled>,
     /// Equations exempt.
     pub exempt: Vec<Settled>,
     /// Bare expressions that name something, other than by a name alone.
     pub notation: Vec<Settled>,
-    /// Equations that give nothing but values.
+    /// Equations that only assign values.
     pub values: Vec<Settled>,
-    /// What is wrong.
+    /// The faults.
     pub faults: Vec<Fault>,
 }
 
-/// What a statement is to be taken for.
+/// The kind of a statement.
 enum Standing {
     Law(&'static Law),
     Exempt(&'static Exemption),
@@ -164,7 +165,7 @@ fn same_tex(a: &str, b: &str) -> bool {
     bare(a) == bare(b)
 }
 
-/// Whether it is a number written with a power of ten, which may be too large or small to be worked out here.
+/// Whether it is a number with a power of ten, which may be too large or too small to be computed here.
 fn is_power_of_ten(tex: &str) -> bool {
     let tex = tex.replace(' ', "");
     let (factor, power) = tex.rsplit_once(r"\times").unwrap_or(("1", &tex));
@@ -175,7 +176,7 @@ fn is_power_of_ten(tex: &str) -> bool {
     exponent.is_some_and(digits) && digits(whole) && digits(decimals)
 }
 
-/// The statements of one piece of maths with what each is to be taken for.
+/// The statements of one piece of maths, each with its kind.
 fn standings(equation: &Equation, ledger: &mut Ledger) -> Result<Vec<(Statement, Option<Standing>)>, Fault> {
     let statements = match parse(&equation.tex) {
         Ok(statements) => statements,
@@ -245,7 +246,7 @@ impl Found {
     }
 }
 
-/// What was expected and is not there.
+/// The expected statements that are missing.
 fn missing(ledger: &Ledger) -> Vec<Fault> {
     let fault = |tex: &str, problem: String| Fault { line: None, tex: tex.to_owned(), problem };
     let laws = ledger.laws.iter().map(|law| fault(law.left, format!("this law is not found: {}", law.says)));

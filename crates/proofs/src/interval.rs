@@ -1,13 +1,13 @@
-//! Intervals with floats for ends, rounded outward: what they are asked about a real number is a theorem.
+//! Intervals with float ends, rounded outward: their results about real numbers are theorems.
 //!
-//! An [`Interval`] stands for one real number that lies in it. Every operation gives an interval in which its
-//! exact result lies, whatever the numbers in the operands are. So the library's generic laws, run on
-//! intervals, enclose what they would give in exact arithmetic; square roots, sines and elliptic functions
-//! are enclosed by series with a bound of their rest.
+//! An [`Interval`] stands for one real number in it. The result of every operation contains the exact result
+//! for any numbers in the operands. So the library's generic laws, run on intervals, enclose their results in
+//! exact arithmetic. Square roots, sines and elliptic functions are enclosed by series with a bound on the
+//! remainder.
 //!
-//! A float does not become an interval: a number enters as a literal ([`given!`](crate::given)) or as an
-//! exact fraction, which a float becomes only where `of_f64` is called by name. Printed to some digits, an
-//! interval gives the digits of the number if they are certain, and otherwise its two ends.
+//! A float does not convert into an interval. A number enters as a literal ([`given!`](crate::given)) or as
+//! an exact fraction, and a float becomes a fraction only by an explicit `of_f64`. Printed to some digits, an
+//! interval shows the digits of the number if they are certain, and otherwise its two ends.
 //!
 //! ```
 //! use tumbling_proofs::{Interval, given};
@@ -32,7 +32,7 @@ use crate::Rational;
 use std::cmp::Ordering;
 use std::fmt;
 
-/// A closed interval of real numbers, see [`interval`](self). Where nothing is known, all of them.
+/// A closed interval of real numbers, see [`interval`](self). If nothing is known, it contains all of them.
 #[derive(Debug, Clone, Copy)]
 pub struct Interval {
     low: f64,
@@ -40,11 +40,11 @@ pub struct Interval {
 }
 
 impl Interval {
-    /// All real numbers: what is known of a quotient by an interval with zero in it.
+    /// All real numbers: the quotient by an interval that contains zero.
     pub const ALL: Self = Self { low: f64::NEG_INFINITY, high: f64::INFINITY };
 
-    /// No number: what is left of one by bounds that contradict it, and all that is computed from it. It
-    /// prints no digits and compares with nothing.
+    /// No number: the result of contradictory bounds, and of every computation from it. It prints no digits,
+    /// and it is neither equal to any number nor ordered relative to one.
     const NONE: Self = Self { low: f64::NAN, high: f64::NAN };
 
     /// The ratio of a circle to its diameter, between two neighbouring floats.
@@ -71,13 +71,13 @@ impl Interval {
         self.high
     }
 
-    /// How far the ends are apart.
+    /// The difference of the ends.
     #[must_use]
     pub fn width(self) -> f64 {
         self.high - self.low
     }
 
-    /// Whether one of these is contradicted.
+    /// Whether one of these has contradictory bounds.
     fn none(of: [Self; 2]) -> bool {
         of.iter().any(|x| x.low.is_nan())
     }
@@ -112,8 +112,8 @@ impl Interval {
         Self { low: self.low.min(other.low), high: self.high.min(other.high) }
     }
 
-    /// The part between these bounds, of a number that is known to lie there; none where that contradicts
-    /// what else is known of it.
+    /// The part between these bounds, of a number that is known to be there; no number if that contradicts
+    /// what is known of it.
     pub fn clamped(self, low: f64, high: f64) -> Self {
         if self.low.is_nan() || self.high < low || self.low > high {
             return Self::NONE;
@@ -121,7 +121,7 @@ impl Interval {
         Self { low: self.low.max(low), high: self.high.min(high) }
     }
 
-    /// The part that is not below zero, of a number that is known not to be.
+    /// The part that is not negative, of a number that is known not to be.
     #[must_use]
     pub fn not_negative(self) -> Self {
         self.clamped(0.0, f64::INFINITY)
@@ -139,7 +139,7 @@ impl Interval {
         }
     }
 
-    /// The float in it, if there is only one number in it.
+    /// The float in it, if it contains only one number.
     fn point(self) -> Option<f64> {
         (self.low == self.high).then_some(self.low)
     }
@@ -163,14 +163,14 @@ impl From<Rational> for Interval {
     }
 }
 
-/// Whether it is certain: two intervals are equal if each has one number in it, and the same.
+/// Whether equality is certain: two intervals are equal if both contain only one number, and the same.
 impl PartialEq for Interval {
     fn eq(&self, other: &Self) -> bool {
         self.point().is_some() && self.point() == other.point()
     }
 }
 
-/// What is certain of any two numbers in them; nothing where they overlap.
+/// The order of any two numbers in them, if it is certain; `None` where they overlap.
 impl PartialOrd for Interval {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         if self.high < other.low {
@@ -189,7 +189,7 @@ fn whole(number: impl Into<f64>) -> Interval {
     Interval { low: number, high: number }
 }
 
-/// The digits that all numbers in it round to, or the two ends.
+/// The digits to which all numbers in it round, or the two ends.
 fn certain(f: &mut fmt::Formatter<'_>, low: &str, high: &str) -> fmt::Result {
     // Zero has no sign, from whichever side it is rounded.
     let plain = |end: &str| {

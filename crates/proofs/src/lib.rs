@@ -1,8 +1,8 @@
 //! Laws of the `tumbling` library, proven for all bodies at once.
 //!
-//! The library writes its laws over whatever can be added and multiplied. Here the very same functions run on
-//! [`Polynomial`]s and [`Fraction`]s in named variables instead of floats: what comes out is the law itself,
-//! and whether two laws agree is decided, not sampled.
+//! The library writes its laws over anything that can be added and multiplied. Here the same functions run on
+//! [`Polynomial`]s and [`Fraction`]s in named variables instead of floats. The result is the law itself, and
+//! equality of two laws is decided, not sampled.
 //!
 //! ```
 //! use tumbling::dynamics::euler::coupling;
@@ -15,14 +15,14 @@
 //! assert_eq!(omega.dot(&torque_free).to_string(), "0");
 //! ```
 //!
-//! [`proofs()`] lists them all. Two kinds say less. Of the closed form the library's own sums run on symbols,
-//! and all of it on intervals; but the formulas of its constants, which have roots, are written here a second
-//! time, and what they make is put into the library's laws. And the laws that a stepping method keeps are
-//! proven of its equations, written here a second time; of its own step, of which the order is proven, they
-//! are tested from two starts in exact fractions.
+//! [`proofs()`] lists them all. Two kinds prove less. First, the closed form: the library's own sums run on
+//! symbols, and all of it on intervals; but the formulas of its constants, which contain roots, are written
+//! here a second time, and their results are substituted into the library's laws. Second, the laws that a
+//! stepping method conserves: they are proven for its equations, written here a second time. For its own
+//! step, whose order is proven, they are tested from two starts in exact fractions.
 //!
-//! A proof is about the formula in exact arithmetic: it says nothing of rounding, of overflow, or of what is
-//! computed with branches and roots, which other tests must watch.
+//! A proof is about the formula in exact arithmetic. It does not cover rounding, overflow, or code with
+//! branches and roots; other tests must check these.
 #![warn(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod certain;
@@ -39,7 +39,7 @@ pub mod proof;
 pub mod symbols;
 pub mod tex;
 
-/// What is public for the tests of this crate alone.
+/// Items that are public only for the tests of this crate.
 pub mod tested {
     pub use crate::interval::{paths::every_path, rounded::Rounded};
     pub use crate::proofs::{methods::TESTED, methods::cases, order::exact};

@@ -1,4 +1,4 @@
-//! What a proof is: a claim that is computed, and altered claims that must fail.
+//! A proof: a claim that is computed, and altered claims that must fail.
 
 use crate::number::{Fraction, Relations};
 pub use crate::residue::{Outcome, Residue};
@@ -11,14 +11,14 @@ use num_traits::Zero;
 pub struct Proof {
     /// Short name, with dashes.
     pub name: &'static str,
-    /// What it is about: the part of the library.
+    /// The part of the library that it is about.
     pub part: &'static str,
-    /// What the check checks, and no more, in plain words, with formulas in TeX between dollar signs: the
-    /// check works them out as they stand there.
+    /// What the check checks, and no more, in plain words. Formulas are in TeX between dollar signs, and the
+    /// check evaluates them as they are written.
     pub statement: &'static str,
-    /// What holds besides the formulas; what is left over, if it does not.
+    /// The check of what holds besides the formulas; it returns what is left over if the claim fails.
     pub also: fn() -> Outcome,
-    /// What the names in the formulas mean, in each case that the check looks at.
+    /// The meanings of the names in the formulas, in each case of the check.
     pub cases: fn() -> Result<Vec<Scope>, Residue>,
     /// The claim about an altered law, or an altered claim about the law: each must fail.
     pub mutants: &'static [Mutant],
@@ -33,7 +33,7 @@ impl Proof {
         self.check_in(&(self.cases)()?)
     }
 
-    /// The check, with its cases as they were found.
+    /// The check, with its cases already computed.
     ///
     /// # Errors
     /// As [`check`](Self::check).
@@ -48,11 +48,11 @@ impl Proof {
 pub struct Mutant {
     /// What was changed, in plain words.
     pub change: &'static str,
-    /// The check, which must leave something over.
+    /// The check, which must fail.
     pub check: fn() -> Outcome,
 }
 
-/// What a check hands over for the formulas of its sentence, if there are any.
+/// The data of a check for the formulas of its sentence, if there are any.
 pub(crate) trait Cases {
     /// What their names mean.
     fn cases(self) -> Result<Vec<Scope>, Residue>;
@@ -88,14 +88,14 @@ pub fn formulas(sentence: &str) -> impl Iterator<Item = &str> {
     sentence.split('$').skip(1).step_by(2)
 }
 
-/// That a check leaves nothing over, and that the formulas of its sentence hold of what it ran on.
+/// Checks that the claim holds, and that the formulas of its sentence hold in its cases.
 pub(crate) fn hold(sentence: &str, found: impl Cases) -> Outcome {
     let cases = found.cases()?;
     formulas(sentence).try_for_each(|tex| holds_in(&cases, tex))
 }
 
-/// That maths in TeX holds in each of these cases that knows its names, of which there must be one; a bare
-/// expression is a name.
+/// Checks that maths in TeX holds in each of these cases that defines its names; there must be at least one.
+/// A bare expression must be a name.
 ///
 /// # Errors
 /// What is left over, or why it has no meaning.
@@ -118,7 +118,7 @@ pub fn holds_in(cases: &[Scope], tex: &str) -> Outcome {
     Ok(())
 }
 
-/// That `x` is zero under the relations.
+/// Checks that `x` is zero under the relations.
 ///
 /// # Errors
 /// What is left.
@@ -126,7 +126,7 @@ pub fn vanishes(claim: &str, x: &Fraction, relations: &Relations) -> Outcome {
     same_under(relations, claim, x, &Fraction::zero())
 }
 
-/// That two expressions are the same for all values of their variables.
+/// Checks that two expressions are equal for all values of their variables.
 ///
 /// # Errors
 /// Their difference.
@@ -134,7 +134,7 @@ pub fn same(claim: &str, a: &Fraction, b: &Fraction) -> Outcome {
     same_under(&Relations::none(), claim, a, b)
 }
 
-/// That two expressions are the same wherever the relations hold.
+/// Checks that two expressions are equal wherever the relations hold.
 ///
 /// # Errors
 /// Their difference, reduced.
@@ -148,7 +148,7 @@ pub fn same_under(relations: &Relations, claim: &str, a: &Fraction, b: &Fraction
     }
 }
 
-/// That two vectors or matrices are the same for all values of their variables.
+/// Checks that two vectors or matrices are equal for all values of their variables.
 ///
 /// # Errors
 /// The first difference.
@@ -160,7 +160,7 @@ pub fn same_entries<const R: usize, const C: usize>(
     same_entries_under(&Relations::none(), claim, a, b)
 }
 
-/// That two vectors or matrices are the same wherever the relations hold.
+/// Checks that two vectors or matrices are equal wherever the relations hold.
 ///
 /// # Errors
 /// The first difference, reduced.
@@ -180,7 +180,7 @@ pub fn same_entries_under<const R: usize, const C: usize>(
     Ok(())
 }
 
-/// That `x` is above zero wherever all its variables are, since all its coefficients are.
+/// Checks that `x` is positive wherever all its variables are, because all its coefficients are.
 ///
 /// # Errors
 /// A coefficient of the wrong sign, or zero.
@@ -195,10 +195,10 @@ pub fn positive(claim: &str, x: &Fraction) -> Outcome {
     }
 }
 
-/// That a check fails, as a broken law must: what it left over.
+/// Checks that a check fails, as an altered law must; returns what it left over.
 ///
 /// # Errors
-/// The claim, if nothing is left over or a division by zero was.
+/// The claim, if nothing is left over or if a division by zero occurred.
 pub fn breaks(claim: &str, outcome: Outcome) -> Outcome {
     match outcome {
         Err(Residue::NotZero { .. } | Residue::NotOneSign { .. }) => Ok(()),

@@ -1,8 +1,8 @@
 //! The list of proofs, in the order of the library.
 
-/// The proofs of each part of the library: the name of each, its check, what that says, and with what altered
-/// it must fail. A check whose sentence has formulas hands over what their names mean; of an altered law or
-/// claim the sentence must not hold.
+/// The proofs of each part of the library. Each has a name, its check, a sentence that says what the check
+/// shows, and altered laws or claims with which it must fail. If the sentence has formulas, the check returns
+/// the meanings of their names; for an altered law or claim the sentence must not hold.
 macro_rules! proofs {
     ($($part:literal {$(
         $name:literal: $check:expr, $statement:expr; $(but $change:literal: $mutant:expr,)*

@@ -7,7 +7,7 @@ use num_traits::{One, Zero};
 
 /// A solid swept by three parameters: where each point is, and how far the parameters run.
 ///
-/// The volume element is not given but computed, as the determinant of the derivatives.
+/// The volume element is computed, as the determinant of the derivatives.
 #[derive(Debug, Clone)]
 pub struct Region {
     position: Vector,

@@ -1,22 +1,22 @@
-//! What a check finds: nothing, or what is left over.
+//! The result of a check: nothing, or what is left over.
 
 use crate::number::{Circular, Fraction};
 use std::fmt;
 
-/// Nothing left over, or what is.
+/// Nothing is left over, or something is.
 pub type Outcome = Result<(), Residue>;
 
 /// What is left over of a claim that does not hold.
 #[derive(Debug, Clone)]
 pub enum Residue {
-    /// An identity that is none: the difference of its sides is not zero.
+    /// An identity that fails: the difference of its sides is not zero.
     NotZero {
         /// The claim, in a few words.
         claim: String,
         /// Left side minus right side.
         left: Fraction,
     },
-    /// A formula of a sentence that does not hold of what was checked.
+    /// A formula of a sentence that fails for what was checked.
     Formula {
         /// As it stands there.
         tex: String,
@@ -30,19 +30,19 @@ pub enum Residue {
         /// The quantity.
         quantity: Fraction,
     },
-    /// A division by zero on the way: nothing is proven.
+    /// A division by zero occurred: nothing is proven.
     Undefined {
         /// The claim, in a few words.
         claim: String,
     },
-    /// Something claimed to fail, or to be found, that did not or was not.
+    /// Something that should have failed or been found, and was not.
     Missing {
         /// The claim, in a few words.
         claim: String,
     },
 }
 
-/// More terms than these are counted, not shown.
+/// If there are more terms than this, only their number is shown.
 const SHOWN: usize = 8;
 
 fn shortened(x: &Fraction) -> String {

@@ -1,8 +1,9 @@
-//! Reads the equations of the book as they are written, in TeX, and works them out in symbols.
+//! Reads the equations of the book from their TeX, and evaluates them in symbols.
 //!
-//! [`parse`] turns the source into trees, for the part of TeX that the book uses, and says where it cannot. A
-//! [`Scope`] says what each name means: a number, a vector, a matrix or a quaternion of fractions. Then
-//! [`Statement::prove`] decides whether what is written is true for all values of what was left open.
+//! [`parse`] turns the source into trees, for the part of TeX that the book uses, and reports where it
+//! cannot. A [`Scope`] contains the meaning of each name: a number, a vector, a matrix or a quaternion of
+//! fractions. Then [`Statement::prove`] decides whether the statement is true for all values of the free
+//! variables.
 //!
 //! ```
 //! use tumbling_proofs::Fraction;

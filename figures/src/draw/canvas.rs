@@ -1,7 +1,7 @@
-//! The canvas: what plotters draws on, and the few marks that plotters lacks.
+//! The canvas: the drawing surface for plotters, and a few marks that plotters lacks.
 //!
-//! A backend of its own for plotters, because its SVG backend writes fixed colours, and these figures take
-//! the colours of the page they stand in.
+//! It is a backend of its own for plotters, because the SVG backend of plotters writes fixed colours and
+//! these figures use the colours of the page.
 
 use super::pen::{DEFAULT_WIDTH, FINENESS, Fill, Pen};
 use super::point::{P, polar};
@@ -13,14 +13,14 @@ use std::convert::Infallible;
 use std::fmt::Write as _;
 use std::rc::Rc;
 
-/// A sheet of the given size on which marks gather. Clones are the same sheet.
+/// A sheet of the given size that collects marks. Clones share one sheet.
 #[derive(Debug, Clone)]
 pub(crate) struct Canvas {
     size: (u32, u32),
     body: Rc<RefCell<String>>,
-    /// Left, top, right and bottom of each piece of writing.
+    /// Left, top, right and bottom of each label.
     written: Rc<RefCell<Vec<[f64; 4]>>>,
-    /// By how much area writing lies on other writing or beyond the sheet.
+    /// The area of labels that overlap other labels or leave the sheet.
     pub(crate) over: Rc<Cell<f64>>,
 }
 
@@ -42,7 +42,7 @@ impl Canvas {
         Self::sized(WIDTH, height)
     }
 
-    /// One of another width, that of its letters at their own size.
+    /// A sheet of another width, at which letters have their nominal size.
     pub(crate) fn sized(width: u32, height: u32) -> Self {
         Self { size: (width, height), body: Rc::default(), written: Rc::default(), over: Rc::default() }
     }
@@ -146,8 +146,8 @@ impl Canvas {
         self.push(&label.svg(at, FINENESS));
     }
 
-    /// Writing at the first of these places where it stays on the sheet and off all other writing; at the
-    /// one that is least over it where there is none.
+    /// A label at the first of these places where it overlaps no other label and stays on the sheet; if there
+    /// is none, at the place with the least overlap.
     pub(crate) fn label_at_first(&self, places: &[P], label: &Label) {
         let cost = |&at: &P| self.overlap(&label.bounds(at));
         let best = places.iter().map(|at| (cost(at), at)).reduce(|a, b| if b.0 < a.0 { b } else { a });
@@ -156,7 +156,7 @@ impl Canvas {
         }
     }
 
-    /// The area by which this rectangle lies on writing or beyond the sheet.
+    /// The area of this rectangle that overlaps labels or leaves the sheet.
     fn overlap(&self, bounds: &[f64; 4]) -> f64 {
         let common = |[l, t, r, b]: [f64; 4]| {
             let (wide, high) = (bounds[2].min(r) - bounds[0].max(l), bounds[3].min(b) - bounds[1].max(t));
@@ -180,7 +180,8 @@ impl Canvas {
              <g fill=\"none\" stroke-width=\"{DEFAULT_WIDTH}\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n{}</g>\n</svg>\n",
             self.size.0,
             SIZE * FINENESS,
-            // A narrow sheet is not stretched to the page: its letters have their size already.
+            // A narrow sheet is not stretched to the width of the page, because its letters already have
+            // their final size.
             if self.size.0 < WIDTH { ";min-width:0" } else { "" },
             escaped(title),
             escaped(description),
@@ -202,7 +203,7 @@ fn path_data(points: &[BackendCoord]) -> String {
     data
 }
 
-/// A curve by fewer points: none moves by more than a tenth of a point (Ramer, Douglas, Peucker).
+/// Simplifies a curve to fewer points; the error is at most a tenth of a point (Ramer, Douglas, Peucker).
 fn simplified(points: &[BackendCoord]) -> Vec<BackendCoord> {
     const TOLERANCE: f64 = 1.0;
     let mut keep = vec![false; points.len()];

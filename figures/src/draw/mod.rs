@@ -1,4 +1,4 @@
-//! What figures are drawn with: a canvas, letters, plots, and a view of things in space.
+//! Tools for figures: a canvas, letters, plots, and a view of objects in space.
 
 mod canvas;
 mod pen;

@@ -5,7 +5,7 @@ use plotters::style::{RGBAColor, ShapeStyle};
 use plotters_backend::{BackendColor, BackendStyle};
 use std::fmt::Write as _;
 
-/// How finely a figure is drawn: plotters knows whole pixels only, so each point is ten of them.
+/// The resolution of a figure: plotters has only whole pixels, so each point is ten pixels.
 pub(crate) const FINENESS: f64 = 10.0;
 
 /// A line: colour, width in points, dashes, opacity.
@@ -65,7 +65,7 @@ impl Pen {
         css
     }
 
-    /// The pen that plotters was given, as it hands it on.
+    /// The pen that was passed to plotters, as plotters passes it on.
     pub(super) fn of_backend<S: BackendStyle>(style: &S) -> Self {
         let BackendColor { alpha, rgb: (ink, dash, _) } = style.color();
         Self {
@@ -77,7 +77,7 @@ impl Pen {
     }
 }
 
-/// The width, in tenths of a point, that a stroke has when it says nothing.
+/// The width, in tenths of a point, of a stroke without a stated width.
 pub(super) const DEFAULT_WIDTH: f64 = 10.0;
 
 impl From<Pen> for ShapeStyle {

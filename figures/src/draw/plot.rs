@@ -27,7 +27,7 @@ impl From<Range<f64>> for Scale {
 }
 
 impl Scale {
-    /// Each power of ten takes the same room.
+    /// Logarithmic: each power of ten has the same length.
     pub(crate) fn log(range: Range<f64>) -> Self {
         Self::Log(range.log_scale().into())
     }
@@ -69,7 +69,7 @@ pub(crate) struct Plot {
     bottom: f64,
 }
 
-/// What can go wrong in plotters.
+/// The errors of plotters.
 pub(crate) type Drawn = Result<(), Box<dyn std::error::Error>>;
 
 fn fine(x: f64) -> i32 {
@@ -90,7 +90,7 @@ impl Plot {
         Self { canvas: canvas.clone(), area, left, right, top, bottom }
     }
 
-    /// Where a pair of values lies on the canvas.
+    /// The position of a pair of values on the canvas.
     pub(crate) fn at(&self, x: f64, y: f64) -> P {
         let (px, py) = self.area.map_coordinate(&(x, y));
         (f64::from(px) / FINENESS, f64::from(py) / FINENESS)
@@ -110,7 +110,7 @@ impl Plot {
         Ok(())
     }
 
-    /// Grid lines and numbers along the lower edge, and what they are.
+    /// Grid lines and numbers along the lower edge, with the name of the axis.
     pub(crate) fn x_axis(&self, ticks: impl IntoIterator<Item = (f64, String)>, title: &str) {
         let (_, y0) = (0.0, self.bottom);
         for (x, text) in ticks {
@@ -127,7 +127,7 @@ impl Plot {
         }
     }
 
-    /// Grid lines and numbers along the left edge, and what they are, written above it, level.
+    /// Grid lines and numbers along the left edge, with the name of the axis above it, horizontal.
     pub(crate) fn y_axis(&self, ticks: impl IntoIterator<Item = (f64, String)>, title: &str) {
         for (y, text) in ticks {
             let py = self.y_at(y);

@@ -9,17 +9,17 @@ use nalgebra::{Matrix3, Vector3};
 use std::collections::HashMap;
 use tumbling_bodies::Surface;
 
-/// Two faces that meet at less than this look like one that is bent.
+/// Two faces with an angle below this between them look like one bent face.
 const BENT: f64 = 0.85; // the cosine of 32°
 
-/// How strong the colour of the marked half is.
+/// The opacity of the colour of the marked half.
 const MARK: f64 = 0.62;
 
 /// The half of a body on one side of its centre of mass, along an axis of the body, and its colour.
 pub(crate) type Marked<'a> = Option<(&'a Vector3<f64>, Ink)>;
 
-/// Draws surfaces turned by `rotation`, those behind first, one half in a colour of its own: so the body is
-/// seen to turn over.
+/// Draws surfaces turned by `rotation`, the farther ones first. One half has a colour of its own, so that a
+/// reader sees the body turn over.
 pub(crate) fn solid(
     canvas: &Canvas,
     view: &View,
@@ -33,7 +33,7 @@ pub(crate) fn solid(
     pieces.iter().for_each(|piece| convex(canvas, view, piece, rotation, marked));
 }
 
-/// A convex surface as it is; of another each face by itself.
+/// A convex surface unchanged; other surfaces face by face.
 fn pieces(surface: &Surface) -> Vec<Surface> {
     let alone = |face: &Vec<usize>| Surface {
         vertices: face.iter().map(|&i| surface.vertices[i]).collect(),
@@ -47,7 +47,7 @@ fn middle(points: &[Vector3<f64>]) -> Vector3<f64> {
     points.iter().sum::<Vector3<f64>>() / points.len().max(1) as f64
 }
 
-/// Outwards, of length 1; zero of a line or a point.
+/// The outward normal, of length 1; zero for a line or a point.
 fn normal(surface: &Surface, face: &[usize]) -> Vector3<f64> {
     let p = |i: usize| surface.vertices[face[i]];
     let fan = (1..face.len().saturating_sub(1)).map(|i| (p(i) - p(0)).cross(&(p(i + 1) - p(0))));
@@ -58,7 +58,7 @@ fn faces_viewer(view: &View, normal: &Vector3<f64>) -> bool {
     normal.dot(&view.toward()) > 1e-9
 }
 
-/// What of a face lies along this direction from the centre of mass.
+/// The part of a face on this side of the centre of mass.
 fn cut(surface: &Surface, face: usize, along: &Vector3<f64>) -> Vec<Vector3<f64>> {
     let corners: Vec<_> = surface.faces[face].iter().map(|&i| surface.vertices[i]).collect();
     // A corner on the cut belongs to both halves, on whichever side rounding puts it.
@@ -70,7 +70,7 @@ fn cut(surface: &Surface, face: usize, along: &Vector3<f64>) -> Vec<Vector3<f64>
     sides.flatten().collect()
 }
 
-/// Draws a convex surface, or a face of another where it looks at the viewer.
+/// Draws a convex surface, or one face of another surface if it faces the viewer.
 fn convex(canvas: &Canvas, view: &View, surface: &Surface, rotation: &Matrix3<f64>, marked: Marked<'_>) {
     let normals: Vec<_> = surface.faces.iter().map(|face| normal(surface, face)).collect();
     if !surface.convex && !faces_viewer(view, &(rotation * normals[0])) {
@@ -98,7 +98,7 @@ fn convex(canvas: &Canvas, view: &View, surface: &Surface, rotation: &Matrix3<f6
     let outline = hull(&places);
     canvas.area(&outline, Fill::new(Ink::Surface), None);
     if let Some((along, ink)) = marked {
-        // Both halves are convex: the nearer one hides what it covers of the other.
+        // Both halves are convex, so the nearer one hides the part of the other that it covers.
         let mut halves = [(*along, Some(ink)), (-along, None)];
         let near = |half: &(Vector3<f64>, _)| (rotation * half.0).dot(&view.toward());
         halves.sort_by(|a, b| near(a).total_cmp(&near(b)));
@@ -123,7 +123,7 @@ fn convex(canvas: &Canvas, view: &View, surface: &Surface, rotation: &Matrix3<f6
     }
 }
 
-/// Which faces go over into a neighbour without an edge.
+/// Which faces continue into a neighbour without a visible edge.
 fn bent_faces(surface: &Surface, normals: &[Vector3<f64>]) -> Vec<bool> {
     let mut sides: HashMap<[usize; 2], Vec<usize>> = HashMap::new();
     for (number, face) in surface.faces.iter().enumerate() {
@@ -143,7 +143,7 @@ fn bent_faces(surface: &Surface, normals: &[Vector3<f64>]) -> Vec<bool> {
     bent
 }
 
-/// The corners of the smallest convex area that holds the points, by Andrew's chains.
+/// The corners of the convex hull of the points, by Andrew's monotone chains.
 pub(crate) fn hull(points: &[P]) -> Vec<P> {
     let mut sorted = points.to_vec();
     sorted.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));

@@ -1,4 +1,4 @@
-//! Things in space, seen from far away.
+//! Objects in space, seen from far away.
 
 use super::canvas::Canvas;
 use super::pen::{Fill, Pen};
@@ -7,8 +7,8 @@ use crate::ink::Ink;
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
 
-/// A view from infinitely far: where the world's centre falls, how large a metre is, and from where one
-/// looks.
+/// A view from infinity: the position of the world's origin on the sheet, the scale, and the direction of
+/// view.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct View {
     centre: P,
@@ -42,17 +42,17 @@ impl View {
         self.scale
     }
 
-    /// This view of a world whose centre was moved to `p`.
+    /// This view, for a world whose origin was moved to `p`.
     pub(crate) fn moved(self, p: &Vector3<f64>) -> Self {
         Self { centre: self.at(p), ..self }
     }
 
-    /// This view moved so that `p` falls where the world's centre did.
+    /// This view, moved so that `p` is drawn where the world's origin was.
     pub(crate) fn moved_back(self, p: &Vector3<f64>) -> Self {
         self.moved(&-p)
     }
 
-    /// Where points fall that are at an angle from the vertical, all round it.
+    /// The drawn positions of points at an angle from the vertical, all around it.
     pub(crate) fn ring(&self, angle: f64, length: f64) -> Vec<P> {
         let place = |i: i32| {
             let (sin, cos) = (TAU * f64::from(i) / 96.0).sin_cos();
@@ -82,7 +82,7 @@ impl Cuboid {
         self.rotation * Vector3::new(x, y, z).component_mul(&self.half)
     }
 
-    /// Whether the face on side `sign` of edge direction `axis` is turned to the viewer.
+    /// Whether the face on side `sign` of edge direction `axis` faces the viewer.
     pub(crate) fn faces(&self, view: &View, axis: usize, sign: f64) -> bool {
         sign * self.rotation.column(axis).dot(&view.toward()) > 0.0
     }
@@ -96,7 +96,7 @@ impl Cuboid {
         })
     }
 
-    /// Edges behind, dashed; then the three faces before, each with its shade.
+    /// Hidden edges dashed, then the three visible faces, each with its shade.
     pub(crate) fn draw(&self, canvas: &Canvas, view: &View, hidden: Option<Pen>, edge: Pen) {
         if let Some(pen) = hidden {
             // The three hidden edges meet in the corner farthest away.

@@ -18,7 +18,8 @@ pub(crate) struct Label {
     halo: Option<Ink>,
 }
 
-/// The size of ordinary letters, in points of a figure 680 wide: at half its width still eight and a half.
+/// The size of ordinary letters, in points of a figure 680 wide; at half that width they still have eight and
+/// a half.
 pub(crate) const SIZE: f64 = 17.0;
 
 impl Label {
@@ -48,7 +49,7 @@ impl Label {
         Self { bold: true, ..self }
     }
 
-    /// Keeps lines off the letters by an edge in the colour of what they stand on.
+    /// Draws an outline in the background colour around the letters, so that lines do not touch them.
     pub(crate) fn halo(self, ink: Ink) -> Self {
         Self { halo: Some(ink), ..self }
     }
@@ -132,7 +133,7 @@ fn runs(text: &str) -> Vec<Run> {
 }
 
 fn symbols(text: &str, size: f64, out: &mut String) {
-    // How far below the line the writing stands, which the next span must undo.
+    // The current shift below the line, which the next span must undo.
     let mut low = 0.0;
     for Run { text: run, level, bold } in runs(text) {
         let shift = (level - low) * size;
@@ -166,7 +167,8 @@ fn symbols(text: &str, size: f64, out: &mut String) {
 /// The size of low and high letters, in parts of the others'.
 const LOW_OR_HIGH: f64 = 0.74;
 
-/// The width of a letter in parts of its size: that of DejaVu Sans, the widest face that a system may take.
+/// The width of a letter relative to its size: that of DejaVu Sans, the widest fallback font of common
+/// systems.
 fn advance(c: char) -> f64 {
     match c {
         '\u{200b}' => 0.0,
@@ -181,13 +183,13 @@ fn advance(c: char) -> f64 {
 }
 
 impl Label {
-    /// How wide its letters are, at the most.
+    /// An upper bound on the width of its letters.
     pub(crate) fn width(&self) -> f64 {
         let [left, _, right, _] = self.bounds((0.0, 0.0));
         right - left
     }
 
-    /// Left, top, right and bottom of its letters with the baseline at the point, at the most.
+    /// Upper bounds on left, top, right and bottom of its letters, with the baseline at the point.
     pub(super) fn bounds(&self, at: P) -> [f64; 4] {
         let (mut width, mut top, mut bottom) = (0.0, 0.74_f64, 0.21_f64);
         let wide = |text: &str| text.chars().map(advance).sum::<f64>();

@@ -29,7 +29,7 @@ pub(super) fn draw() -> Drawing {
         }
         said.push(format!("{moment:.3} kg m² about {letter}"));
     }
-    // Each edge's length beside one edge along it.
+    // The length of each edge, next to one edge of this direction.
     let [a, b, c] = BOX_EDGES;
     let edge = |x: f64, y: f64, z: f64, dx: f64, dy: f64, text: String| {
         let p = view.at(&solid.point(x, y, z));

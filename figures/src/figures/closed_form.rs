@@ -1,4 +1,4 @@
-//! The closed form of the worked body: what its complement says, its angle, its zeros, its two numbers.
+//! The closed form of the worked body: its complement, its angle, its zeros, its two numbers.
 
 use super::Drawing;
 use crate::draw::{Canvas, Fill, Ink, Label, P, Pen, Plot, View};
@@ -11,13 +11,13 @@ use tumbling::exact::{FreeMotion, Polhode};
 /// The worked body's moments, kg m²: along the middle, the circled and the across axis.
 const MOMENTS: Vector3<f64> = Vector3::new(10.0, 13.0, 5.0);
 
-/// The complement of the modulus: of the two other axes only the circled one always has some spin.
+/// The complement of the modulus. Of the two other axes, only the circled one always has some spin.
 fn complement(spin: &Vector3<f64>) -> Result<f64, tumbling::Error> {
     let turning = Polhode::new(MOMENTS.try_into()?, spin)?;
     Ok(turning.least.component_div(&turning.greatest).max())
 }
 
-/// Where the theta zero of a spin lies, in parts of `K'`: (C19), and (C8) by the integral for both.
+/// The position of the theta zero of a spin, relative to `K'`: (C19), and (C8) by the integral for both.
 fn depth(spin: &Vector3<f64>) -> Result<f64, tumbling::Error> {
     let duplicated = |of: [f64; 3], _| {
         let [x, y, z] = of.map(f64::sqrt);
@@ -29,7 +29,7 @@ fn depth(spin: &Vector3<f64>) -> Result<f64, tumbling::Error> {
     Ok(beta.sqrt() * rf([gamma, gamma + modulus * beta, 1.0]) / rf([0.0, modulus, 1.0]))
 }
 
-/// Its motion, and the turn that takes its momentum to a direction.
+/// Its motion, and the rotation of its momentum to a direction.
 fn worked(to: &Vector3<f64>) -> Result<(FreeMotion, UnitQuaternion<f64>), Box<dyn Error>> {
     let upright = UnitQuaternion::rotation_between(&MOMENTS, to).ok_or("a momentum turned round")?;
     Ok((FreeMotion::new(MOMENTS.try_into()?, &Vector3::repeat(1.0))?, upright))
@@ -73,7 +73,8 @@ pub(super) fn complements() -> Drawing {
 pub(super) fn psi() -> Drawing {
     let ((motion, room), up) = (worked(&Vector3::z())?, Vector3::z());
     let (canvas, view) = (Canvas::sized(500, 400), View::new((220.0, 268.0), 165.0, 20.0, 24.0));
-    // The middle and the circled axis in the room; the first also after the turn that rights the other.
+    // The middle and the circled axis in the world; the first also after the rotation that makes the other
+    // upright.
     let stands = |t: f64| -> Result<[Vector3<f64>; 3], Box<dyn Error>> {
         let turn = room * motion.attitude(t)?;
         let (middle, circled) = (turn * Vector3::x(), turn * Vector3::y());

@@ -1,4 +1,4 @@
-//! What engines make of a stable spin, each with the rule and the step that it has by default.
+//! A stable spin in several engines, each with its default rule and step.
 
 use super::{Drawing, NARROW};
 use crate::draw::{Canvas, Ink, Label, Pen, Plot};
@@ -14,7 +14,7 @@ const END: u32 = 60;
 /// Lean beyond which a body is lost, degrees: its curve ends there.
 const LOST: f64 = 80.0;
 
-/// An engine by name and setting, its own steps a second, what it is called, and where its name stands.
+/// An engine by name and setting, its default steps per second, its label, and the place of the label.
 type Engine = (&'static str, &'static str, u32, &'static str, (f64, f64));
 
 const ENGINES: [Engine; 3] = [

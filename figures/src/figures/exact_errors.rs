@@ -13,7 +13,7 @@ const ROUNDING: f64 = f64::EPSILON / 2.0;
 /// Decimals of the numbers whose differences are taken.
 const DECIMALS: i32 = 30;
 
-/// A number of a few digits before its point, in units of the last decimal; what lies below that is cut.
+/// A number with a few digits before its point, in units of the last decimal; further decimals are cut off.
 fn fixed(text: &str) -> Option<i128> {
     let (mantissa, power) = text.split_once('e').unwrap_or((text, "0"));
     let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
@@ -23,7 +23,7 @@ fn fixed(text: &str) -> Option<i128> {
     if shift < 0 { Some(digits / factor) } else { digits.checked_mul(factor) }
 }
 
-/// How much a number exceeds one of a table, which has more digits than an `f64`.
+/// The difference of a number from one of a table, which has more digits than an `f64`.
 fn difference(x: f64, table: &str) -> Option<f64> {
     Some((fixed(&format!("{x:.30e}"))? - fixed(table)?) as f64 * 10_f64.powi(-DECIMALS))
 }
@@ -67,7 +67,7 @@ fn case(case: &Value) -> Option<[f64; 2]> {
     Some(units)
 }
 
-/// As many units as no error may have.
+/// An error above this number of units is not acceptable.
 const LIMIT: f64 = 8.0;
 
 /// Where each bar ends, in units, and how that is written.

@@ -1,4 +1,5 @@
-//! The time between flips down to the smallest number above zero, and where a plain computation gives up.
+//! The time between flips down to the smallest positive number, and the push at which a plain computation
+//! fails.
 
 use super::flip_time::{SPIN, exact, spin};
 use super::{Drawing, document_box, in_principal_axes, power_of_ten};
@@ -7,11 +8,11 @@ use nalgebra::Vector3;
 use std::error::Error;
 use std::f64::consts::FRAC_PI_2;
 
-/// The smallest number above zero that an `f64` holds.
+/// The smallest positive `f64`.
 const LEAST: f64 = f64::from_bits(1);
 
-/// That time by a textbook's formulas, typed in as they stand: energy and momentum, then the parameter
-/// `m`, then `1 - m` for the arithmetic-geometric mean.
+/// The same time by the formulas of a textbook, computed as they are printed: energy and momentum, then the
+/// parameter `m`, then `1 - m` for the arithmetic-geometric mean.
 fn plain(moments: &Vector3<f64>, push: f64) -> f64 {
     let (i, w) = (moments, spin(push));
     let twice_energy = i.x * w.x * w.x + i.y * w.y * w.y + i.z * w.z * w.z;
@@ -30,7 +31,7 @@ fn plain(moments: &Vector3<f64>, push: f64) -> f64 {
 
 pub(super) fn draw() -> Drawing {
     let m = in_principal_axes(&document_box()?)?.principal().moments();
-    // From the largest push to the smallest: the last that the plain computation finds a time for.
+    // From the largest push to the smallest for which the plain computation finds a time.
     let last = (100..=32_300)
         .map(|i| -0.01 * f64::from(i))
         .take_while(|&x| plain(&m, 10_f64.powf(x)).is_finite())

@@ -1,4 +1,4 @@
-//! What four methods make of the energy of a box.
+//! The energy of a box with four methods.
 
 use super::{Drawing, NARROW};
 use crate::draw::{Canvas, Ink, Label, Pen, Plot};

@@ -70,7 +70,7 @@ pub(super) fn draw() -> Drawing {
         plot.dots([(at, gap)], 4.5, Ink::Text)?;
         let p = plot.at(at, gap);
         if (20.0..80.0).contains(&gap) {
-            // Under the peak, where there is room between the curves.
+            // Under the peak, in the space between the curves.
             canvas.label((p.0 + 6.0, p.1 + 25.0), &Label::new(curve.name).middle());
             canvas.label((p.0 + 6.0, p.1 + 47.0), &Label::new(format!("{gap:.1}°")).middle());
         } else if gap > 80.0 {

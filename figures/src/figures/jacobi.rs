@@ -9,7 +9,7 @@ use tumbling::exact::FreeMotion;
 const SPIN: f64 = 10.0;
 const SECONDS: f64 = 4.0;
 
-/// One motion: its parameter, what it is, where it is drawn, and where its curves are named.
+/// One motion: its parameter, its title, its position, and the positions of the labels of its curves.
 type Motion = (f64, &'static str, f64, [(f64, f64); 3]);
 
 const WOBBLE: Motion = (0.04, "small parameter: a wobble", 58.0, [(0.06, 3.8), (0.14, -6.6), (0.06, 11.2)]);

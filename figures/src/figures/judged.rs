@@ -1,4 +1,4 @@
-//! What the judge finds in the recorded engines.
+//! The judge's findings on the recorded engines.
 
 use super::{Drawing, NARROW};
 use crate::draw::{Canvas, Fill, Ink, Label, Pen, Plot, Scale};
@@ -70,7 +70,7 @@ pub(super) fn grades() -> Drawing {
     ))
 }
 
-/// Names of curves and where each stands: time, s, and energy.
+/// The labels of the curves and their positions: time, s, and energy.
 type Names = [(&'static str, f64, f64); 3];
 
 /// A record's energy relative to the first, and the spin along the middle axis, at each time, s.
@@ -113,7 +113,7 @@ const PANELS: [(&str, &str, Names); 4] = [
     ("minor", "smallest axis: stable", SMALLEST),
 ];
 
-/// One story, its upper left corner here; says how each engine ends.
+/// One story, with its upper left corner at the point; returns a sentence on the end of each engine.
 fn panel(
     canvas: &Canvas,
     (story, title, names): (&str, &str, Names),

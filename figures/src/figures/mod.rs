@@ -42,8 +42,8 @@ mod wobble_growth;
 mod work;
 mod work_torque;
 
-/// The figures: what draws each, its name, its chapter and what it shows; behind an arrow what draws it for
-/// another body, and what it then shows.
+/// The figures: for each its function, its name, its chapter and what it shows; after an arrow the function
+/// that draws it for another body, and what it then shows.
 macro_rules! figures {
     ($($draw:path, $name:literal, $chapter:literal, $shows:literal
        $(=> $of_body:path, $of_it:literal)?;)*) => {
@@ -120,7 +120,7 @@ pub(crate) static ALL: &[Figure] = figures! {
     judged::energies, "judged-energy", "records", "Energy of free bodies in recorded engines, beside the exact motion";
 };
 
-/// The width of a sheet whose letters are 11 px high or more on a phone, in points.
+/// The width, in points, of a sheet whose letters are at least 11 px high on a phone.
 const NARROW: u32 = 500;
 
 /// Edges of the document's box, m.
@@ -137,7 +137,7 @@ fn in_principal_axes(inertia: &Inertia) -> Result<Inertia, Error> {
     Inertia::from_moments(m[0], m[1], m[2])
 }
 
-/// The next power of ten above a small error: what may be said of it on every machine.
+/// The next power of ten above a small error, as a statement that holds on every machine.
 fn bound(error: f64) -> f64 {
     10_f64.powf(error.log10().ceil())
 }

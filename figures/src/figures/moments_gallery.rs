@@ -19,7 +19,7 @@ fn ends(part: &Part) -> [Vector3<f64>; 2] {
 }
 
 impl Cell<'_> {
-    /// What has sides, from far to near, over what is drawn as lines.
+    /// Parts with faces, from far to near, in front of parts that are drawn as lines.
     fn body(&self, mut parts: Vec<Part>) {
         for name in ["main string", "cross string"] {
             // Every second one: all of them would be a grey patch.
@@ -86,7 +86,8 @@ impl Cell<'_> {
     }
 }
 
-/// How a body that is no box is placed: points to the metre, and what of it falls at the middle of its cell.
+/// The position of a body that is not a box: the scale in points per metre, and its point at the middle of
+/// the cell.
 fn placed(name: &str) -> Option<(f64, [f64; 3])> {
     Some(match name {
         "the hammer" => (310.0, [0.0, 0.0, 0.16]),

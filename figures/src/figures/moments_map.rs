@@ -20,7 +20,7 @@ pub(crate) fn map() -> Result<(Canvas, Plot), Box<dyn std::error::Error>> {
     Ok((canvas, plot))
 }
 
-/// Two lines on each side of the triangle that no body crosses, and what stands in its corners.
+/// Two bounding lines on each side of the triangle, and the labels in its corners.
 pub(crate) fn edges(canvas: &Canvas, plot: &Plot) {
     let outside = |x: f64, y: f64, lines: [&str; 2], end: bool| {
         let p = plot.at(x, y);
@@ -41,7 +41,7 @@ pub(crate) fn edges(canvas: &Canvas, plot: &Plot) {
     canvas.label((top.0, top.1 - 12.0), &Label::new("round: rods, $I_2 = I_3$").size(15.5).middle());
 }
 
-/// A named body, and where its name goes beside its point.
+/// A named body, and the position of its name relative to its point.
 const NAMES: [(&str, f64, f64, bool); 8] = [
     ("the box", 9.0, 5.0, false),
     ("the book", -9.0, 12.0, true),
@@ -64,7 +64,7 @@ fn points(canvas: &Canvas, plot: &Plot) -> Result<Vec<String>, Box<dyn std::erro
         canvas.disc(p, 4.5, Fill::new(Ink::Text), None);
         let name = full_name.trim_start_matches("the ").trim_start_matches("tennis ");
         let label = Label::new(name).size(16.0);
-        // Names to the right of their points stand on the triangle, the others beside it.
+        // Names to the right of their points are inside the triangle, the others outside.
         canvas.label((p.0 + dx, p.1 + dy), &if end { label.end() } else { label.halo(Ink::Surface) });
         said.push(format!("{name} ({x:.2}, {y:.2})"));
     }
@@ -83,12 +83,12 @@ pub(super) fn draw() -> Drawing {
     ))
 }
 
-/// How much the angle grows on the way of one radian of spin, for a body at this place of the map.
+/// The growth of the angle during one radian of spin, for a body at this position of the map.
 fn rate(x: f64, y: f64) -> f64 {
     rate_squared(&1.0, &y, &x, &1.0).max(0.0).sqrt()
 }
 
-/// Lines of equal growth, named; gives their names.
+/// Draws lines of equal growth with labels; returns the labels.
 pub(crate) fn growth_lines(canvas: &Canvas, plot: &Plot) -> Result<Vec<String>, Box<dyn std::error::Error>> {
     let mut levels = Vec::new();
     for tenth in [2, 4, 6, 8, 9] {
@@ -107,7 +107,7 @@ pub(crate) fn growth_lines(canvas: &Canvas, plot: &Plot) -> Result<Vec<String>, 
             }
             line.push((left, y));
         }
-        // Its number stands at the line, or where names of bodies leave no room, outside of the edge.
+        // The label is on the line, or outside the edge where names of bodies leave no space.
         let outside = tenth == 9;
         let named = line.iter().copied().find(|p| p.1 >= 0.725).unwrap_or_default();
         plot.curve(line, Pen::new(Ink::AxisMid, 1.8).dashed())?;
@@ -120,7 +120,7 @@ pub(crate) fn growth_lines(canvas: &Canvas, plot: &Plot) -> Result<Vec<String>, 
     Ok(levels)
 }
 
-/// What the lines of equal growth are.
+/// A sentence that explains the lines of equal growth.
 pub(crate) fn growth_key(canvas: &Canvas, plot: &Plot) {
     let words = plot.at(0.72, 0.70);
     for (down, line) in [(0.0, "dashed: $λ/ω$,"), (21.0, "a slip’s growth"), (42.0, "per radian of spin")]
@@ -129,7 +129,7 @@ pub(crate) fn growth_key(canvas: &Canvas, plot: &Plot) {
     }
 }
 
-/// How much the angle grows on the way of one radian of spin: lines of equal growth over the map.
+/// The growth of the angle during one radian of spin, as contour lines over the map.
 pub(super) fn draw_growth() -> Drawing {
     let (canvas, plot) = map()?;
     let levels = growth_lines(&canvas, &plot)?;

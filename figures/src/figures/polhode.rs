@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use tumbling::Inertia;
 use tumbling::exact::time_between_flips;
 
-/// All spins with which a body has the same energy.
+/// The spins at which a body has one given energy.
 #[derive(Debug)]
 pub(crate) struct Ellipsoid {
     pub(crate) inertia: Inertia,
@@ -63,8 +63,8 @@ impl Ellipsoid {
         Ok(path.iter().map(|(_, body)| body.omega_body()).collect())
     }
 
-    /// How far, on the sphere before stretching, the separatrix is from the end of axis 0 or 2, in the plane
-    /// of those two.
+    /// The distance of the separatrix from the end of axis 0 or 2, on the sphere before stretching, in the
+    /// plane of these two axes.
     fn separatrix_angle(&self, axis: usize) -> f64 {
         let i = &self.moments;
         // There `I1 (I2 - I1) w1² = I3 (I3 - I2) w3²`, and `I w²` is the same for the ends of all axes.
@@ -84,7 +84,7 @@ impl Ellipsoid {
             .collect()
     }
 
-    /// Draws a curve on the surface: before in full, behind faint.
+    /// Draws a curve on the surface: solid in front, faint behind.
     pub(crate) fn curve(
         &self,
         canvas: &Canvas,
@@ -105,7 +105,7 @@ impl Ellipsoid {
         }
     }
 
-    /// A head on a curve where it comes nearest to the viewer.
+    /// An arrowhead on a curve, at the point nearest to the viewer.
     pub(crate) fn head(&self, canvas: &Canvas, view: &View, points: &[Vector3<f64>], at: usize, pen: Pen) {
         let n = points.len() - 1;
         let around: Vec<P> = (0..=12).map(|i| view.at(&points[(at + n + i - 12) % n])).collect();

@@ -1,10 +1,10 @@
-//! What a state costs by the outputs requested, from the committed record.
+//! The cost of a state for each request, from the committed record.
 
 use super::{Drawing, NARROW, raised};
 use crate::draw::{Canvas, Fill, Ink, Label, Pen, Plot, Scale};
 use tumbling_measure::costs::{self, GENERAL};
 
-/// What a row of the record is called here, and whether the attitude is requested too.
+/// The label of a row of the record, and whether the attitude is requested too.
 const ROWS: [(&str, &str, bool); 8] = [
     ("ball; spin alone", "a ball", false),
     ("two equal moments; spin alone", "a coin", false),

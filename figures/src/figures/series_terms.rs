@@ -1,4 +1,4 @@
-//! How many terms each of the two theta series takes to reach rounding.
+//! The number of terms after which each of the two theta series has reached rounding.
 
 use super::Drawing;
 use crate::draw::{Canvas, Ink, Label, Pen, Plot, Scale};

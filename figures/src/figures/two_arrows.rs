@@ -89,7 +89,7 @@ fn large(canvas: &Canvas, light: f64, heavy: f64, shown: &Arrows, gap: &str) {
     canvas.label((half.0, half.1 + 6.0), &Label::new(format!("{SHOWN:.0}°")).size(15.5));
 }
 
-/// Small plates, the spin turned from one axis to the other; gives the gap of each.
+/// Small plates, with the spin turned from one axis to the other; returns the gap of each.
 fn small(canvas: &Canvas, plate: &Inertia) -> Result<Vec<String>, tumbling::Error> {
     let directions = [0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0];
     let mut gaps = Vec::new();

@@ -19,7 +19,7 @@ fn pen(group: Group) -> Pen {
     }
 }
 
-/// What a group is, in the key.
+/// The description of a group in the key.
 fn words(group: Group) -> &'static str {
     match group {
         Group::Exact => "the exact motion",
@@ -31,9 +31,9 @@ fn words(group: Group) -> &'static str {
     }
 }
 
-/// The smallest error that is drawn; smaller ones lie on it.
+/// The smallest error that is drawn; smaller errors are drawn at this value.
 const FLOOR: f64 = 1e-16;
-/// Larger ones lie on this.
+/// Larger errors are drawn at this value.
 const CEILING: f64 = 10.0;
 const SHORTEST: f64 = 5e-8;
 const LONGEST: f64 = 1.0;
@@ -42,16 +42,16 @@ const LONGEST: f64 = 1.0;
 pub(super) struct Ladder<'a> {
     pub(super) name: &'a str,
     pub(super) group: Group,
-    /// Seconds and error of the runs that came right.
+    /// Time (s) and error of the runs without a failure.
     pub(super) right: Vec<(f64, f64)>,
-    /// Those of runs with a wrong number of flips, and of those that broke down: at the upper edge, where a
-    /// run of that number of steps would have ended.
+    /// The runs with a wrong number of flips, and those that broke down: at the upper edge, at the time that
+    /// a run with that number of steps would take.
     wrong: Vec<(f64, f64)>,
 }
 
 fn curve<'a>(rows: &'a [Work], story: &str, name: &'a str, group: Group, kind: &Kind) -> Ladder<'a> {
     let ladder: Vec<&Work> = rows.iter().filter(|r| r.story == story && r.contestant == name).collect();
-    // Seconds for a step, from the finest rung that came through.
+    // Seconds per step, from the finest run that succeeded.
     let pace = ladder.iter().rev().find_map(|row| Some(row.seconds? / row.equal_steps()? as f64));
     let (mut right, mut wrong) = (Vec::new(), Vec::new());
     for row in ladder {
@@ -59,7 +59,7 @@ fn curve<'a>(rows: &'a [Work], story: &str, name: &'a str, group: Group, kind: &
         let Some(seconds) = row.seconds.or(by_pace) else { continue };
         match ((kind.of)(row), row.right()) {
             (Some(error), true) => right.push((seconds, error.clamp(FLOOR, CEILING))),
-            // An error that the story does not have is no failure.
+            // If the story has no such error, a missing value is not a failure.
             (None, true) => {}
             (Some(error), _) => wrong.push((seconds, error.clamp(FLOOR, CEILING))),
             (None, _) => wrong.push((seconds, CEILING)),
@@ -88,7 +88,7 @@ fn crosses(canvas: &Canvas, plot: &Plot, curves: &[Ladder<'_>]) {
     let points = curves.iter().flat_map(|curve| &curve.wrong);
     let mut places: Vec<P> = Vec::new();
     for place in points.map(|&(x, y)| plot.at(x.clamp(SHORTEST, LONGEST), y)) {
-        // One cross does for those that would lie upon each other.
+        // One cross stands for all that would overlap.
         if places.iter().all(|p| (p.0 - place.0).hypot(p.1 - place.1) > 4.0) {
             places.push(place);
         }
@@ -103,7 +103,7 @@ pub(super) fn line(plot: &Plot, curve: &Ladder<'_>, pen: Pen) -> Result<(), Box<
     plot.curve(curve.right.iter().copied(), pen)
 }
 
-/// Labels in a column next to their curves' ends, none upon another.
+/// Labels in a column next to the ends of their curves, without overlap.
 pub(super) fn column(canvas: &Canvas, x: f64, top: f64, bottom: f64, mut ends: Vec<(P, String, Pen)>) {
     ends.sort_by(|a, b| a.0.1.total_cmp(&b.0.1).then(a.0.0.total_cmp(&b.0.0)));
     let room = bottom - top;
@@ -113,7 +113,7 @@ pub(super) fn column(canvas: &Canvas, x: f64, top: f64, bottom: f64, mut ends: V
         let least = places.last().map_or(top, |y| y + apart);
         places.push(end.1.max(least));
     }
-    // What has run over the lower edge moves up, and pushes those above it.
+    // Labels beyond the lower edge move up, and push those above them.
     let mut most = bottom;
     for place in places.iter_mut().rev() {
         *place = place.min(most);
@@ -135,7 +135,7 @@ pub(super) fn circumstances(record: &Record<Work>) -> String {
     format!("Measured on {} ({}).", said("machine"), said("compiler"))
 }
 
-/// The methods named on the box, what they are called and where.
+/// The methods with labels in the figure of the box, with the labels and their positions.
 const NAMED: [(&str, &str, f64, f64); 3] = [
     ("DOP853 (differential-equations)", "DOP853, a general solver", 1.0, 2e-12),
     ("Runge-Kutta 4", "Runge-Kutta 4", 1.0, 2e-8),
@@ -210,7 +210,7 @@ pub(super) fn draw_box() -> Drawing {
 pub(super) fn draw_attitude() -> Drawing {
     let (record, stories) = (committed()?, story::all()?);
     let kind = kind("attitude").ok_or("no such error")?;
-    // A row is for two, and the key stands below.
+    // Each row has two figures, and the key is below.
     let rows = u32::try_from(stories.len().div_ceil(2))?;
     let canvas = Canvas::sized(NARROW, 48 + 218 * rows + 176);
     canvas.label((20.0, 28.0), &Label::new(kind.title).bold());

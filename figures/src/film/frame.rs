@@ -13,28 +13,28 @@ use tumbling::Axis;
 const SHEET: [u32; 2] = [640, 360];
 const SQUARE: [u32; 2] = [412, 412];
 
-/// Where the body's centre is drawn, and where the ellipsoid's.
+/// The positions of the body's centre and of the ellipsoid's centre.
 const BODY: P = (206.0, 204.0);
 const ELLIPSOID: P = (524.0, 190.0);
 
-/// From where all is seen, degrees.
+/// The direction of view, degrees.
 const AZIMUTH: f64 = -52.0;
 const ELEVATION: f64 = 22.0;
 
-/// How long things are drawn: the momentum, the longest spin, the ellipsoid's longest half axis, the pin
-/// beyond the body.
+/// Lengths in the drawing: the momentum, the longest spin, the ellipsoid's longest half axis, and the part of
+/// the pin outside the body.
 const MOMENTUM: f64 = 176.0;
 const SPIN: f64 = 150.0;
 const HALF_AXIS: f64 = 112.0;
 const PIN: f64 = 32.0;
 
-/// How far the body goes in the whole film to either side of its centre, and up and down.
+/// How far the body moves in the whole film to either side of its centre, and up and down.
 const ROOM: P = (192.0, 118.0);
 
-/// How much of the trace is drawn strongly, as a share of a turn of the first spin.
+/// The length of the strongly drawn part of the trace, in turns of the first spin.
 const TAIL: f64 = 0.8;
 
-/// How a film draws an arrow of the spin, for those who read a drawing back.
+/// The scale and position of the arrow of the spin, for programs that read a drawing.
 #[derive(Debug, Clone, Copy)]
 pub struct Projection {
     /// The longest spin of the film, rad/s: the longest arrow.
@@ -42,7 +42,7 @@ pub struct Projection {
 }
 
 impl Projection {
-    /// Where the tip of this spin (rad/s, as the camera sees it: z up) is drawn.
+    /// The drawn position of the tip of this spin (rad/s, in the camera's axes, z up).
     #[must_use]
     pub fn tip(&self, omega: &Vector3<f64>) -> [f64; 2] {
         let (x, y) = view(BODY, SPIN / self.fastest, AZIMUTH).at(omega);
@@ -61,7 +61,7 @@ impl Film {
         Projection { fastest: self.fastest / self.share }
     }
 
-    /// The spin as the camera sees it at this share of the film, rad/s, z upwards.
+    /// The spin in the camera's axes at this fraction of the film, rad/s, z up.
     ///
     /// # Errors
     /// A share that is not finite.
@@ -70,7 +70,7 @@ impl Film {
         Ok(self.seen_from(share, &now.attitude) * (now.attitude * now.omega))
     }
 
-    /// The drawing at this share of the film: 0 at its start, 1 at its end, where it starts again.
+    /// The drawing at this fraction of the film: 0 at its start and 1 at its end, where it starts again.
     ///
     /// # Errors
     /// A share that is not finite.
@@ -93,7 +93,7 @@ impl Film {
         let axis = self.frame.column(self.request.axis as usize).into_owned();
         let (pole, ink) = (rotation * axis, ink_of(self.request.axis));
         let of_body = view(BODY, self.scale, AZIMUTH);
-        // A pin along the axis of the spin: it shows which way round the body is.
+        // A pin along the axis of the spin: it shows the orientation of the body.
         let along = self.surfaces.iter().flat_map(|s| &s.vertices).map(|p| p.dot(&axis));
         let surface = along.fold(0.0, f64::max) * self.scale;
         let pin = |from: f64| {
@@ -124,7 +124,7 @@ impl Film {
         Ok(())
     }
 
-    /// How large a metre of the body is drawn, so that its whole motion fills its room.
+    /// The scale of the body, such that its whole motion fills its area.
     pub(super) fn fitting(&self) -> Result<f64, Box<dyn Error>> {
         let view = view((0.0, 0.0), 1.0, AZIMUTH);
         let mut most = 0.0_f64;
@@ -138,7 +138,7 @@ impl Film {
         Ok(1.0 / most)
     }
 
-    /// The path of the spin's tip between two shares of the film.
+    /// The path of the spin's tip between two fractions of the film.
     fn trace(&self, from: f64, to: f64, steps: u32) -> Result<Vec<P>, Box<dyn Error>> {
         let tip = |i: u32| {
             let [x, y] =
@@ -205,7 +205,7 @@ impl Film {
             canvas.label((right, 22.0), &small("the spin's path in the body".into()).end());
         }
         canvas.label((14.0, low), &small(words));
-        // As many decimals as frames differ by.
+        // Enough decimals to distinguish two frames.
         let decimals = (1.0 - (self.length.motion / 30.0).log10().floor()).clamp(0.0, 9.0) as usize;
         let time = share * self.length.motion;
         canvas.label((right, low), &small(format!("t = {time:.decimals$} s")).end());

@@ -1,4 +1,4 @@
-//! How long a film is: to where the motion starts again, if it does.
+//! The length of a film: until the motion starts again, if it does.
 
 use super::{Camera, Request, thrown};
 use std::error::Error;
@@ -15,22 +15,22 @@ pub(super) struct Length {
     /// Of the motion that it shows, s.
     pub(super) motion: f64,
     pub(super) camera: Camera,
-    /// By how much the body, back at its first spin, is turned about the momentum against its first
-    /// attitude, rad.
+    /// The angle about the momentum from the first attitude to the attitude at the next return to the first
+    /// spin, rad.
     pub(super) missing: f64,
-    /// What was chosen.
+    /// The reason for the choice, in words.
     pub(super) why: String,
 }
 
 /// The longest film whose length was not requested, s.
 const LONGEST: f64 = 30.0;
 
-/// What counts as closed, rad: nobody sees it.
+/// An error that counts as closed, rad: it is too small to see.
 const CLOSED: f64 = 2e-3;
 
 type Chosen = Result<(f64, Length), Box<dyn Error>>;
 
-/// The push, and the length of its film.
+/// The push, and the length of the film with it.
 pub(super) fn choose(model: &BodyModel, request: &Request) -> Chosen {
     let usual = if request.axis == Axis::Middle { 0.02 } else { 0.2 };
     let room = request.camera.is_none_or(|camera| camera == Camera::Room);
@@ -93,8 +93,8 @@ fn turning(missing: f64) -> String {
     )
 }
 
-/// After how many periods, at most `most`, the attitude is nearest to the first: the fewest that close, or
-/// the best.
+/// The number of periods, at most `most`, after which the attitude is nearest to the first one: the smallest
+/// number that closes the film, or else the best.
 fn nearest(twist: f64, most: u32) -> u32 {
     let off = |n: u32| wrapped(f64::from(n) * twist).abs();
     let closed = (1..=most).find(|&n| off(n) < CLOSED);
@@ -106,8 +106,8 @@ fn wrapped(angle: f64) -> f64 {
     angle - TAU * ((angle + PI) / TAU).floor()
 }
 
-/// The push nearest to the usual one with which the body, back at its first spin, is back at its first
-/// attitude too: then the film closes in the room.
+/// The push nearest to the usual one with which the body returns to its first spin and its first attitude at
+/// the same time. Then the film closes for a camera at rest.
 fn closing(model: &BodyModel, request: &Request, usual: f64) -> Option<f64> {
     let missing = |push: f64| -> Option<f64> {
         let motion = FreeMotion::of(&thrown(model, request, push).ok()?).ok()?;
@@ -118,7 +118,7 @@ fn closing(model: &BodyModel, request: &Request, usual: f64) -> Option<f64> {
     let between = |pair: &[f64]| -> Option<f64> {
         let (mut low, mut high) = (pair[0], pair[1]);
         let (a, b) = (missing(low)?, missing(high)?);
-        // A change of sign near zero, not the jump by a whole turn.
+        // A change of sign near zero, not a jump by a whole turn.
         if a * b > 0.0 || (a - b).abs() > PI {
             return None;
         }

@@ -15,32 +15,32 @@ use tumbling::exact::FreeMotion;
 use tumbling::{Axis, Body};
 use tumbling_bodies::{BodyModel, Surface};
 
-/// From where a film is taken.
+/// The frame of reference of the camera.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Camera {
     /// At rest in the room.
     Room,
     /// Fixed to the body.
     Body,
-    /// Turning steadily about the momentum, by as much as is missing for the film to close.
+    /// Turning steadily about the momentum, by the angle that is missing for the film to close.
     Momentum,
 }
 
-/// What a film is to show.
+/// The request for a film.
 #[derive(Debug, Clone, Copy)]
 pub struct Request {
     /// The axis of the spin.
     pub axis: Axis,
     /// The spin about it, rad/s.
     pub spin: f64,
-    /// The spin across it, as a share of the spin about it: along the axis with the largest moment, or with
-    /// the smallest where the body spins about that. None lets the film choose.
+    /// The spin across it, as a fraction of the spin about it: along the axis with the largest moment, or
+    /// along the smallest if the body spins about the largest. `None` lets the film choose.
     pub push: Option<f64>,
-    /// Seconds that the film takes. None lets it end where the motion starts again.
+    /// The duration of the film, s. `None` lets it end where the motion starts again.
     pub seconds: Option<f64>,
-    /// None lets the film choose.
+    /// `None` lets the film choose.
     pub camera: Option<Camera>,
-    /// As wide as high, with the body alone, or as wide as a slide, with the path of the spin in the body.
+    /// A square with the body alone; otherwise as wide as a slide, with the path of the spin in the body.
     pub square: bool,
 }
 
@@ -60,9 +60,9 @@ pub struct Film {
     motion: FreeMotion,
     momentum: Vector3<f64>,
     surfaces: Vec<Surface>,
-    /// Of the body as drawn, points to the metre.
+    /// The scale of the body, points per metre.
     scale: f64,
-    /// How long arrows are drawn: seen from the body they swing down to the words.
+    /// The relative length of the arrows: in a film from the body they swing down to the words.
     share: f64,
     length: Length,
     /// Principal axes as columns, in the body's.
@@ -120,13 +120,13 @@ impl Film {
         Ok(film)
     }
 
-    /// How long it takes to watch, s: a turn of the first spin takes a second.
+    /// The playing time, s: a turn of the first spin takes a second.
     #[must_use]
     pub fn seconds(&self) -> f64 {
         self.length.film
     }
 
-    /// How much of the motion it shows, s.
+    /// The duration of the motion that it shows, s.
     #[must_use]
     pub fn shows(&self) -> f64 {
         self.length.motion
@@ -138,13 +138,13 @@ impl Film {
         self.length.camera
     }
 
-    /// The exact motion that it shows, from an attitude with the momentum upwards.
+    /// The exact motion that it shows; its first attitude has the momentum upwards.
     #[must_use]
     pub fn motion(&self) -> &FreeMotion {
         &self.motion
     }
 
-    /// In one line: what is shown, for how long, and whether its end is its start.
+    /// One line on what is shown, how long, and whether the end equals the start.
     ///
     /// # Errors
     /// None for a film that was made.
@@ -158,13 +158,13 @@ impl Film {
         Ok(format!("{}: {spin}, {push}; {why}; {end}", self.name))
     }
 
-    /// The body's attitude as the camera sees it, at this share of the film.
+    /// The body's attitude in the camera's axes, at this fraction of the film.
     fn rotation(&self, share: f64) -> Result<UnitQuaternion<f64>, Box<dyn Error>> {
         let attitude = self.motion.attitude(share * self.length.motion)?;
         Ok(self.seen_from(share, &attitude) * attitude)
     }
 
-    /// The turn from the room to what the camera sees.
+    /// The rotation from the world to the camera's axes.
     fn seen_from(&self, share: f64, attitude: &UnitQuaternion<f64>) -> UnitQuaternion<f64> {
         match self.length.camera {
             Camera::Room => UnitQuaternion::identity(),
@@ -179,7 +179,7 @@ impl Film {
     }
 }
 
-/// The turn that takes this vector to the world's z by the shortest way.
+/// The shortest rotation of this vector to the world's z.
 fn upwards(v: &Vector3<f64>) -> UnitQuaternion<f64> {
     let half_turn = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), PI);
     Rotation3::rotation_between(v, &Vector3::z()).map_or(half_turn, |turn| turn.into())

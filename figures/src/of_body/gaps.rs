@@ -14,7 +14,7 @@ fn gap(ratio: f64, degrees: f64) -> f64 {
 
 pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
     let m = subject.moments.vector();
-    // Where two moments are equal, one plane stands for two.
+    // Where moments are equal, one plane is enough: each other one has the same curve, or no gap.
     let planes: Vec<(usize, usize)> = match subject.kind {
         Kind::Three => vec![(0, 2), (0, 1), (1, 2)],
         _ => vec![(0, 2)],
@@ -47,7 +47,7 @@ pub(crate) fn draw(subject: &Subject<'_>) -> Drawing {
         let directions = (0..=300).map(|i| 90.0 * (f64::from(i) / 300.0).powi(2));
         plot.curve(directions.map(|d| (d, gap(ratio, d))), pen)?;
         plot.dots([(at, widest)], 4.0, Ink::Text)?;
-        // Above the curves, or right of those that leave no room above.
+        // Above the curves, or to the right of curves that leave no space above.
         let y = 96.0 + 22.0 * row as f64;
         canvas.line((206.0, y - 5.0), (240.0, y - 5.0), pen);
         let words = Label::new(format!("{between}: {}°", units::significant(widest, 3))).size(15.5);

@@ -22,17 +22,17 @@ use tumbling_bodies::BodyModel;
 pub(crate) enum Kind {
     /// None.
     Three,
-    /// Those about the two axes that are not this one.
+    /// The two moments about the axes other than this one.
     Round(Axis),
     /// All.
     Ball,
 }
 
-/// A body as its figures take it: in its principal axes.
+/// A body, prepared for its figures: in its principal axes.
 #[derive(Debug, Clone)]
 pub(crate) struct Subject<'a> {
     pub(crate) model: &'a BodyModel,
-    /// Smallest first, kg m²; those that are equal to rounding are equal.
+    /// Smallest first, kg m²; moments that are equal to rounding are made equal.
     pub(crate) moments: PrincipalMoments,
     /// Principal axes to body axes.
     pub(crate) frame: Matrix3<f64>,
@@ -41,10 +41,11 @@ pub(crate) struct Subject<'a> {
     pub(crate) spin: f64,
 }
 
-/// What the axes are called, smallest moment first.
+/// The names of the axes, smallest moment first.
 pub(crate) const NAMES: [&str; 3] = ["smallest", "middle", "largest"];
 
-/// Places for the middle of a number beyond the tip of an arrow from `centre`, the first straight on.
+/// Places for the middle of a label beyond the tip of an arrow from `centre`, the straight continuation
+/// first.
 pub(crate) fn beyond(centre: P, tip: P) -> [P; 5] {
     let (x, y) = (tip.0 - centre.0, tip.1 - centre.1);
     let length = x.hypot(y);
@@ -100,26 +101,26 @@ impl<'a> Subject<'a> {
         Inertia::from_moments(a, b, c)
     }
 
-    /// The motion from a spin along the principal axes, in parts of [`spin`](Self::spin).
+    /// The motion with a spin along the principal axes, in units of [`spin`](Self::spin).
     pub(crate) fn motion(&self, parts: &Vector3<f64>) -> Result<FreeMotion, tumbling::Error> {
         FreeMotion::new(self.moments, &(parts * self.spin))
     }
 
-    /// How fast a slip off the middle axis grows, relative to the spin in rad/s.
+    /// The growth rate of a slip off the middle axis, relative to the spin in rad/s.
     pub(crate) fn growth(&self) -> f64 {
         let [a, b, c] = self.moments.vector().into();
         tumbling::dynamics::stability::rate_squared(&1.0, &b, &a, &c).max(0.0).sqrt()
     }
 
-    /// The time between flips of a spin about the middle axis after a slip, as a part of the spin, about
-    /// the largest.
+    /// The time between flips of a spin about the middle axis, after a slip about the largest axis that is
+    /// given as a fraction of the spin.
     pub(crate) fn flip_time(&self, push: f64) -> Result<f64, Box<dyn Error>> {
         self.flips()?;
         let omega = Vector3::new(0.0, 1.0, push) * self.spin;
         Ok(time_between_flips(self.moments, &omega)?.ok_or("it does not flip")?)
     }
 
-    /// That it flips at all.
+    /// Checks that it flips at all.
     pub(crate) fn flips(&self) -> Result<(), Box<dyn Error>> {
         let equal = match self.kind {
             Kind::Three => return Ok(()),

@@ -10,7 +10,7 @@ use std::error::Error;
 use std::f64::consts::{FRAC_PI_2, TAU};
 use tumbling::Axis;
 
-/// Where the spin can point, as it is drawn: a needle's ellipsoid would be too thin to draw on.
+/// The directions of the spin on a drawable ellipsoid: a needle's own would be too thin.
 fn drawn(moments: &Vector3<f64>) -> Result<Ellipsoid, Box<dyn Error>> {
     let stout = [1.0, 0.85, 0.8].map(|reach: f64| reach.powi(-2));
     Ellipsoid::new(if to_scale(moments) { (moments / moments.x).into() } else { stout })

@@ -1,4 +1,4 @@
-//! What rules of engines make of the body, frame by frame, against the exact motion.
+//! How well engines' rules integrate the body, frame by frame, compared with the exact motion.
 
 use super::row;
 use crate::of_body::{Kind, Subject};
@@ -11,20 +11,20 @@ use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, PositionStage, State, System};
 use tumbling_judge::PHYSICS_ENGINES;
 
-/// How long the body is followed, turns.
+/// The duration of the comparison, turns.
 const TURNS: u32 = 10;
 /// Frames a turn: 60 a second at a turn a second.
 const FRAMES: u32 = 60;
 /// The push about the largest axis, as a part of the spin: it flips within a turn or a few.
 const PUSH: f64 = 0.1;
-/// The largest error allowed, of energy and of momentum.
+/// The largest accepted error of energy and of momentum.
 const ALLOWED: f64 = 0.01;
-/// That of the attitude at the end, rad.
+/// The largest accepted error of the attitude at the end, rad.
 const ANGLE: f64 = 0.1;
 /// More frames a turn are not tried.
 const MOST: u32 = 4096;
 
-/// Methods of the library; none is its position stage.
+/// The rules that are compared: methods of the library, and `None` for its position stage.
 const RULES: [(&str, Option<Method>); 6] = [
     ("constant spin", Some(Method::ConstantSpin)),
     ("semi-implicit Euler", Some(Method::SemiImplicitEuler)),
@@ -34,7 +34,7 @@ const RULES: [(&str, Option<Method>); 6] = [
     ("the position stage of this library", None),
 ];
 
-/// Some engines that go by a method in one of their settings.
+/// Some engines that use a method in one of their settings.
 fn engines(method: Method) -> String {
     let rows = PHYSICS_ENGINES.iter().filter(|engine| engine.method == method);
     let mut names: Vec<_> = rows.map(|engine| engine.name).collect();
@@ -62,9 +62,10 @@ fn start(subject: &Subject<'_>) -> Vector3<f64> {
     }
 }
 
-/// None where the rule breaks down.
+/// `None` where the rule breaks down.
 fn run(rule: Option<Method>, subject: &Subject<'_>, frames: u32) -> Result<Option<Errors>, Box<dyn Error>> {
-    // In units of the largest moment and of the spin: errors know of neither, and none overflows.
+    // In units of the largest moment and of the spin: the errors do not depend on these units, and nothing
+    // overflows.
     let moments = PrincipalMoments::try_from(subject.moments.vector() / subject.moments.vector().z)?;
     let omega = start(subject);
     let motion = FreeMotion::new(moments, &omega)?;
@@ -101,8 +102,8 @@ fn run(rule: Option<Method>, subject: &Subject<'_>, frames: u32) -> Result<Optio
     Ok(Some(errors))
 }
 
-/// The fewest frames a turn, of 4, 6, 8, 12, 16, ..., that keep energy, momentum and attitude; none up to
-/// [`MOST`].
+/// The fewest frames a turn, out of 4, 6, 8, 12, 16, ..., that keep energy, momentum and attitude; `None` if
+/// it is above [`MOST`].
 fn needed(rule: Option<Method>, subject: &Subject<'_>) -> Result<Option<u32>, Box<dyn Error>> {
     for frames in (2..12).flat_map(|k| [1 << k, 3 << (k - 1)]).chain([MOST]) {
         let errors = run(rule, subject, frames)?;
@@ -179,7 +180,7 @@ mod tests {
         assert!(stage.energy < 1e-12 && stage.momentum < 1e-12, "{stage:?}");
         let constant = errors(Some(Method::ConstantSpin));
         assert!(constant.energy < 1e-12 && constant.momentum > 0.01, "{constant:?}");
-        // A method of order 4: with twice the frames the attitude is near 16 times better.
+        // A method of order 4: with twice the frames, the error of the attitude is about 16 times smaller.
         let fourth = |frames| run(Some(Method::RungeKutta4), &subject, frames).unwrap().unwrap();
         let gain = fourth(240).attitude / fourth(480).attitude;
         assert!((12.0..20.0).contains(&gain), "{gain}");

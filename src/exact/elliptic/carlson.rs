@@ -4,7 +4,7 @@ use crate::number::{Field, Real, splat};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
-/// Numbers this near to their mean, relative to it, are summed by the series.
+/// Where the relative distance of the numbers from their mean is at most this, the series is summed.
 const NEAR: [f64; 2] = [3e-3, 5e-3];
 
 /// `R_F(x², y², z²)` for three numbers not below zero, at most one of them zero (two zeros give infinity).
@@ -18,8 +18,8 @@ pub(crate) fn rf_of_roots<T: Real>(x: T, y: T, z: T) -> T {
     }
     let mean = |v: &[T; 3]| (v[0] + v[1] + v[2]) / splat(3.0);
     let mut v = [x, y, z].map(|a| (a * a + shared) * 0.25);
-    // Each step divides the differences by four, from where the numbers are of one size; from numbers
-    // hundreds of orders apart, ten steps lead there.
+    // Each step divides the differences by four once the numbers are of the same order; numbers that are
+    // hundreds of orders apart need ten more steps before that.
     for _ in 0..40 {
         let mean = mean(&v);
         if v.iter().all(|a| (*a - mean).abs() <= mean * NEAR[0]) {

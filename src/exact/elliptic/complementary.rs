@@ -13,23 +13,24 @@ pub(crate) struct Decay<T = f64> {
     square: T,
     /// `1 - exp(-2x)`, small where `x` is.
     pub(crate) short_of_one: T,
-    /// The root of the complementary nome over `exp(-x)`: this exponential from the other end of the passage.
+    /// The root of the complementary nome divided by `exp(-x)`: the same exponential from the other end of
+    /// the passage.
     pub(crate) rising: T,
 }
 
 impl<T: Rounding> Decay<T> {
-    /// Of `x = main + rest >= 0`, with the root of the complementary nome.
+    /// From `x = main + rest >= 0` and the square root of the complementary nome.
     #[inline(always)]
     pub(crate) fn new(main: T, rest: T, nome_root: T) -> Self {
         let [root, less] = main.decay(rest);
-        // At a saddle zero, not less: what is left to it has that sign.
+        // At a saddle this is zero, not -0: the remainder takes its sign.
         let short_of_one = T::zero() - less * (less + 2.0);
         Self { root, square: root * root, short_of_one, rising: nome_root / root }
     }
 }
 
-/// The spin's theta functions as sums in the complementary nome `p`, for one of at most 0.02: that is a nome
-/// above 0.08.
+/// The spin's theta functions as sums in the complementary nome `p`, which must be at most 0.02; the nome is
+/// then above 0.08.
 ///
 /// ```
 /// use tumbling::laws::ComplementarySeries;
@@ -43,7 +44,8 @@ pub struct ComplementarySeries<T = f64> {
     outer: [T; 4],
     /// `theta_2` and `theta_1` without `cosh x` and `sinh x`, likewise.
     inner: [T; 3],
-    /// What makes `sn`, `cn` and `dn` of the quotients: up to half the quarter period, and beyond.
+    /// The factors that give `sn`, `cn` and `dn` from the quotients: up to half the quarter period, and
+    /// beyond.
     pub(super) near_flip: [T; 3],
     pub(super) near_saddle: [T; 3],
 }
@@ -62,8 +64,8 @@ impl<T: Series> ComplementarySeries<T> {
         [second, even.clone() + odd.clone(), even - odd]
     }
 
-    /// From the nome and the complement of the modulus. For a `stretch` other than 1 the complement is times
-    /// that, and `cn` and `dn` come out so too.
+    /// From the nome and the complement of the modulus. If `stretch` is not 1, the complement must be
+    /// multiplied by it, and `cn` and `dn` are then multiplied by it too.
     pub fn new(p: T, complement: T, stretch: T) -> Self {
         let [second, third, fourth] = Self::constants(p.clone());
         let n = T::integer;
@@ -111,8 +113,8 @@ impl<T: Series> ComplementarySeries<T> {
         ]
     }
 
-    /// What `sn`, `cn` and `dn` are made of, from `exp(-x)` and those sums: nearer to the flip, where `x` is
-    /// the distance from it, and nearer to the saddle, where it is the distance from that.
+    /// The terms of `sn`, `cn` and `dn`, from `exp(-x)` and those sums: nearer to the flip, where `x` is the
+    /// distance from it, and nearer to the saddle, where `x` is the distance from the saddle.
     #[inline(always)]
     pub fn parts(&self, root: T, [sine, cosine, alternating, plain]: [T; 4]) -> [Parts<T>; 2] {
         let (one, half) = (T::one(), T::one() / T::integer(2));
@@ -137,14 +139,14 @@ impl<T: Series> ComplementarySeries<T> {
     }
 }
 
-/// What `sn`, `cn` and `dn` are made of.
+/// The terms of `sn`, `cn` and `dn`.
 #[derive(Debug, Clone, Copy)]
 pub struct Parts<T> {
     factors: [T; 3],
-    /// The sums above, and what is below.
+    /// The sums in the numerators, and the denominator.
     above: [T; 3],
     under: T,
-    /// What `sn` is times, and the other two.
+    /// The factor of `sn`, and that of the other two.
     rise: T,
     fall: T,
 }
@@ -168,8 +170,8 @@ impl<T: Rounding> ComplementarySeries<T> {
         self.sums(x.square, x.short_of_one, x.rising * x.rising)
     }
 
-    /// `sn`, `cn`, `dn` where `x` is the argument times `pi/(2K')`, up to half the quarter period; or, at a
-    /// `saddle`, what is left of it to the quarter period.
+    /// `sn`, `cn`, `dn` for `x`, the argument times `pi/(2K')`, up to half the quarter period; at a `saddle`,
+    /// `x` is the distance of the argument from the quarter period, times the same.
     #[inline(always)]
     pub(crate) fn values(&self, x: &Decay<T>, saddle: T::Mask) -> [T; 3] {
         let [flip, at_saddle] = self.parts(x.root, self.sums_of(x));

@@ -2,26 +2,27 @@
 
 use crate::number::{DoubleDouble, Real, splat};
 
-/// How near two numbers are, relative to their size, that (C45) takes to the end: what that leaves out is of
+/// The relative difference of two numbers down to which (C45) is iterated: the error of stopping there is of
 /// the fourth order.
 const NEAR: f64 = 1e-8;
 
-/// `K` in twice the precision, from the complementary modulus and its root, which must be above zero.
+/// `K` in twice the precision, from the complementary modulus and its square root, which must be positive.
 ///
-/// The root is a parameter of its own since it has all its digits where the complement is subnormal.
+/// The square root is a separate parameter, because it keeps full precision where the complement is
+/// subnormal.
 pub(crate) fn quarter_period_from_root<T: Real>(
     complement: DoubleDouble<T>,
     root: DoubleDouble<T>,
 ) -> DoubleDouble<T> {
     let half = splat::<T>(0.5);
     let (mut a, mut g) = ((DoubleDouble::from(T::one()) + complement).times_exact(half), root);
-    // (C45): each step doubles the digits, once the first ten at most have brought 1e-162 up to where that
-    // sets in.
+    // (C45): each step doubles the number of correct digits, after at most ten steps that bring 1e-162 near
+    // enough to 1.
     for _ in 0..24 {
         let difference = (a - g).hi();
         let mean = (a + g).times_exact(half);
         if difference.abs() <= a.hi() * NEAR {
-            // What the next step would take off, but for its square.
+            // The next step would subtract this, up to its square.
             let (square, size) = (difference * difference, mean.hi());
             let taken = (square / (size * 16.0)).up_to(|| square * square / (size * size * size));
             return DoubleDouble::pi().times_exact(half) / (mean - DoubleDouble::from(taken));
@@ -41,7 +42,7 @@ pub(crate) fn quarter_period<T: Real>(complement: T) -> T {
     }
     let (mut a, mut g) = (T::one(), complement);
     for _ in 0..24 {
-        // The next mean of two this close is right to rounding.
+        // The mean of two numbers this close is correct to rounding.
         if (a - g).abs() <= a * NEAR {
             let mean = ((a + g) * 0.5).up_to(|| (a - g) * (a - g) / a);
             return DoubleDouble::<T>::pi().hi() * 0.5 / mean;
@@ -73,7 +74,7 @@ mod tests {
         }
     }
 
-    /// The square of the next difference, over sixteen, is what (C45) leaves out; and in `f64` its own term.
+    /// The error of (C45) is the square of the next difference, over sixteen; in `f64`, its own term.
     #[test]
     fn the_last_step_of_the_mean_leaves_out_less_than_rounding() {
         let next = NEAR * NEAR / 8.0;

@@ -3,8 +3,9 @@
 use crate::number::functions::powi;
 use crate::number::{Gather, Rounding, Series, gather_fields};
 
-/// Jacobi's four theta functions as sums in the nome: for one of at most 0.09 four terms each reach rounding.
-/// Written as polynomials in `cos 2z`, their even and odd halves apart, since each pair of sums shares them.
+/// Jacobi's four theta functions as sums in the nome, which must be at most 0.09: then four terms of each
+/// reach rounding. They are polynomials in `cos 2z`, with even and odd halves apart, because each pair of
+/// sums shares these halves.
 ///
 /// ```
 /// use tumbling::laws::DirectSeries;
@@ -18,7 +19,7 @@ pub struct DirectSeries<T = f64> {
     outer: [T; 4],
     /// `theta_2 / (2 q^(1/4) cos z)` and `theta_1 / (2 q^(1/4) sin z) = even ± odd`.
     inner: [T; 4],
-    /// What makes `sn`, `cn` and `dn` of the quotients by `theta_4`.
+    /// The factors that give `sn`, `cn` and `dn` from the quotients by `theta_4`.
     pub(super) factors: [T; 3],
 }
 

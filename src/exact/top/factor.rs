@@ -1,4 +1,4 @@
-//! The complex numbers of which a top's motion is made: each a theta function of the phase, turning evenly.
+//! The complex numbers of a top's motion: each is a theta function of the phase times a steady rotation.
 //!
 //! With `alpha = w + i z` and `beta = x + i y` of the attitude's quaternion, `|alpha|² = (1 + u)/2` and
 //! `|beta|² = (1 - u)/2`, where `u` is the cosine of the lean, that has a period. So both are theta functions
@@ -15,39 +15,39 @@ use crate::number::DoubleDouble;
 use crate::number::functions::{exp, exp_and_exp_m1, hypot, powi, sin_cos};
 use core::f64::consts::{FRAC_PI_2, PI};
 
-/// What each of the three is made from.
+/// The parameters of one of the three numbers.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Shape {
-    /// Whether it is largest where the axis stands highest: `theta_1`, not `theta_2`.
+    /// Whether it is largest at the highest position of the axis: then it is `theta_1`, otherwise `theta_2`.
     pub(super) first: bool,
-    /// Where the zero lies, as an imaginary argument of Jacobi's functions, and how far below the quarter
-    /// period.
+    /// The position of the zero, as an imaginary argument of Jacobi's functions, and its distance below the
+    /// quarter period.
     pub(super) depths: [f64; 2],
     /// 1 or -1: the sign of the rate at which its argument turns as it passes the zero.
     pub(super) sense: f64,
-    /// Its length, and how fast its argument turns (rad per unit of time), where it is largest (T11).
+    /// Where it is largest: its length, and the rate of its argument (rad per unit of time) (T11).
     pub(super) size: f64,
     pub(super) rate: DoubleDouble,
-    /// At the start; where that is zero, its rate of change.
+    /// Its value at the start; where that is zero, its rate of change matters.
     pub(super) start: [f64; 2],
     pub(super) start_rate: [f64; 2],
 }
 
 impl Shape {
-    /// How large it is at the start, relative to its largest.
+    /// Its size at the start, relative to its largest size.
     pub(super) fn share(&self) -> f64 {
         hypot(self.start[0], self.start[1]) / self.size
     }
 
-    /// What turns `found`, the function at the start, to the direction of the start, and makes `largest`,
-    /// the function where it is largest, as large as it is.
+    /// The factor that rotates `found`, the function at the start, to the direction of the start, and scales
+    /// `largest`, the function where it is largest, to the size there.
     fn fitting(&self, found: [f64; 2], largest: [f64; 2], denominator: f64) -> [f64; 2] {
         let amplitude = self.size * denominator / hypot(largest[0], largest[1]);
         let unit = |x: [f64; 2]| {
             let length = hypot(x[0], x[1]);
             (length > 0.0).then(|| x.map(|x| x / length))
         };
-        // The function grows through its zero, or falls.
+        // Whether the function increases or decreases through its zero.
         let growing = [if self.first { 1.0 } else { -1.0 }, 0.0];
         let direction = match (unit(self.start), unit(found)) {
             (Some(start), Some(found)) => times(start, conjugate(found)),
@@ -57,14 +57,14 @@ impl Shape {
     }
 }
 
-/// The even turn of one of the three numbers, by which its theta function is multiplied.
+/// The steady rotation that multiplies one of the three theta functions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Carrier {
     pub(super) start: [f64; 2],
-    /// In turns: per unit of time, and what each half period adds.
+    /// In turns: the rate per unit of time, and the increment in each half period.
     pub(super) drift: DoubleDouble,
     step: f64,
-    /// The drift is rounded relative to this.
+    /// The scale of the rounding of the drift.
     terms: f64,
     /// The largest size of the number.
     pub(super) greatest: f64,
@@ -77,19 +77,20 @@ impl Carrier {
     }
 }
 
-/// Makes the three, of `alpha`, `beta` and the spin across the axis, turn together. Where the axis is lowest,
-/// the spin across it is parallel to the vertical's part across it: `i conj(alpha) beta` times a real number.
-/// So over each half period the spin turns by as much as `conj(alpha) beta`, but for the signs of the theta
-/// functions, half a turn (T18); else the momentum about the vertical would drift. That one is corrected most
-/// whose drift is the most uncertain and which counts the least, relative to `sizes`.
+/// Makes the rotations of the three numbers (`alpha`, `beta` and the spin across the axis) consistent. At the
+/// lowest position of the axis, the spin across it is parallel to the vertical's part across it, `i
+/// conj(alpha) beta` times a real number. So over each half period the spin turns as much as `conj(alpha)
+/// beta`, except for half a turn from the signs of the theta functions (T18); otherwise the momentum about
+/// the vertical would drift. The largest correction goes to the number with the most uncertain drift and the
+/// least weight relative to `sizes`.
 pub(super) fn turn_together(carriers: &mut [Carrier; 3], sizes: [f64; 3], half_periods: DoubleDouble) {
     let in_half_period = |k: usize| carriers[k].drift / half_periods + DoubleDouble::from(carriers[k].step);
     let [alpha, beta, across] = [0, 1, 2].map(in_half_period);
     let (_, off) = (beta - alpha - across - DoubleDouble::from(0.5)).split();
     let shares = [0, 1, 2].map(|k| carriers[k].terms * (sizes[k] / carriers[k].greatest)).map(|x| x * x);
     let total: f64 = shares.iter().sum();
-    // Where the zeros of the theta functions themselves are lost, next to the separatrix, the steps say
-    // nothing; no time comes to the end of a half period there.
+    // Next to the separatrix, where rounding loses the zeros of the theta functions, the steps contain no
+    // information; no time reaches the end of a half period there.
     if !(total > 0.0 && total.is_finite()) || off.abs() > 1e-9 {
         return;
     }
@@ -98,11 +99,11 @@ pub(super) fn turn_together(carriers: &mut [Carrier; 3], sizes: [f64; 3], half_p
     }
 }
 
-/// The carrier of the number that is `weakest`, from the other two, where these keep more of their direction
-/// at the start: next to a zero of its theta function the direction of the start is a rounding, or that of
-/// the theta function is. At the time `lowest`, where the axis is lowest, the theta functions of the three
-/// are `-i sense`, 1 and 1 times positive numbers; `sign` is that of the real number of
-/// [`turn_together`] times `-sense`.
+/// Replaces the carrier of the number `weakest` by the one that follows from the other two, whose directions
+/// at the start are more accurate. Next to a zero of its theta function, the direction of a number at the
+/// start, or of the theta function, is only rounding. At the time `lowest`, at the lowest position of the
+/// axis, the theta functions of the three numbers are positive multiples of `-i sense`, 1 and 1; `sign` is
+/// the sign of the real number of [`turn_together`] times `-sense`.
 pub(super) fn align_weakest(carriers: &mut [Carrier; 3], weakest: usize, sign: f64, lowest: f64) {
     let [alpha, beta, across] = carriers.map(|Carrier { start: [re, im], drift, .. }| {
         times([re, im].map(|x| x / hypot(re, im)), phase_factor(drift * lowest))
@@ -138,8 +139,8 @@ pub(super) fn cubic(p: &[f64; 4], x: f64) -> f64 {
     (p[0] + p[1] * x) + (x * x) * (p[2] + p[3] * x)
 }
 
-/// `exp(-2B)`, that less 1, `q exp(2B)`, and what the square of this is short of 1: one from the other, so
-/// that the product of the first and the third is `q`.
+/// `exp(-2B)`, that minus 1, `q exp(2B)`, and 1 minus the square of the third. Each is computed from another,
+/// so that the product of the first and the third is `q`.
 fn fall_and_rise(q: f64, [depth, rest]: [f64; 2]) -> [f64; 4] {
     if depth >= rest || q == 0.0 {
         let (fall, less) = exp_and_exp_m1(depth);
@@ -152,8 +153,8 @@ fn fall_and_rise(q: f64, [depth, rest]: [f64; 2]) -> [f64; 4] {
 }
 
 impl Direct {
-    /// The function and its carrier. `q` is the nome, `quarter` the quarter period; the phase runs by `turns`
-    /// per unit of time and starts at the sine and cosine `start`.
+    /// The function and its carrier. `q` is the nome and `quarter` the quarter period; the phase advances by
+    /// `turns` per unit of time, from the phase with the sine and cosine `start`.
     pub(super) fn new(
         q: f64,
         quarter: f64,
@@ -167,14 +168,14 @@ impl Direct {
         let c = [0, 1, 2, 3].map(|n| size[n] * (1.0 + falls[n]));
         let mut s = [0, 1, 2, 3].map(|n| size[n] * (1.0 - falls[n]));
         s[0] = -less;
-        // (T17) How fast the argument turns with the phase where it is largest, and what that is short of 1.
+        // (T17) The rate of the argument with respect to the phase where it is largest, and 1 minus that.
         let odd = [1.0, 3.0, 5.0, 7.0];
         let total = c[0] + c[1] + c[2] + c[3];
         let (turning, rounded) = if fall > 0.5 {
             let turning = [0, 1, 2, 3].map(|n| odd[n] * s[n]).iter().sum::<f64>() / total;
             (DoubleDouble::from(turning), turning)
         } else {
-            // Sums of pairs that cancel where the zero is next to the pole.
+            // Sums of pairs of terms that cancel where the zero is next to the pole.
             let r2 = rise * rise;
             let (once, twice) = (1.0 + r2, 1.0 + r2 + r2 * r2);
             let [f2, f3] = [fall * fall, falls[1]];
@@ -220,7 +221,7 @@ impl Direct {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Complementary {
     first: bool,
-    /// Cosines and sines of the multiples of the zero's argument, with all that does not change.
+    /// Cosines and sines of the multiples of the zero's argument, with all constant factors.
     cos: [f64; 4],
     sin: [f64; 4],
     /// `1 - cos 2Y`.
@@ -280,7 +281,7 @@ impl Complementary {
         (new, carrier)
     }
 
-    /// How fast the argument turns with `X` where it is largest.
+    /// The rate of the argument with respect to `X` where it is largest.
     fn turning(&self) -> f64 {
         let p = self.nome;
         let powers = [1.0, p, powi(p, 4), powi(p, 9)];

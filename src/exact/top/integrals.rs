@@ -6,12 +6,13 @@ use crate::number::DoubleDouble;
 use num_traits::Float as _;
 
 /// Half units in the last place by which the numbers of a steady start may be off. The rate of a steady
-/// precession, `2 k / (L + sqrt(L² - 4 A k cos))` with the momentum `L` about the axis and the weight's
-/// torque `k`, takes ten operations, and its part across the axis a sine and a product; the attitude a sine,
-/// a cosine and a product of two.
+/// precession is `2 k / (L + sqrt(L² - 4 A k cos))`, with the momentum `L` about the axis and the weight's
+/// torque `k`. It takes ten operations, its component across the axis a sine and a product, and the attitude
+/// a sine, a cosine and a product of two.
 pub(super) const ROUNDINGS: f64 = 16.0;
 
-/// A start in units of one rate, with the body's axis of symmetry last, from the fixed point to the weight.
+/// A start in units of one rate. The body's axis of symmetry comes last and points from the fixed point to
+/// the centre of mass.
 pub(super) struct Start {
     /// Its attitude's `alpha = w + i z` and `beta = x + i y` (T1).
     pub(super) alpha: [f64; 2],
@@ -25,8 +26,8 @@ pub(super) struct Start {
     pub(super) pull: DoubleDouble,
 }
 
-/// All that the motion is prepared from, by the cosine `u` of the lean, whose rate has the square
-/// `(1 - u²)(e - pull u) - (l - along u)²` (T5), with the constants (T4): two of its roots, `low` and `high`,
+/// The constants of the motion, as a function of the cosine `u` of the lean. The square of the rate of `u` is
+/// `(1 - u²)(e - pull u) - (l - along u)²` (T5), with the constants (T4); two of its roots, `low` and `high`,
 /// bound the motion.
 pub(super) struct Integrals {
     pub(super) along: DoubleDouble,
@@ -108,10 +109,11 @@ impl Integrals {
             - self.pull * self.from_bottom * self.from_top
     }
 
-    /// Whether the axis neither rises nor is off equilibrium by more than [`ROUNDINGS`] of the start explain.
-    /// Near the start that square is `r² + s x - g x²` at a height `x` above it, with the rate `r` and the
-    /// derivative `s`, so that the height ranges over the root of `s² + 4 g r²`, divided by `g`. A rounding
-    /// of one number changes `s` and `r` by its share in their terms.
+    /// Whether the lean is constant up to rounding: the axis neither rises nor is off equilibrium by more
+    /// than [`ROUNDINGS`] of the start explain. At a height `x` above the start, that square is about `r² + s
+    /// x - g x²`, with the rate `r` and the derivative `s`. So the range of the height is the root of `s² + 4
+    /// g r²`, divided by `g`. The rounding of one number changes `s` and `r` in proportion to its terms in
+    /// them.
     pub(super) fn is_steady(&self) -> bool {
         let [square, pull, along] = [self.across_squared, self.pull, self.along].map(|x| x.hi().abs());
         let level = (self.from_bottom * self.from_top).hi();
@@ -125,8 +127,8 @@ impl Integrals {
             <= square_of_range(rounding * terms, rounding * moving)
     }
 
-    /// The roots, each from the start, the top or the bottom (T6), whichever is near: so each has all its
-    /// digits, and what lies between two of them is a sum. The third is by (T7).
+    /// The roots, each computed relative to the start, the top or the bottom (T6), whichever is near, so that
+    /// each has full relative accuracy and the distance of two of them is a sum. The third root is by (T7).
     fn find_bounds(&mut self) {
         let (b, pull, square) = (self.along, self.pull, self.across_squared);
         let twice = |x: DoubleDouble| x * 2.0;
@@ -160,13 +162,13 @@ impl Integrals {
         self.third = if third.hi() > pull.hi() { third } else { pull * from_top.below() };
     }
 
-    /// Where the spin across the axis would vanish: how far below it `high` is, above it the third root, each
-    /// times the pull; and the square of that spin at `low`.
+    /// The heights relative to the zero of the spin across the axis, times the pull: how far below it `high`
+    /// is, and how far above it the third root is; and the square of that spin at `low`.
     pub(super) fn rest(&self) -> [DoubleDouble; 3] {
         let highest = not_negative(self.across_squared - self.pull * self.up);
         let lowest = self.across_squared + self.pull * self.down;
         let sum = self.tops[0] + self.tops[1] - DoubleDouble::from(2.0);
-        // A product where it is one; next to a cusp a difference, of what is small where it is small.
+        // A product if possible; next to a cusp, a difference of small terms.
         let third = if highest.hi() > 1e-3 * self.across_squared.hi() {
             let turning = self.turning_at_zero();
             turning * turning / (highest * lowest)
@@ -178,15 +180,15 @@ impl Integrals {
         [highest, third, lowest]
     }
 
-    /// Proportional to the rate at which the argument of the spin across the axis turns: its sign says on
-    /// which side of zero that complex number passes.
+    /// Proportional to the rate of the argument of the spin across the axis; its sign shows on which side
+    /// that complex number passes zero.
     pub(super) fn turning_at_zero(&self) -> DoubleDouble {
         self.along * self.across_squared - self.pull * self.about
     }
 }
 
-/// The coefficients of 1, x, x² and x³: real roots only, one of which may be at infinity, and a value at zero
-/// that is not negative. Each root comes to its own digits, however small it is.
+/// The coefficients of 1, x, x² and x³. All roots are real, one of them may be at infinity, and the value at
+/// zero is not negative. Each root has full relative accuracy, however small it is.
 struct Cubic([DoubleDouble; 4]);
 
 impl Cubic {
@@ -196,7 +198,7 @@ impl Cubic {
         if root == 0.0 {
             return DoubleDouble::ZERO;
         }
-        // Newton's method doubles the digits; what is left over is formed in twice the precision.
+        // Newton's method doubles the number of digits; the residue is computed in twice the precision.
         let mut x = DoubleDouble::from(root);
         for _ in 0..2 {
             let (value, derivative) = self.value_and_derivative(x);
@@ -221,7 +223,7 @@ impl Cubic {
         (value, (3.0 * d.hi() * at + 2.0 * c.hi()) * at + b.hi())
     }
 
-    /// To rounding, by Laguerre's method: where all roots are real it never steps past the next one.
+    /// The nearest root to rounding, by Laguerre's method, which never steps past it if all roots are real.
     fn near(&self) -> f64 {
         let [a, b, c, d] = self.0.map(DoubleDouble::hi);
         if a == 0.0 && (b < 0.0 || (b == 0.0 && c <= 0.0)) {

@@ -5,7 +5,7 @@ use crate::error::{Error, Refusal, Subject};
 use crate::inertia::{Frame, Inertia, PrincipalMoments};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
-/// How far two moments may differ, and an arm be off its axis, relative.
+/// The tolerance on the difference of two moments, and on the arm's distance from its axis, relative.
 pub(super) const ROUNDING: f64 = 1e-14;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,7 +15,7 @@ pub(super) struct Mounted {
     pub(super) polar: f64,
     /// The arm along the principal axis; the top's own axis points along it.
     pub(super) arm: f64,
-    /// Where the top's own axes lie in the body.
+    /// The rotation of the top's own axes in the body.
     pub(super) frame: Frame,
 }
 
@@ -44,7 +44,7 @@ impl Mounted {
         })
     }
 
-    /// As seen in a body whose axes `outer` takes the principal axes to.
+    /// The same top, in a body to whose axes `outer` takes coordinates along the principal axes.
     pub(super) fn within(self, outer: &UnitQuaternion<f64>) -> Self {
         Self { frame: self.frame.within(outer), ..self }
     }
@@ -56,8 +56,8 @@ impl Mounted {
     }
 }
 
-/// The small turn of a tensor's principal axes, within what its rounding leaves open, that takes the one next
-/// to the arm onto it; and the arm in the turned axes.
+/// The small rotation of a tensor's principal axes, within its rounding, that moves the axis next to the arm
+/// onto the arm; and the arm in the turned axes.
 pub(super) fn onto_arm(
     moments: PrincipalMoments,
     arm: &Vector3<f64>,
@@ -81,7 +81,7 @@ pub(super) fn onto_arm(
     Ok((UnitQuaternion::new_normalize(turn), along * (largest * length)))
 }
 
-/// The axis of symmetry of a body without an arm: the one for which the other two moments agree best.
+/// The axis of symmetry of a body without an arm: the axis whose other two moments are most nearly equal.
 fn axis_of(moments: PrincipalMoments) -> usize {
     let apart = |axis: usize| (moments[(axis + 1) % 3] - moments[(axis + 2) % 3]).abs();
     (0..3).rev().min_by(|&a, &b| apart(a).total_cmp(&apart(b))).unwrap_or(2)

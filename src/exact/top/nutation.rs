@@ -1,4 +1,4 @@
-//! A motion in which the axis of a top rises and sinks, or precesses evenly, and its constants in theta
+//! A motion in which the axis of a top rises and sinks, or precesses steadily, and its constants in theta
 //! functions.
 
 use super::factor::{Carrier, Complementary, Direct, Shape, align_weakest, turn_together};
@@ -15,21 +15,21 @@ use core::f64::consts::{PI, TAU};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
-/// All that an instant needs, in units of one rate.
+/// The constants from which an instant is computed, in units of one rate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Nutation {
     form: Form,
-    /// Of `alpha`, `beta` and the spin across the axis.
+    /// The carriers of `alpha`, `beta` and the spin across the axis.
     pub(super) carriers: [Carrier; 3],
-    /// The time from the lowest place to the highest and back (T10); infinite on the separatrix.
+    /// The time from the lowest position to the highest and back (T10); infinite on the separatrix.
     pub(super) half_period: DoubleDouble,
-    /// How fast Jacobi's argument runs.
+    /// The rate of Jacobi's argument.
     pub(super) rate: f64,
-    /// How fast the axis goes round the vertical in the mean, in radians.
+    /// The mean rate at which the axis turns about the vertical, in radians.
     pub(super) precession: f64,
 }
 
-/// The series by which it is summed.
+/// The form of the series.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Form {
     /// In the nome.
@@ -40,7 +40,7 @@ enum Form {
         denominator: [f64; 4],
         factors: [Direct; 3],
     },
-    /// In the complementary nome, which is zero on the separatrix: that motion does not return.
+    /// In the complementary nome, which is zero on the separatrix, where the motion does not return.
     Complementary { reduction: Reduction, nome: f64, factors: [Complementary; 3] },
 }
 
@@ -66,7 +66,7 @@ impl Nutation {
         ([alpha, beta], across.map(|x| x * inverse))
     }
 
-    /// That all constants are numbers.
+    /// Whether the motion is finite at two sample times, and its rate positive and finite.
     pub(super) fn is_finite(&self) -> bool {
         [1e-3, 0.5].into_iter().all(|time| {
             let ([a, b], spin) = self.at(time);
@@ -77,8 +77,8 @@ impl Nutation {
     }
 }
 
-/// `F = sqrt(a) R_F(x, y, z)` of squares (T15), and what is left of it to its quarter period, where `square`
-/// is that of the other modulus: each with all its digits where it is small.
+/// `F = sqrt(a) R_F(x, y, z)` of squares (T15), and the quarter period minus `F`; `square` is the square of
+/// the other modulus. Each has full relative accuracy where it is small.
 fn depths(a: DoubleDouble, [x, y, z]: [DoubleDouble; 3], square: DoubleDouble) -> [f64; 2] {
     let root = |x: DoubleDouble| x.hi().max(0.0).sqrt();
     let product = |a: DoubleDouble, [x, y, z]: [DoubleDouble; 3]| {
@@ -97,13 +97,13 @@ fn ratio(x: DoubleDouble, y: DoubleDouble) -> DoubleDouble {
     if y.hi() == 0.0 { DoubleDouble::ZERO } else { x / y }
 }
 
-/// The differences of the roots times the pull: the third above the lowest and the one between, and these two
-/// apart.
+/// The differences of the roots times the pull: `long` and `short` are those of the third root from the
+/// lowest and the highest of the motion, and `range` that of these two.
 struct Spans {
     long: DoubleDouble,
     short: DoubleDouble,
     range: DoubleDouble,
-    /// The last one, not times the pull.
+    /// The same as `range`, but not times the pull.
     swept: DoubleDouble,
 }
 
@@ -124,7 +124,7 @@ impl Integrals {
         let ([low, high], [lowest, highest]) = (self.bottoms, self.tops);
         let [still, beyond, fastest] = self.rest();
         let size = |square: DoubleDouble| square.hi().max(0.0).sqrt();
-        // Where the motion only tends to upright, no zero is ever passed.
+        // Where the motion only approaches the upright position, it never passes a zero.
         let saddle = short.hi() == 0.0;
         let square = ratio(range, long);
         let zero = |a, of| if saddle { [0.0; 2] } else { depths(a, of, square) };
@@ -167,8 +167,8 @@ impl Integrals {
         [alpha, beta, across]
     }
 
-    /// The motion of a spherical top (T8) from its start (T9), in the axes of a body that turns on its axis
-    /// by `ahead` more per unit of time (T3).
+    /// The motion of a spherical top (T8) from its start (T9), in the axes of a body that turns about its
+    /// axis faster by `ahead` per unit of time (T3).
     pub(super) fn nutation(&self, start: &Start, ahead: DoubleDouble) -> Nutation {
         let Spans { long, short, range, swept } = self.spans();
         let rate = long.sqrt() * 0.5;
@@ -221,8 +221,8 @@ impl Integrals {
         }
     }
 
-    /// Joins the carriers of the three, that one whose direction at the start is lost in rounding to the
-    /// others, and turns them by what the body turns ahead.
+    /// Makes the carriers consistent: the one whose direction at the start is lost in rounding follows from
+    /// the others. Then adds the turn of the body by `ahead`.
     fn join(
         &self,
         shapes: &[Shape; 3],

@@ -1,4 +1,4 @@
-//! How fast a top's axis goes round the vertical in the mean over a period of its lean.
+//! The mean rate at which a top's axis turns about the vertical, over a period of its lean.
 
 use super::integrals::Integrals;
 use crate::number::DoubleDouble;
@@ -6,8 +6,8 @@ use core::f64::consts::FRAC_PI_2;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
-/// How near the two means of (C45) are, relative, where the next step changes nothing: that changes the
-/// result by an eighth of the square of this.
+/// The two means of (C45) count as equal at this relative difference: the next step changes the result by an
+/// eighth of its square.
 const EQUAL: f64 = 2e-8;
 
 /// The integral of `(first + r t²)/((1 + r² t²) sqrt((1 + t²)(1 + k'² t²)))` over positive `t` (T21):
@@ -34,9 +34,8 @@ fn third_kind(complement: f64, root: f64, first: f64) -> f64 {
 }
 
 impl Integrals {
-    /// The mean of `(l - along u)/(1 - u²)` (T20) in radians per unit of time, from the `long` one of the
-    /// spans, the complementary modulus and the quarter period; on the separatrix, what it comes to in the
-    /// end.
+    /// The mean of `(l - along u)/(1 - u²)` (T20), in radians per unit of time, from the `long` span, the
+    /// complementary modulus and the quarter period; on the separatrix, its limit.
     ///
     /// In partial fractions it is half of `at_bottom/(1 + u)` and `at_top/(1 - u)`. If both have one sign,
     /// the sum of their means has no cancellation. If not, the path of integration around the two roots that
@@ -51,7 +50,8 @@ impl Integrals {
         if !quarter.is_finite() {
             return (self.at_bottom / high).hi() * 0.5;
         }
-        // Beyond these bounds, whose squares are in range, the integral is at its limit.
+        // Beyond these bounds the integral is at its limit; within them the squares are in the range of
+        // `f64`.
         let root = |x: DoubleDouble, y: DoubleDouble| {
             let root = x.sqrt().hi() / y.sqrt().hi();
             root.clamp(f64::MIN_POSITIVE.sqrt(), f64::MAX.sqrt())

@@ -51,7 +51,7 @@ fn started(polar: f64, lean: f64, spin: f64, fast: bool, push: f64) -> LagrangeT
 
 #[test]
 fn the_two_steady_rates_are_steady_to_rounding_and_a_thousand_roundings_nutate() {
-    // A bound without roundings in hand, and one that takes what nutates.
+    // A bound without a margin for rounding, and a bound that would accept a nutation.
     const { assert!(ROUNDINGS >= 13.0 && ROUNDINGS <= 24.0) };
     for polar in [0.11, 0.7, 2.3] {
         for lean in [0.02, 0.4, 0.9, 1.3, 2.2, 2.9] {

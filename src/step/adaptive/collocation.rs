@@ -1,7 +1,7 @@
-//! Steps by collocation at Radau's nodes, where damping is far faster than the motion: the
-//! damping is solved for, all else iterated.
+//! Steps by collocation at Radau's nodes, for damping that is far faster than the motion. The damping is
+//! solved for exactly; all other terms are iterated.
 //!
-//! The rule's weights integrate a polynomial that is given at the nodes ([HW96](crate::references), IV.5).
+//! The weights integrate the polynomial through the values at the nodes ([HW96](crate::references), IV.5).
 
 use super::{Run, TRIES, largest, logarithm, ratio};
 use crate::body::{Rate, State};
@@ -15,20 +15,20 @@ use nalgebra::{Quaternion, Vector3, Vector4};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
-/// How often the states at the nodes are made better before a shorter step is tried.
+/// The number of iterations for the states at the nodes before a shorter step is tried.
 const ROUNDS: usize = 40;
 
-/// A step takes about as long as this number of steps by series: shorter ones are not worth it.
+/// A step costs about as much as this number of steps by series, so a shorter step is not worth it.
 const DEARER: f64 = 10.0;
 
-/// Damping over a step below this is iterated with all else.
+/// Where damping over a step is below this, it is iterated with the other terms.
 const SLOW: f64 = 0.1;
 
 /// The polynomial of the last step: its states at the nodes.
 #[derive(Debug, Clone)]
 pub(super) struct Collocation {
     radau: Radau,
-    /// The rates at which damping takes the momentum's components, 1/s.
+    /// The decay rates of the momentum's components by damping, 1/s.
     decay: Vector3<f64>,
     states: Vec<State<f64>>,
     rates: Vec<Rate<f64>>,
@@ -38,14 +38,14 @@ pub(super) struct Collocation {
     next: f64,
 }
 
-/// What makes the states at the nodes of a step: of the momentum's components one by one, with the damping
-/// that is solved for, and of the attitude.
+/// The weights from which the states at the nodes are computed: for each component of the momentum, with the
+/// damping that is solved for, and for the attitude.
 struct Weights {
-    /// 1/s; zero where the damping is iterated with all else.
+    /// The decay rate that is solved for, 1/s; zero where the damping is iterated.
     decay: [f64; 3],
-    /// What is left at each node of the momentum at the start.
+    /// The fraction of the start's momentum that remains at each node.
     left: Vec<[f64; 3]>,
-    /// At each node, for the rates at all of them, s.
+    /// For each node, the weights of the rates at all nodes, s.
     rates: Vec<[f64; 4]>,
 }
 
@@ -74,7 +74,7 @@ impl Weights {
         weights
     }
 
-    /// At a node, by the rates at all.
+    /// The state at a node, from the rates at all nodes.
     fn state(&self, start: &State<f64>, node: usize, rates: &[Rate<f64>]) -> State<f64> {
         let mut momentum: [f64; 3] = core::array::from_fn(|i| start.momentum[i] * self.left[node][i]);
         let mut attitude: [f64; 4] = start.attitude.coords.into();
@@ -91,7 +91,7 @@ impl Weights {
 }
 
 impl Collocation {
-    /// On from where a run is, first by steps twice as long as its last.
+    /// Continues from the state of a run, with a first step twice as long as the run's last.
     pub(super) fn new(run: &Run) -> Self {
         let radau = Radau::new(nodes(run.tolerance));
         let decay = run.system.sum.damping.component_mul(&run.system.inverse);
@@ -100,7 +100,8 @@ impl Collocation {
         Self { radau, decay, states, rates, length: run.last, next: 2.0 * run.last }
     }
 
-    /// One step tried, shorter until its error is below the tolerance.
+    /// Takes one step, with shorter tries until its error is within the tolerance (or 32 `f64::EPSILON`, if
+    /// that is more).
     pub(super) fn advance(&mut self, run: &mut Run) -> Result<(), Error> {
         let order = self.radau.nodes.len() as f64 + 1.0;
         let tolerance = run.tolerance.max(32.0 * f64::EPSILON);
@@ -135,7 +136,7 @@ impl Collocation {
         self.states.fill(start);
         let unit = largest(start.momentum.as_slice()).max(f64::MIN_POSITIVE / run.tolerance);
         let goal = 0.01 * run.tolerance;
-        // Of the last rounds, the last first: attitude and momentum may move in turns.
+        // The changes of the last two iterations, latest first: attitude and momentum may change in turns.
         let mut before = [0.0; 2];
         for round in 0..ROUNDS {
             for ((rate, state), node) in self.rates.iter_mut().zip(&self.states).zip(&self.radau.nodes) {
@@ -153,7 +154,7 @@ impl Collocation {
                 moved = largest(&[moved, turned, pushed / unit]);
                 self.states[node] = state;
             }
-            // The contraction over two rounds bounds what is still to come.
+            // The contraction over two iterations bounds the remaining changes.
             let share = ratio(moved, before[1]).min(0.9);
             if moved <= 4.0 * f64::EPSILON || (moved + before[0]) * share <= (1.0 - share) * goal {
                 return true;
@@ -166,7 +167,7 @@ impl Collocation {
         false
     }
 
-    /// The error of the polynomial, by how its last coefficients of Legendre's polynomials fall.
+    /// The error of the polynomial, estimated from the decrease of its last Legendre coefficients.
     fn error(&self, run: &Run) -> f64 {
         let unit = largest(run.state.momentum.as_slice())
             .max(largest(self.states[0].momentum.as_slice()))
@@ -183,7 +184,7 @@ impl Collocation {
         };
         let count = self.radau.nodes.len();
         let [most, before] = [count - 1, count - 3].map(|order| largest(&[size(order), size(order - 1)]));
-        // Two orders each, since one can be small by chance; the first left out is three orders higher.
+        // Two orders each, since one can be small by chance; the first omitted order is three higher.
         let fall = ratio(most, before).min(1.0);
         most * fall * fall.sqrt()
     }
@@ -203,7 +204,7 @@ impl Collocation {
     }
 }
 
-/// The number of nodes that takes the fewest operations for a tolerance of a step.
+/// The number of nodes that needs the fewest operations for this tolerance of a step.
 fn nodes(tolerance: f64) -> usize {
     let digits = -logarithm(tolerance) / core::f64::consts::LN_10;
     ((3.0 + 0.8 * digits) as usize).clamp(4, MOST)
@@ -212,7 +213,7 @@ fn nodes(tolerance: f64) -> usize {
 /// The largest number of nodes.
 const MOST: usize = 16;
 
-/// A row of a matrix, or a value for each node; of fewer nodes, the first ones.
+/// A row of a matrix, or a value for each node. With fewer nodes only the first entries are used.
 type Row = [f64; MOST];
 
 /// Polynomials on the interval from 0 to 1, given by their values at Radau's nodes.
@@ -247,7 +248,7 @@ impl Radau {
         radau
     }
 
-    /// What the values are multiplied by for the integral from 0 to a share of the interval.
+    /// The weights of the values for the integral from 0 to a fraction of the interval.
     fn integral(&self, share: f64) -> Row {
         let x = 2.0 * share - 1.0;
         let at: [f64; MOST + 1] = legendre(x);
@@ -262,8 +263,8 @@ impl Radau {
         sum
     }
 
-    /// What the values at 0 and at the nodes are multiplied by for the value at a share of the interval, by
-    /// the polynomial through all of them.
+    /// The weights of the values at 0 and at the nodes for the value at a fraction of the interval, by the
+    /// polynomial through all of them.
     fn shares(&self, share: f64) -> (f64, Row) {
         let product = |place: f64, own: usize| {
             let others = self.nodes.iter().enumerate().filter(|(j, _)| *j != own);
@@ -276,7 +277,7 @@ impl Radau {
         (product(0.0, self.nodes.len()), row)
     }
 
-    /// The integrals `A`, with a decay of the result at this rate: `(1 + rate A)^-1 A`, by elimination.
+    /// The integrals `A` for a result that decays at this rate: `(1 + rate A)^-1 A`, by elimination.
     fn decaying(&self, rate: f64) -> Vec<Row> {
         let row = |(i, integrals): (usize, &Row)| {
             let left = |j: usize| rate * integrals[j] + if i == j { 1.0 } else { 0.0 };
@@ -288,8 +289,8 @@ impl Radau {
     }
 }
 
-/// The root `i` of the difference of Legendre's polynomials of orders `count` and `count - 1`, down from the
-/// root 1, by Newton's rule from Chebyshev's.
+/// The root `i`, counted down from the root 1, of the difference of Legendre's polynomials of orders `count`
+/// and `count - 1`, by Newton's method from a root of Chebyshev's.
 fn node(count: usize, i: usize) -> f64 {
     if i == 0 {
         return 1.0;

@@ -1,8 +1,9 @@
-//! A run: its steps are as long as the tolerance permits, and a state within the last is read from the step's
-//! own series. Where a torque begins or ends a step ends too: the run is made of pieces without a switch.
+//! An adaptive run. The tolerance sets the lengths of its steps, and a state within the last step is read
+//! from that step's series. A step also ends where a torque begins or ends, so a run consists of pieces in
+//! each of which the same torques act.
 //!
-//! What takes the steps of a run: series, a pair where a torque is a function, or collocation where damping
-//! is far faster than the motion.
+//! The steps are taken by series, by an embedded pair where a torque is a function, or by collocation where
+//! damping is far faster than the motion.
 
 use super::collocation::Collocation;
 use super::flips::Flips;
@@ -24,24 +25,24 @@ use nalgebra::Matrix6;
 #[derive(Debug, Clone, Copy)]
 pub(in crate::step) enum Tracked {
     Nothing,
-    /// Changes of sign of the spin about the middle axis, given that before the start, or zero where none is
-    /// known.
+    /// Changes of sign of the spin about the middle axis. The value is the sign before the start, or zero if
+    /// it is not known.
     Flips(f64),
-    /// The derivatives of attitude and spin by those at the start.
+    /// The derivatives of attitude and spin with respect to those at the start.
     Variation,
 }
 
-/// A state that is requested changes nothing of what follows.
+/// Requesting a state does not change the states after it.
 #[derive(Debug, Clone)]
 pub(in crate::step) struct AdaptiveRun {
     system: Arc<System<f64>>,
-    /// The piece under way: to where a torque begins or ends.
+    /// The current piece, up to the time where a torque begins or ends.
     run: Run,
-    /// When the piece ends and when the run does, s after the start.
+    /// The end of the piece and the end of the run, s after the start.
     until: f64,
     end: f64,
     steps: Steps,
-    /// Where the last step began, s after the start of the piece.
+    /// The start of the last step, s after the start of the piece.
     before: (State<f64>, f64),
 }
 
@@ -68,14 +69,15 @@ impl AdaptiveRun {
         Ok(Self { system, run, until, end, steps, before })
     }
 
-    /// Whether a time is not before the last step, nor after the end.
+    /// Whether a time is between the start of the last step and the end of the run.
     pub(in crate::step) fn holds(&self, time: f64) -> bool {
         let began = self.run.from + self.before.1;
         if self.end < 0.0 { self.end <= time && time <= began } else { began <= time && time <= self.end }
     }
 
-    /// The state at a time (s after the start) that the run [holds](Self::holds). The steps on the way, taken
-    /// or rejected, are subtracted from `budget`. After an error the run is where its last step took it.
+    /// The state at a time (s after the start) that the run [holds](Self::holds). The steps that this takes,
+    /// accepted or rejected, are subtracted from `budget`. After an error the run is at the end of its last
+    /// accepted step.
     pub(in crate::step) fn at(&mut self, time: f64, budget: &mut usize) -> Result<State<f64>, Error> {
         finite(Subject::Duration, time)?;
         if !self.reached(time) {
@@ -97,14 +99,14 @@ impl AdaptiveRun {
         self.steps.within(run, start, *began, time - began)?.checked()
     }
 
-    /// Whether the steps taken go as far as this time.
+    /// Whether the steps taken include this time.
     pub(in crate::step) fn reached(&self, time: f64) -> bool {
         let (from, until, run) = (self.run.from, self.until, &self.run);
         let within = if from < until { time <= until } else { time >= until };
         within && (run.time == run.duration || (time - from).abs() <= run.time.abs())
     }
 
-    /// One step further, on the way to `goal`; at the end of a piece, on to the next.
+    /// Takes one step toward `goal`; at the end of a piece, begins the next piece.
     fn advance(&mut self, goal: f64, budget: &mut usize) -> Result<(), Error> {
         let run = &mut self.run;
         if run.time == run.duration {
@@ -114,12 +116,12 @@ impl AdaptiveRun {
         self.steps.choose(run, *budget)?;
         let before = (run.state, run.time);
         let done = self.steps.advance(run, budget);
-        // A step that was refused has left its series about the state that the run is in.
+        // After a refused step the series is about the current state of the run.
         self.before = if run.time == before.1 { (run.state, run.time) } else { before };
         done
     }
 
-    /// On from where a torque begins or ends.
+    /// Continues after a time where a torque begins or ends.
     fn next_piece(&mut self) -> Result<(), Error> {
         let (acting, next) = piece(&self.system, self.until, self.end);
         let mut run = Run::new(acting, &self.run.state.checked()?, next - self.until, self.run.tolerance)?;
@@ -133,7 +135,7 @@ impl AdaptiveRun {
         Ok(())
     }
 
-    /// Takes the next step and returns when it ends, s after the start; none at the end.
+    /// Takes the next step and returns its end, s after the start; `None` at the end of the run.
     pub(in crate::step) fn next_step(&mut self, budget: &mut usize) -> Result<Option<f64>, Error> {
         let taken = self.run.steps;
         while self.run.steps == taken && (self.run.time != self.run.duration || self.until != self.end) {
@@ -144,30 +146,30 @@ impl AdaptiveRun {
         Ok((self.run.steps != taken).then_some(ended))
     }
 
-    /// The state that the steps have led to.
+    /// The state at the end of the last step.
     pub(in crate::step) fn state(&self) -> &State<f64> {
         &self.run.state
     }
 
-    /// The derivatives of attitude and spin (rad/s) where the steps have led to, by those at the start or
-    /// where they [began anew](Self::vary_anew); the identity of a run that does not track them.
+    /// The derivatives of attitude and spin (rad/s) at the end of the last step, with respect to those at the
+    /// start or where they [began anew](Self::vary_anew); the identity for a run that does not track them.
     pub(in crate::step) fn variation(&self) -> Matrix6<f64> {
         let variation = self.run.variation.as_deref().copied().unwrap_or_else(identity);
         Matrix6::from_fn(|i, j| variation[i / 3][i % 3][j])
     }
 
-    /// From now on the derivatives are those by the state here.
+    /// From now on the derivatives are taken with respect to the current state.
     pub(in crate::step) fn vary_anew(&mut self) {
         self.run.variation = Some(Box::new(identity()));
-        // The next steps are held back by their error again.
+        // The error of the variations limits the next steps again.
         self.run.stiff = 0;
         if let Steps::Series(series) = &mut self.steps {
             series.ready = false;
         }
     }
 
-    /// The flips before the time `end` that were not taken yet, s after the start, and the sign of the spin
-    /// before `end`; none of a run that does not look for them.
+    /// The flips before the time `end` that were not returned yet, s after the start, and the sign of the
+    /// spin before `end`; `None` for a run that does not look for flips.
     pub(in crate::step) fn take_flips(&mut self, end: f64) -> Option<(Vec<f64>, f64)> {
         let back = self.end < 0.0;
         self.run.flips.as_mut().map(|flips| flips.take_before(end, back))
@@ -189,7 +191,8 @@ fn piece(system: &Arc<System<f64>>, from: f64, end: f64) -> (Arc<System<f64>>, f
     (Arc::new(acting(system, from, until)), until)
 }
 
-/// A torque without its times, and when all of them allow it to act: from and to, s after the system's time.
+/// A torque without its `During`s, and the times between which all of them let it act, s after the system's
+/// time.
 fn window<'a>(system: &System<f64>, torque: &'a Torque<f64>) -> (&'a Torque<f64>, [f64; 2]) {
     let (mut torque, mut first, mut last) = (torque, f64::NEG_INFINITY, f64::INFINITY);
     while let Torque::During { start, end, torque: inner } = torque {
@@ -199,7 +202,7 @@ fn window<'a>(system: &System<f64>, torque: &'a Torque<f64>) -> (&'a Torque<f64>
     (torque, [first, last])
 }
 
-/// The first switch after `from` on the way to `duration`, or this.
+/// The first switch after `from` on the way to `duration`, or `duration` if there is none.
 fn next_switch(system: &System<f64>, from: f64, duration: f64) -> f64 {
     let ahead = |time: &f64| {
         if duration < 0.0 { *time < from && *time > duration } else { *time > from && *time < duration }
@@ -208,7 +211,7 @@ fn next_switch(system: &System<f64>, from: f64, duration: f64) -> f64 {
     switches.fold(duration, |next, time| if (time - from).abs() < (next - from).abs() { time } else { next })
 }
 
-/// The system under the torques that act all the way from one time to the other.
+/// The system under the torques that act throughout the time between the two.
 fn acting(system: &System<f64>, from: f64, until: f64) -> System<f64> {
     let (first, last) = if from < until { (from, until) } else { (until, from) };
     let torques: Vec<_> = system
@@ -224,22 +227,22 @@ fn acting(system: &System<f64>, from: f64, until: f64) -> System<f64> {
     piece
 }
 
-/// After this number of stiff steps, damping is solved for.
+/// The number of stiff steps after which damping is solved for.
 const DAMPED_STEPS: u32 = 4;
 
-/// Rounding keeps steps of a tight tolerance below the bound of stability, so that none counts as stiff.
-/// After each 16 steps damping is looked at that has more than a quarter of a decay time in the last.
+/// With a tight tolerance, rounding keeps steps below the stability limit, so that none counts as stiff. So
+/// every 16 steps the damping is examined if the last step was longer than a quarter of a decay time.
 const CHECKED_STEPS: usize = 16;
 const LONG: f64 = 0.25;
 
-/// Where it is this number of times faster than the motion: a step by collocation, of about a radian, takes
-/// as long as some ten by series, of some seven decay times.
+/// The damping must be this many times faster than the motion. A step by collocation is about a radian long
+/// and costs about as much as ten steps by series, each of about seven decay times.
 const FASTER: f64 = 64.0;
 
-/// A momentum that decays has none left after this number of decay times.
+/// After this number of decay times nothing is left of a decaying momentum.
 const FADED: f64 = 800.0;
 
-/// What takes the steps of a run under torques that act in all of it.
+/// The method that takes the steps of a run under torques that act in all of it.
 #[derive(Debug, Clone)]
 enum Steps {
     Series(Taylor),
@@ -248,15 +251,15 @@ enum Steps {
 }
 
 impl Steps {
-    /// Explicit ones.
+    /// An explicit method.
     fn new(run: &Run) -> Result<Self, Error> {
         if let Some(series) = Taylor::new(run) {
             return Ok(Self::Series(series));
         }
         let (what, why) = if run.variation.is_some() {
-            (Subject::Transition, "a function gives no derivatives: give the torque by its name")
+            (Subject::Transition, "a function has no derivatives: use another kind of torque")
         } else if run.flips.is_some() {
-            let why = "a function has no series: give the torque by its name, or look for changes of sign";
+            let why = "a function has no series: use another kind of torque, or look for changes of sign";
             (Subject::FlipTimes, why)
         } else {
             return Pair::new(run).map(Self::Pair);
@@ -264,10 +267,10 @@ impl Steps {
         Err(Refusal::Undefined { what, why }.into())
     }
 
-    /// What takes the next step: it may be another than took the last.
+    /// Chooses the method of the next step, which may differ from that of the last.
     fn choose(&mut self, run: &mut Run, budget: usize) -> Result<(), Error> {
         let solves = matches!(self, Self::Collocation(_));
-        // A piece without a step tells nothing of its damping.
+        // Before its first step a piece has no information on its damping.
         let due = run.time != 0.0 && run.steps % CHECKED_STEPS == CHECKED_STEPS - 1;
         if run.stiff == 0 && solves {
             *self = Self::new(run)?;
@@ -277,10 +280,10 @@ impl Steps {
         Ok(())
     }
 
-    /// One step further.
+    /// Takes one step.
     fn advance(&mut self, run: &mut Run, budget: &mut usize) -> Result<(), Error> {
         if *budget == 0 {
-            return Err(run.unfinished("all its steps are taken"));
+            return Err(run.unfinished("its budget of steps is used up"));
         }
         let before = run.steps + run.rejected;
         let done = match self {
@@ -292,7 +295,8 @@ impl Steps {
         done
     }
 
-    /// After some steps that stiffness keeps short: solves for damping, once the motion is slow.
+    /// If stiffness has kept some steps short and the motion is slow, switches to solving for the damping; an
+    /// error where the remaining steps cannot reach the goal.
     fn solve_damping(&mut self, run: &mut Run, budget: usize) -> Result<(), Error> {
         let (system, state) = (&run.system, &run.state);
         let sum = &system.sum;

@@ -1,10 +1,10 @@
 //! The coefficients of the pair of Dormand and Prince of orders 8, 5 and 3, as Hairer, Nørsett and Wanner
 //! print them for their program DOP853 [HNW93](crate::references), rounded to `f64`.
 
-/// The place of a rate among those of a step, and its weight.
+/// The index of a rate among those of a step, and its weight.
 pub(super) type Weights = &'static [(usize, f64)];
 
-/// Of each stage after the first: its time as a share of the step, and the weights of the rates before it.
+/// For each stage after the first: its time as a fraction of the step, and the weights of the earlier rates.
 pub(super) const STAGES: [(f64, Weights); 11] = [
     (0.052_600_151_958_767_73, &[(0, 0.052_600_151_958_767_73)]),
     (0.078_900_227_938_151_6, &[(0, 0.019_725_056_984_537_9), (1, 0.059_175_170_953_613_7)]),
@@ -88,7 +88,7 @@ pub(super) const STAGES: [(f64, Weights); 11] = [
     ),
 ];
 
-/// Of the step of order 8.
+/// The weights of the step of order 8.
 pub(super) const STEP: Weights = &[
     (0, 0.054_293_734_116_568_765),
     (5, 4.450_312_892_752_409),
@@ -100,7 +100,7 @@ pub(super) const STEP: Weights = &[
     (11, 0.044_710_615_727_772_59),
 ];
 
-/// Of the difference from a step of order 5.
+/// The weights of the difference from a step of order 5.
 pub(super) const FIFTH: Weights = &[
     (0, 0.013_120_044_994_194_88),
     (5, -1.225_156_446_376_204_4),
@@ -112,7 +112,7 @@ pub(super) const FIFTH: Weights = &[
     (11, -0.022_355_307_863_886_294),
 ];
 
-/// Of a step of order 3.
+/// The weights of a step of order 3.
 pub(super) const THIRD: Weights =
     &[(0, 0.244_094_488_188_976_4), (8, 0.733_846_688_281_611_8), (11, 0.022_058_823_529_411_766)];
 

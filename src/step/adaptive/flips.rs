@@ -6,35 +6,37 @@ use crate::inertia::ascending;
 use crate::step::system::System;
 use alloc::vec::Vec;
 
-/// A polynomial from 0 to 1 in Bernstein's form: its roots there are at most the changes of sign of its
-/// coefficients, and as many or fewer by an even number.
+/// A polynomial from 0 to 1 in Bernstein form. Its number of roots there is the number of sign changes of its
+/// coefficients, or less by an even number.
 type Bernstein = [f64; MOST + 1];
 
-/// How often an interval is halved to part two roots: what is left is below the rounding of its ends.
+/// The number of halvings of an interval to separate two roots; after them its length is below the rounding
+/// of its ends.
 const HALVINGS: u32 = 48;
 
-/// What was seen of a component of the spin.
+/// The sign changes found in one component of the spin.
 #[derive(Debug, Clone)]
 pub(super) struct Flips {
     pub(super) axis: usize,
-    /// Its sign at the end of the last step, or zero before it has one.
+    /// The sign at the end of the last step, or zero if it is not known yet.
     sign: f64,
-    /// The start of the run's piece, s.
+    /// The start of the current piece of the run, s.
     from: f64,
-    /// The last of all, s after the start of the run.
+    /// The last flip found, s after the start of the run.
     last: Option<f64>,
     found: Vec<f64>,
 }
 
 impl Flips {
-    /// `before` is the sign before the start, or zero where none is known.
+    /// `before` is the sign of the spin before the start, or zero if it is not known.
     pub(super) fn new(system: &System<f64>, start: &State<f64>, before: f64) -> Self {
         let [_, axis, _] = ascending(system.moments());
         let sign = if before == 0.0 { sign(start.momentum[axis]) } else { before };
         Self { axis, sign, from: 0.0, last: None, found: Vec::new() }
     }
 
-    /// Takes those before a time, s after the start of the run, which may run back; and the sign before it.
+    /// Removes and returns the flips before a time (s after the start of the run, which may run backward),
+    /// and the sign before that time.
     pub(super) fn take_before(&mut self, time: f64, back: bool) -> (Vec<f64>, f64) {
         let count =
             self.found.iter().take_while(|&&flip| if back { flip > time } else { flip < time }).count();
@@ -43,7 +45,7 @@ impl Flips {
         (core::mem::replace(&mut self.found, later), sign)
     }
 
-    /// The next piece of the run begins so much later.
+    /// The next piece of the run begins `duration` seconds later.
     pub(super) fn later(mut self, duration: f64) -> Self {
         self.from += duration;
         self
@@ -67,8 +69,8 @@ impl Flips {
         let here = sign_at_start(scaled);
         let [first, rest @ ..] = &*scaled else { return };
         let whole = length * unit;
-        // Where the sign is another than after the step before: a change that both steps missed, or one that
-        // the step before has found at its end and this one would find at its start.
+        // The sign differs from the sign after the step before. Either both steps missed a flip, or the step
+        // before found it at its end and this step would find it again at its start.
         let mut known = false;
         if here * self.sign < 0.0 {
             known = self.last.is_some_and(|last| (last - start).abs() < 1e-6 * whole.abs());
@@ -97,8 +99,8 @@ fn sign(x: f64) -> f64 {
     if x == 0.0 { 0.0 } else { 1.0_f64.copysign(x) }
 }
 
-/// The sign at the start, or where the spin is zero there the sign that it takes on; zero where it stays so.
-/// What rounding leaves of the coefficients before the one that says so is cleared.
+/// The sign of the spin at the start; if the spin is zero there, the sign that it takes next; zero if it
+/// stays zero. Leading coefficients that are only rounding are set to zero.
 fn sign_at_start(coefficients: &mut [f64]) -> f64 {
     if coefficients.first() == Some(&0.0) {
         let noise = 1e-14 * coefficients.iter().fold(0.0, |most, x| x.abs().max(most));
@@ -107,7 +109,7 @@ fn sign_at_start(coefficients: &mut [f64]) -> f64 {
     coefficients.iter().find(|x| **x != 0.0).map_or(0.0, |x| sign(*x))
 }
 
-/// Of the coefficients of powers: `b[i]` is the sum of `C(i, k) / C(n, k) c[k]`.
+/// The Bernstein coefficients from the coefficients of powers: `b[i]` is the sum of `C(i, k) / C(n, k) c[k]`.
 fn bernstein(coefficients: &[f64]) -> Bernstein {
     let mut out = [0.0; MOST + 1];
     let n = coefficients.len().saturating_sub(1);
@@ -121,7 +123,7 @@ fn bernstein(coefficients: &[f64]) -> Bernstein {
     out
 }
 
-/// The roots in an interval, by halving until each has one of its own, and then until it is found.
+/// The roots in an interval: it is halved until each part has one root, and then until the root is found.
 fn roots(b: &Bernstein, count: usize, (low, high): (f64, f64), left: u32, found: &mut Vec<f64>) {
     let signs = b[..count].iter().filter(|x| **x != 0.0).map(|x| x.is_sign_negative());
     let (mut changes, mut before) = (0, None);
@@ -134,7 +136,7 @@ fn roots(b: &Bernstein, count: usize, (low, high): (f64, f64), left: u32, found:
         return;
     }
     if left == 0 {
-        // Two that touch are none: the sign is the same after as before.
+        // Two roots that coincide are not a flip: the sign is the same before and after.
         if changes % 2 == 1 {
             found.push(middle);
         }
@@ -161,7 +163,7 @@ fn roots(b: &Bernstein, count: usize, (low, high): (f64, f64), left: u32, found:
     roots(&upper, count, (middle, high), left - 1, found);
 }
 
-/// A root to rounding, from one to many digits, by Newton's rule.
+/// Improves a root by one step of Newton's method, if the step is shorter than 1e-10.
 fn sharpened(coefficients: &[f64], root: f64) -> f64 {
     let (mut value, mut derivative) = (0.0, 0.0);
     for c in coefficients.iter().rev() {
@@ -204,7 +206,7 @@ mod tests {
         assert_eq!(found(&[1.0, -2.0]), [0.5]);
         assert_eq!(found(&product(&[0.25, 0.5, 2.0])), [0.25, 0.5]);
     }
-    /// Steps of 2 s from 10 s, of a spin that was above zero and flipped before: what is found in each.
+    /// The flips found in a step of 2 s from 10 s, if the spin was positive and flipped before.
     #[test]
     fn a_flip_where_two_steps_meet_is_found_once_and_two_a_little_apart_are_two() {
         let found = |last: f64, coefficients: &[f64]| {
@@ -225,7 +227,7 @@ mod tests {
     fn a_spin_that_leaves_zero_takes_the_sign_of_the_first_coefficient_above_rounding() {
         assert_eq!(sign_at_start(&mut [0.0, 0.9e-14, -1.0]), -1.0);
         assert_eq!(sign_at_start(&mut [0.0, 1.1e-14, -1.0]), 1.0);
-        // One that is not zero is what it is, however small.
+        // A number that is not zero keeps its sign, however small it is.
         assert_eq!(sign_at_start(&mut [1e-20, -1.0]), 1.0);
     }
 

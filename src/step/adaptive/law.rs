@@ -1,4 +1,4 @@
-//! The law of motion as polynomials: what the recurrences of the series need of a body and its torques.
+//! The law of motion as polynomials: the data of a body and its torques for the recurrences of the series.
 
 use super::largest;
 use super::sums::{Lanes, lanes};
@@ -10,32 +10,32 @@ use nalgebra::Vector3;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
-/// Angular acceleration by spin, attitude and time, in a unit of time, all of it polynomial or periodic; in
-/// rows as the series are. Its time is counted from that of the system, so that it keeps its digits however
-/// late that is.
+/// Angular acceleration as a function of spin, attitude and time, in one unit of time. Every term is a
+/// polynomial or periodic. The rows have the layout of the series. Time is counted from the system's time,
+/// so that phases keep their digits at late times.
 #[derive(Debug, Clone)]
 pub(super) struct Law {
     /// `(I2 - I3) / I1` and so on round.
     pub(super) coupling: Lanes,
     /// By torques that are constant in the body.
     pub(super) constant: Lanes,
-    /// The rates at which damping takes the spin's components, if it takes any.
+    /// The decay rates of the spin's components by damping, if there is any.
     pub(super) decay: Option<Lanes>,
     pub(super) dissipation: Option<DissipationLaw>,
     pub(super) gradients: Vec<GradientLaw>,
     pub(super) world: Vec<WorldLaw>,
-    /// One of each rate.
+    /// One entry for each rate.
     pub(super) periodic: Vec<PeriodicLaw>,
 }
 
 impl Law {
-    /// That of a system in units of this number of seconds, if none of its torques is a function.
+    /// The law of a system in units of this number of seconds, if none of its torques is a function.
     pub(super) fn of(system: &System<f64>, unit: f64) -> Option<Self> {
         let (inverse, sum) = (&system.inverse, &system.sum);
         if !sum.functions.is_empty() || !sum.timed.is_empty() {
             return None;
         }
-        // In units of time, from what is per second squared.
+        // Values per second squared, converted to units of time.
         let squared = |x: f64| x * unit * unit;
         let [x, y, z] = (*system.moments()).into();
         let coupling = [(y - z) / x, (z - x) / y, (x - y) / z];
@@ -86,8 +86,8 @@ impl Law {
     }
 }
 
-/// Sine and cosine of a phase that grows at a rate (rad/s) for a time (s), however many turns: their product
-/// is taken without its rounding.
+/// Sine and cosine of a phase that grows at `rate` (rad/s) for `time` (s): the product of the two is exact,
+/// so that many turns cost no digits.
 fn turned(phase: f64, rate: f64, time: f64) -> (f64, f64) {
     let angle = DoubleDouble::product(rate, time);
     let [(p, q), (s, c), (t, d)] = [phase, angle.hi(), angle.lo()].map(sin_cos);
@@ -95,27 +95,27 @@ fn turned(phase: f64, rate: f64, time: f64) -> (f64, f64) {
     (p * c + q * s, q * c - p * s)
 }
 
-/// How fast the torques of a system change its motion.
+/// The rates at which a system's torques change its motion.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rates {
-    /// A bound of the angular acceleration by torques that do not depend on the spin, rad/s².
+    /// A bound on the angular acceleration by torques that do not depend on the spin, rad/s².
     acceleration: f64,
-    /// A bound of these torques, N m.
+    /// A bound on these torques, N m.
     pub(super) torque: f64,
-    /// Of what they depend on: the fastest orbit or periodic torque, rad/s.
+    /// The rate of the fastest orbit or periodic torque, rad/s.
     driving: f64,
     /// The fastest decay by damping, 1/s.
     damping: f64,
-    /// That by dissipation, by the square of the momentum.
+    /// The decay by dissipation, divided by the square of the momentum.
     dissipation: f64,
 }
 
 impl Rates {
-    /// Those of a system with a law in seconds.
+    /// The rates of a system, whose law is in seconds.
     pub(super) fn of(system: &System<f64>, law: &Law) -> Self {
         let sum = &system.sum;
         let world = law.world.iter().map(|one| {
-            // Any axis may turn onto the vector, which is shorter than twice its largest component.
+            // Any axis may turn onto the vector, whose length is less than twice its largest component.
             2.0 * largest(one.vector.as_slice()) * largest(one.acceleration.as_flattened())
         });
         let periodic = law.periodic.iter();
@@ -134,7 +134,7 @@ impl Rates {
         }
     }
 
-    /// The fastest rate at which damping and dissipation alone would have the momentum decay, 1/s.
+    /// The fastest decay rate of the momentum by damping and dissipation alone, 1/s.
     pub(super) fn fastest_decay(&self, momentum: &Vector3<f64>) -> f64 {
         if self.dissipation == 0.0 {
             return self.damping;
@@ -143,13 +143,13 @@ impl Rates {
         self.damping.max(self.dissipation * size * size)
     }
 
-    /// How fast the motion changes, 1/s.
+    /// The rate at which the motion changes, 1/s.
     pub(super) fn fastest(&self, omega: &Vector3<f64>, decay: f64) -> f64 {
         largest(&[largest(omega.as_slice()), self.acceleration.sqrt(), decay, self.driving])
     }
 }
 
-/// What a world vector does: the angular acceleration for each of its components in body axes.
+/// The effect of a world vector: the angular acceleration for each of its components in body axes.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct WorldLaw {
     /// In world axes.
@@ -157,8 +157,8 @@ pub(super) struct WorldLaw {
     pub(super) acceleration: [Lanes; 3],
 }
 
-/// What periodic torques of one rate do: the angular acceleration by the cosine and by the sine of rate times
-/// time from the system's on.
+/// The effect of periodic torques of one rate: the angular acceleration by the cosine and by the sine of rate
+/// times time since the system's time.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PeriodicLaw {
     /// rad/s.
@@ -168,7 +168,7 @@ pub(super) struct PeriodicLaw {
     pub(super) sine: Lanes,
 }
 
-/// What the dissipation does.
+/// The effect of the dissipation.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct DissipationLaw {
     /// kg m².
@@ -177,18 +177,19 @@ pub(super) struct DissipationLaw {
     pub(super) acceleration: Lanes,
 }
 
-/// What the gravity gradient does. The direction to the attracting body turns in the world at a fixed rate.
+/// The effect of the gravity gradient. The direction to the attracting body turns in the world at a fixed
+/// rate.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct GradientLaw {
     /// For each product of two components of the direction, with the opposite sign.
     pub(super) acceleration: Lanes,
     /// In world axes.
     pub(super) orbit: Vector3<f64>,
-    /// Its length, or less, rad/s.
+    /// Its length, with the sign of its largest component, rad/s.
     rate: f64,
     /// The direction's part along the orbit's axis, in world axes.
     along: Vector3<f64>,
-    /// The rest of it, at the system's time and a quarter of a turn on.
+    /// The perpendicular part, at the system's time and a quarter of a turn later.
     across: [Vector3<f64>; 2],
 }
 
@@ -203,7 +204,7 @@ impl GradientLaw {
         if largest == 0.0 {
             return fixed;
         }
-        // By the largest component, so that no square leaves the range.
+        // Divided by the largest component, so that no square overflows or underflows.
         let part = orbit.map(|x| x / largest);
         let length = part.dot(&part).sqrt();
         let axis = part.map(|x| x / length);

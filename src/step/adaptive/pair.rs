@@ -10,7 +10,7 @@ use nalgebra::{Quaternion, Vector3};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
-/// The rates at the stages of a step, and where the last one began.
+/// The rates at the stages of a step.
 #[derive(Debug, Clone)]
 pub(super) struct Pair {
     rates: [Rate<f64>; 12],
@@ -20,14 +20,14 @@ pub(super) struct Pair {
     h: f64,
 }
 
-/// The most steps to a state within a step.
+/// The largest number of steps to a state within a step.
 const SHORTER_STEPS: usize = 1000;
 
-/// How often a step from rest is tried again before the torque is taken to jump.
+/// The number of tries of a step from rest before the torque is assumed to jump.
 const JUMP_TRIES: usize = 40;
 
-/// In a step of this number of decay times or more the differences from the steps of lower order may be far
-/// less than the error: at 5.65 they vanish.
+/// In a step of this number of decay times or more, the differences from the steps of lower order may be far
+/// less than the error; at 5.65 decay times they vanish.
 const DECAYED: f64 = 5.0;
 
 /// `start + h (sum of weights times rates)`.
@@ -49,21 +49,22 @@ impl Pair {
         let rate = run.system.rate_after(&run.state, &run.time);
         let size = largest(&[largest(rate.attitude.coords.as_slice()), largest(rate.momentum.as_slice())]);
         representable(Subject::RateAtStart, &[size])?;
-        // How fast it turns, and how fast a torque would have it turn. Should the guess be too long, its
-        // error will say so.
+        // The first guess uses the rate of turn, and the rate that a torque would cause. If it is too long,
+        // the error estimate rejects it.
         let torque = largest(run.system.torque_after(&run.state, &run.time).as_slice());
         let turning =
             ratio(largest(rate.attitude.coords.as_slice()), largest(run.state.attitude.coords.as_slice()));
         let turning_rate = (2.0 * turning).max((torque * largest(run.system.inverse.as_slice())).sqrt());
         let guess = eighth_root(run.tolerance) / turning_rate;
-        // Where nothing turns yet nothing gives a time: a second.
+        // Where nothing turns yet, no time scale exists: the guess is one second.
         let guess = if guess.is_finite() { guess } else { 1.0 };
         let h = guess.copysign(run.duration);
         Ok(Self { rates: [rate; 12], first: rate, h })
     }
 
-    /// The estimated error of a step, the larger of attitude's and momentum's, each relative to its own size:
-    /// of the differences from a step of order 5 and one of order 3, as [HNW93](crate::references), II.10.
+    /// The estimated error of a step, the larger of attitude's and momentum's, each relative to its own size.
+    /// It combines the differences from a step of order 5 and a step of order 3, as in
+    /// [HNW93](crate::references), II.10.
     fn error(&self, run: &Run, end: &State<f64>, h: f64) -> f64 {
         let nothing = difference(end, end);
         let by = |weights: Weights| combined(&nothing, &self.rates, weights, h);
@@ -77,14 +78,14 @@ impl Pair {
     }
 
     fn relative(&self, run: &Run, off: &State<f64>, end: &State<f64>, h: f64) -> f64 {
-        // A body that drag brought to rest has no digits of its momentum to the tolerance below the least.
+        // The momentum of a body that drag has brought to rest has no digits below this limit.
         let least = f64::MIN_POSITIVE / run.tolerance;
         let held = largest(run.state.momentum.as_slice());
-        // What a torque gives a body at rest is its size after the step.
+        // For a body at rest, the scale is the momentum that a torque has given it at the end of the step.
         let mut whole = held.max(largest(end.momentum.as_slice())).max(least);
         if held == 0.0 && run.rejected > JUMP_TRIES {
-            // A torque that jumps: no step across the jump is right relative to what it gives on the way. It
-            // is measured by the momentum that turns the body by a radian in the time until now.
+            // A torque that jumps: no step across the jump is accurate relative to the momentum gained in it.
+            // The scale is the momentum that turns the body by a radian in the time until now.
             let time = run.time.abs().max(h.abs());
             whole = whole.max(ratio(1.0, largest(run.system.inverse.as_slice()) * time));
         }
@@ -93,14 +94,15 @@ impl Pair {
         largest(&[attitude, largest(off.momentum.as_slice()) / whole])
     }
 
-    /// The step in decay times: of two states near its end, how much faster the rates differ than the states.
+    /// The step in decay times, from two states near its end: the ratio of the difference of their rates to
+    /// the difference of the states, times the step.
     fn decay(&self, near: &State<f64>, end: &State<f64>, end_rate: &Rate<f64>, h: f64) -> f64 {
         let apart = |a: &Vector3<f64>, b: &Vector3<f64>| largest((a - b).as_slice());
         let rates = apart(&end_rate.momentum, &self.rates[11].momentum);
         h.abs() * ratio(rates, apart(&end.momentum, &near.momentum))
     }
 
-    /// One step tried, and taken if its error is below the tolerance.
+    /// Tries one step, and accepts it if its error is within the tolerance.
     pub(super) fn advance(&mut self, run: &mut Run) -> Result<(), Error> {
         let (h, last) = run.fitted(self.h)?;
         let mut near = run.state;
@@ -118,7 +120,7 @@ impl Pair {
         if decay > DECAYED && error <= 1.0 {
             error = self.relative(run, &difference(&end, &near), &end, h) / run.tolerance;
         }
-        // A stage that left the range: the step was far too long.
+        // A stage overflowed: the step was far too long.
         let error = if error.is_nan() || !size.is_finite() { f64::INFINITY } else { error };
         // As usual: aim a little below the tolerance, and keep the change of the step within bounds.
         let factor = (0.9 / eighth_root(error)).clamp(1.0 / 3.0, 6.0);

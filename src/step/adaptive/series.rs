@@ -1,7 +1,7 @@
 //! The motion as power series in the time, by recurrences [JZ05](crate::references).
 //!
-//! Spin, attitude and world vectors in body axes are bilinear in each other: each coefficient is a sum of
-//! products of those before.
+//! Spin, attitude and world vectors in body axes are bilinear in each other, so each coefficient is a sum of
+//! products of the coefficients before it.
 
 #[cfg(test)]
 mod tests;
@@ -25,20 +25,20 @@ pub(super) const MOST: usize = 26;
 /// The number of coefficients of a series of this order.
 pub(super) const LENGTH: usize = MOST + 1;
 
-/// What the dissipation needs.
+/// The series for the dissipation.
 #[derive(Debug, Clone)]
 struct DissipationSeries<const N: usize> {
     momentum: [Lanes; N],
-    /// What the spin changes by without a torque, times the moments.
+    /// The rate of the spin without a torque, times the moments.
     coupling: Coefficients<N>,
 }
 
-/// What the gravity gradient needs, all in body axes.
+/// The series for the gravity gradient, all in body axes.
 #[derive(Debug, Clone)]
 struct GradientSeries<const N: usize> {
     direction: Coefficients<N>,
     orbit: [Lanes; N],
-    /// Spin minus orbit: how the direction turns.
+    /// Spin minus orbit: the rate at which the direction turns.
     turning: Coefficients<N>,
 }
 
@@ -56,12 +56,12 @@ pub(super) struct Series<const N: usize> {
     world: Vec<[Lanes; N]>,
     dissipation: Option<Box<DissipationSeries<N>>>,
     gradients: Vec<GradientSeries<N>>,
-    /// Those of the motion's variations, if these are tracked.
+    /// The series of the motion's variations, if these are tracked.
     pub(super) variations: Option<Box<Variations<N>>>,
 }
 
 impl<const N: usize> Series<N> {
-    /// What a law of these torques needs, with variations or without.
+    /// The series for a law, with variations or without.
     pub(super) fn new(law: &Law, varied: bool) -> Self {
         let rows = [[0.0; 4]; N];
         let none = || Coefficients { up: rows, down: [[[0.0; 2]; 3]; N] };
@@ -103,7 +103,7 @@ impl<const N: usize> Series<N> {
         }
     }
 
-    /// Begins as another series does.
+    /// Starts with the coefficients of another series.
     #[inline(always)]
     pub(super) fn begin_as<const M: usize>(&mut self, other: &Series<M>) {
         self.order = other.order;
@@ -158,7 +158,7 @@ impl<const N: usize> Series<N> {
     // Not inlined: alone it has the registers to itself.
     #[inline(never)]
     fn extend_with<const ACROSS: bool>(&mut self, order: usize, law: &Law) {
-        // What is constant is in the first rate alone.
+        // Constant terms are in the first rate alone.
         let mut rate = if self.order == 0 { law.constant } else { [0.0; 4] };
         while self.order < order.min(N - 1) {
             self.extend::<ACROSS>(law, core::mem::replace(&mut rate, [0.0; 4]));
@@ -171,7 +171,7 @@ impl<const N: usize> Series<N> {
         let n = self.order.min(N - 2);
         let inverse = 1.0 / (n + 1) as f64;
         let (attitude, spin, alone) = (&self.attitude, &self.spin, law.world.is_empty());
-        // The sums last: all else is at hand before they are.
+        // The sums come last: by then all other values are ready.
         if let Some(decay) = &law.decay {
             for ((rate, decay), spin) in rate.iter_mut().zip(decay).zip(&spin.up[n]) {
                 *rate -= *decay * *spin;
@@ -194,7 +194,7 @@ impl<const N: usize> Series<N> {
         if ACROSS && let ([rows, more @ ..], [first, others @ ..]) = (&mut *self.world, &*law.world) {
             first.add_acceleration(&rows[n], &mut rate);
             rows[n + 1] = scaled(&across(&sums.across), inverse);
-            // Few laws have more, and a loop over none takes its time.
+            // Few laws have more, and even an empty loop takes time.
             if !more.is_empty() {
                 for (rows, one) in more.iter_mut().zip(others) {
                     one.add_acceleration(&rows[n], &mut rate);
@@ -235,8 +235,8 @@ impl<const N: usize> Series<N> {
         core::array::from_fn(|i| rate[i] - law.coupling[i] * pairs[i])
     }
 
-    /// The larger of the attitude's coefficient of this power, and the momentum's in units of `1 / weights`;
-    /// or of the variations, if these are larger in sizes of their columns.
+    /// The larger of the attitude's coefficient of this power and the momentum's, in units of `1 / weights`;
+    /// or the variations' coefficient, if it is larger relative to the sizes of their columns.
     #[inline(always)]
     pub(super) fn size(&self, power: usize, weights: &[f64; 3]) -> f64 {
         let spin = &self.spin.up[power];
@@ -251,7 +251,7 @@ impl<const N: usize> Series<N> {
         core::array::from_fn(|power| self.spin.up[power][axis % 3])
     }
 
-    /// What attitude (vector part first) and spin have changed by at `x` units of time.
+    /// The changes of attitude (vector part first) and spin after `x` units of time.
     pub(super) fn value(&self, x: f64) -> [Lanes; 2] {
         let [mut q, mut w] = [[0.0; 4]; 2];
         let powers = 1..=self.order;
@@ -264,8 +264,7 @@ impl<const N: usize> Series<N> {
         [q.map(|y| y * x), w.map(|y| y * x)]
     }
 
-    /// What attitude (vector part first) and spin have changed by, and at which rate they change, at `x`
-    /// units of time.
+    /// The changes of attitude (vector part first) and spin after `x` units of time, and their rates there.
     #[inline]
     pub(super) fn at(&self, x: f64) -> [Lanes; 4] {
         let [mut q, mut w, mut dq, mut dw] = [[0.0; 4]; 4];
@@ -294,7 +293,7 @@ impl WorldLaw {
 }
 
 impl<const N: usize> DissipationSeries<N> {
-    /// Adds the angular acceleration `J k L x (L x w)`, given that without a torque.
+    /// Adds the angular acceleration `J k L x (L x w)`; the argument is the acceleration without a torque.
     fn add(&mut self, law: &DissipationLaw, spin: &Lanes, free: &Lanes, n: usize, rate: &mut Lanes) {
         let m = &law.moments;
         self.coupling.set(n, core::array::from_fn(|i| m[i] * free[i]));
@@ -307,8 +306,8 @@ impl<const N: usize> DissipationSeries<N> {
 }
 
 impl<const N: usize> GradientSeries<N> {
-    /// Adds the angular acceleration by the gravity gradient, and makes the next coefficients of orbit, given
-    /// its products with the spin, and direction.
+    /// Adds the angular acceleration by the gravity gradient, and computes the next coefficients of the
+    /// orbit, from its products with the spin, and of the direction.
     #[inline(always)]
     fn add(
         &mut self,
@@ -329,7 +328,7 @@ impl<const N: usize> GradientSeries<N> {
         self.direction.set(n + 1, scaled(&across(&turned), inverse));
     }
 
-    // Few laws have two, and inlined it takes registers from the one.
+    // Few laws have two; inlined, the code for the second would take registers from the first.
     #[inline(never)]
     fn add_all(
         all: &mut [Self],

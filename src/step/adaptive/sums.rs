@@ -1,11 +1,11 @@
-//! The sums of products that make the coefficients of a power series.
+//! The sums of products that give the coefficients of a power series.
 //!
-//! One pass over the coefficients makes all sums of an order that have the spin for a factor. They are kept
-//! in rows of which the compiler takes two numbers at a time as a vector: a row times one component of the
-//! spin. So that both factors of a sum are read in the order of memory, the second stands there with its
-//! highest power first. What an order costs is as much the time until its last coefficient is made as the
-//! number of products, so what needs that comes last in each sum. What was just stored is quick to load only
-//! as it was stored, so nothing new is loaded in other pairs.
+//! One pass over the coefficients computes all sums of an order that contain the spin. Each row is multiplied
+//! by one component of the spin, and the compiler processes two numbers of a row at a time as a vector. Both
+//! factors of a sum are read in increasing order of memory, so the second factor is stored with its highest
+//! power first. The cost of an order depends on the latency of its last coefficient as much as on the number
+//! of products, so terms with that coefficient come last in each sum. A value that was just stored is loaded
+//! quickly only in the pairs in which it was stored, so new values are not loaded in other pairs.
 
 /// A quaternion's vector part, then its scalar part; or a vector, of which the fourth repeats the first.
 pub(super) type Lanes = [f64; 4];
@@ -42,13 +42,14 @@ fn pairs_of(&[x, y, z, _]: &Lanes) -> Pairs {
     [[y; 2], [x; 2], [z; 2]]
 }
 
-/// The sums of an order, as they are made: the compiler keeps numbers together that are stored together.
+/// The sums of an order while they are computed: the compiler keeps numbers together that are stored
+/// together.
 pub(super) struct Sums {
-    /// Of the attitude's halves times each component of the spin.
+    /// The attitude's halves times each component of the spin.
     pub(super) turn: [[f64; 2]; 6],
-    /// Of the spin's first two components times the third and the second.
+    /// The spin's first two components times the third and the second.
     pub(super) pairs: [[f64; 2]; 2],
-    /// Of a vector with the spin.
+    /// A vector times the spin.
     pub(super) across: AcrossSums,
 }
 
@@ -108,7 +109,7 @@ pub(super) fn sums<const N: usize, const ACROSS: bool>(
     let w = &down[N - n..];
     let none = [0.0; 2];
     let mut sums = Sums { turn: [none; 6], pairs: [none; 2], across: [none; 3] };
-    // The highest power of the spin last: it is still being made while the others are added.
+    // The highest power of the spin comes last: it is computed while the others are added.
     for k in 1..n {
         sums.add::<ACROSS>(&q[k], &v[k], &g[k], w[k]);
     }

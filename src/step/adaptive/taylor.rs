@@ -1,4 +1,4 @@
-//! Steps by Taylor series, as long as their last terms allow.
+//! Steps by Taylor series; the length of a step is limited by the size of the last terms.
 
 use super::law::{Law, Rates};
 use super::series::{LENGTH, MOST, Series, Variation, in_units};
@@ -13,21 +13,22 @@ use nalgebra::{Quaternion, Vector3};
 /// The series about the start of the last step, and about its end.
 #[derive(Debug, Clone)]
 pub(super) struct Taylor {
-    /// In units of time of this number of seconds, a power of two.
+    /// The law, with time in units of `unit` seconds, a power of two.
     law: Law,
     unit: f64,
     rates: Rates,
     series: Box<Series<LENGTH>>,
-    /// That of the first order about the end of a step: it tells the step's error, and begins the next.
+    /// The first-order series about the end of a step: it measures the step's error and begins the next
+    /// series.
     next: Series<2>,
-    /// Whether it is about the run's state.
+    /// Whether `next` is about the current state of the run.
     pub(super) ready: bool,
     /// The highest power that a step takes.
     most: usize,
 }
 
 impl Taylor {
-    /// None where the law is no polynomial.
+    /// `None` where the law is not a polynomial.
     pub(super) fn new(run: &Run) -> Option<Self> {
         let law = Law::of(&run.system, 1.0)?;
         let varied = run.variation.is_some();
@@ -43,7 +44,7 @@ impl Taylor {
         self.next.extend_to(1, &self.law);
     }
 
-    /// Begins the next series' variations, in units, where it has begun itself.
+    /// Begins the variations of the next series, in units; that series must have begun.
     fn begin_variations(&mut self, start: &Variation) {
         if let Some(variations) = &mut self.next.variations {
             variations.begin(start);
@@ -51,8 +52,8 @@ impl Taylor {
         self.next.extend_to(1, &self.law);
     }
 
-    /// Begins the variations at the end of a step of `x` units; returns how far the series' rates are from
-    /// those of the law there.
+    /// Begins the variations at the end of a step of `x` units; returns the difference between the rates of
+    /// the series and those of the law there.
     #[inline(never)]
     fn end_variations(&mut self, x: f64) -> f64 {
         let Some([value, rate]) = self.series.variations.as_ref().map(|own| own.at(x)) else { return 0.0 };
@@ -61,21 +62,21 @@ impl Taylor {
         both.map_or(0.0, |(own, next)| own.off(&next.coefficient(1), &rate))
     }
 
-    /// What the torques change the momentum by in a unit of time, times the unit.
+    /// The change of the momentum by the torques in one unit of time, times the unit.
     fn gained(&self, run: &Run) -> [f64; 3] {
         let torque = self.next.torque(&self.law);
         core::array::from_fn(|i| torque[i] * run.system.moments()[i])
     }
 
-    /// The coefficients about the state now; the longest step that keeps the last of them below the
-    /// tolerance, in units.
+    /// Computes the coefficients about the current state; returns the longest step, in units, that keeps the
+    /// last terms below the tolerance.
     fn fill(&mut self, weights: &[f64; 3], left: f64, tolerance: f64) -> f64 {
         self.series.begin_as(&self.next);
         let (mut power, mut below) = (left, false);
         if left > 1.0 {
             self.series.extend_to(self.most, &self.law);
         } else {
-            // To the end is less than a unit: it may take fewer coefficients. They are made three at a time.
+            // Less than one unit remains: fewer coefficients may suffice. They are computed three at a time.
             for order in 2..=self.most {
                 if self.series.order < order {
                     self.series.extend_to((order + 2).min(self.most), &self.law);
@@ -93,12 +94,12 @@ impl Taylor {
         let longest = |order: usize| (goal - logarithm(size(order))) / order as f64;
         let [last, before] = [self.most, self.most - 1].map(longest);
         let longest = exp(if last < before { last } else { before });
-        // Rather than a short step at the end, one that is somewhat longer.
+        // A last step that is somewhat longer is better than a very short one after it.
         if left < 1.1 * longest { left } else { longest }
     }
 
-    /// The end of a step of `x` units at a time (s after the start of the run), and its error: how left the
-    /// series is from the law there.
+    /// The end of a step of `x` units at a time (s after the start of the run), and the error of the step:
+    /// the difference between the rates of the series and of the law there.
     fn end(&mut self, run: &Run, x: f64, time: f64, scale: f64) -> (State<f64>, f64) {
         let [q, w, dq, dw] = self.series.at(x);
         let mut end = self.moved(run, &run.state, &q, &w);
@@ -120,7 +121,7 @@ impl Taylor {
         (end, largest(&[error, stretched, varied]))
     }
 
-    /// A state after these changes of attitude and spin in units.
+    /// The state after these changes of attitude and spin, in units.
     fn moved(&self, run: &Run, start: &State<f64>, q: &[f64; 4], w: &[f64; 4]) -> State<f64> {
         let (s, per) = (&start.attitude.coords, 1.0 / self.unit);
         State {
@@ -137,9 +138,10 @@ impl Taylor {
         there
     }
 
-    /// Whether the momentum has digits, and what it is measured by. A body at rest has none, so that which a
-    /// torque gives it counts; one that drag brought to rest has no digits below the least. Where torques
-    /// cancel, as in a body that hangs at rest, what is left of them is their rounding.
+    /// Whether the momentum has significant digits, and the scale for its error. A body at rest has no
+    /// momentum, so the momentum gained from a torque counts too. The momentum of a body that drag has
+    /// brought to rest has no digits below `least`. Where torques cancel, as for a body that hangs at rest,
+    /// their remaining sum is rounding.
     fn scale(&self, run: &Run, unit: f64) -> (bool, f64) {
         let least = f64::MIN_POSITIVE / run.tolerance;
         let held = largest(run.state.momentum.as_slice()) + largest(&self.gained(run)) / unit;
@@ -147,13 +149,15 @@ impl Taylor {
         (held > least, held.max(least).max(rounding))
     }
 
-    /// One step tried, shorter until its error is below the tolerance.
+    /// Takes one step; halves it until its error is within the tolerance (or 32 `f64::EPSILON`, if that is
+    /// more).
     pub(super) fn advance(&mut self, run: &mut Run) -> Result<(), Error> {
         let remaining = run.duration - run.time;
         let omega = run.system.omega(&run.state.momentum);
         let decay = self.rates.fastest_decay(&run.state.momentum);
         let rate = self.rates.fastest(&omega, decay);
-        // Within a factor of four of the time in which the motion changes; else the law is put in units anew.
+        // The unit should be within a factor of four of the time in which the motion changes; otherwise it is
+        // chosen again.
         let rate_in_units = rate * self.unit;
         let unit = if (0.5..=4.0).contains(&rate_in_units) {
             self.unit
@@ -162,7 +166,8 @@ impl Taylor {
         } else {
             run.ahead().abs()
         };
-        // Accelerations go by the square of the unit: below this they would lose their digits.
+        // Accelerations are multiplied by the square of the unit: below this limit they would lose their
+        // digits.
         if unit * unit < f64::MIN_POSITIVE / f64::EPSILON && run.ahead().abs() > unit {
             return Err(run.no_step(unit));
         }
@@ -208,7 +213,7 @@ impl Taylor {
     }
 }
 
-/// The order that takes the fewest operations for a tolerance of a step.
+/// The order that needs the fewest operations for this tolerance of a step.
 fn order(tolerance: f64) -> usize {
     let digits = -logarithm(tolerance) / core::f64::consts::LN_10;
     ((5.0 + 1.3 * digits) as usize).clamp(6, MOST)

@@ -1,4 +1,4 @@
-//! What the position stage needs of a body, prepared once.
+//! The coefficients of a body for the position stage, computed once.
 
 use super::turn::{conserving_rate, three};
 use super::{longest, number};
@@ -7,18 +7,20 @@ use crate::inertia::ascending;
 use crate::number::Field;
 use num_traits::Float;
 
-/// Pure numbers: the unit of mass is gone.
+/// Dimensionless numbers: the unit of mass cancels.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Coefficients<T> {
     /// `(I_j - I_k) / I_i`.
     pub(super) coupling: [T; 3],
     /// The moments in units of the middle one.
     pub(super) relative: [T; 3],
-    /// The first term of the series for the turn about the momentum, by squares of the spin.
+    /// The first term of the series for the turn about the momentum: factors of the squares of the spin's
+    /// components.
     pub(super) twist: [T; 3],
-    /// The second, by products of two of them: 11, 12, 13, 22, 23, 33.
+    /// The second term: factors of the products of two such squares, 11, 12, 13, 22, 23, 33.
     pub(super) twist_2: [T; 6],
-    /// A bound for the square of the fastest spin of the motion, by squares of the spin.
+    /// A bound on the square of the fastest spin of the motion: factors of the squares of the spin's
+    /// components.
     pub(super) bound: [T; 3],
     /// A turn whose square is at most this needs no gyroscopic term: the body is round, or the term is below
     /// rounding.
@@ -37,7 +39,7 @@ impl<T: Field + Float + From<f32>> Coefficients<T> {
         Self::new(moments, [(b - c) / a, (c - a) / b, (a - b) / c]).representable()
     }
 
-    /// Refused if a coefficient is beyond what a number holds.
+    /// An error if a coefficient overflows.
     fn representable(self) -> Result<Self, Error> {
         let all = [&self.relative[..], &self.twist, &self.twist_2, &self.bound];
         match all.into_iter().flatten().find(|x| !x.is_finite()) {
@@ -46,7 +48,8 @@ impl<T: Field + Float + From<f32>> Coefficients<T> {
         }
     }
 
-    /// A zero moment: nothing resists a spin about that axis, and nothing drives it if the others are equal.
+    /// A zero moment: a spin about that axis has no momentum, and no gyroscopic torque acts on it if the
+    /// other moments are equal.
     fn of_rod(moments: [T; 3]) -> Result<Self, Error> {
         let [i, j, k] = order_of(&moments);
         let sorted = [i, j, k].map(|n| value(moments[n]));
@@ -72,7 +75,7 @@ impl<T: Field + Float + From<f32>> Coefficients<T> {
         Self::of_moments(inverse.map(|x| T::one() / x))
     }
 
-    /// Nothing changes the spin: locked axes.
+    /// Locked axes: the spin is constant.
     fn constant_spin() -> Self {
         Self::new([T::one(); 3], [T::zero(); 3])
     }
@@ -115,14 +118,14 @@ impl<T: Field + Float + From<f32>> Coefficients<T> {
         Self { coupling, relative: moments.map(|x| x / moments[middle]), twist, twist_2, bound, steady }
     }
 
-    /// The square of a turn that no part of the motion passes in this time.
+    /// An upper bound on the square of the turn in time `h`, at any spin of the motion.
     #[inline(always)]
     pub(super) fn fastest(&self, omega: &[T; 3], h: T) -> T {
         let [x, y, z] = three(|i| (omega[i] * h) * (omega[i] * h));
         self.bound[0] * x + self.bound[1] * y + self.bound[2] * z
     }
 
-    /// What [`conserving_turn`](crate::laws::conserving_turn) takes as rate and weights.
+    /// The rate and the weights for [`conserving_turn`](crate::laws::conserving_turn).
     #[inline(always)]
     pub(super) fn rate(&self, omega: &[T; 3], h: T) -> (T, [T; 3]) {
         let one = T::one();
@@ -137,13 +140,14 @@ impl<T: Field + Float + From<f32>> Coefficients<T> {
     }
 }
 
-/// A linear form in the squares of the spin that no later spin's square is above. No coefficient is below the
-/// square of any coupling, on which the proof rests that the roots of a step are real.
+/// A linear form in the squares of the spin's components that is an upper bound on the square of every later
+/// spin. No coefficient is below the square of any coupling; the proof that the roots of a step are real uses
+/// this.
 fn bound<T: Field + Float + From<f32>>(moments: &[T; 3], coupling: &[T; 3]) -> [T; 3] {
     let one = T::one();
     let order = order_of(moments);
     let [a, b, c] = order.map(|i| moments[i]);
-    // What one component gives up, the other may take.
+    // The largest amount that one component can pass to another.
     let share = |[weight, over]: [T; 2], [apart, span]: [T; 2]| {
         if apart == T::zero() { T::zero() } else { (weight / over) * (apart / span) }
     };
@@ -151,11 +155,11 @@ fn bound<T: Field + Float + From<f32>>(moments: &[T; 3], coupling: &[T; 3]) -> [
     if a > T::zero() {
         bound[order[1]] = one + share([b, a], [c - b, c - a]) + share([b, c], [b - a, c - a]);
     }
-    // The middle component takes from both others, but never more than what either allows.
+    // The middle component can gain from both others, but never more than either limit allows.
     let (end, extra) =
         if c - b > b - a { (0, share([a, b], [c - a, c - b])) } else { (2, share([c, b], [c - a, b - a])) };
     bound[order[end]] = one + extra;
-    // Moments that no solid has let the series converge for shorter times only.
+    // For moments that no solid has, the series converge only for shorter times.
     let strongest = coupling.iter().fold(one, |most, x| most.max(x.abs()));
     bound.map(|x| x * strongest * strongest)
 }
@@ -164,7 +168,7 @@ pub(super) fn value<T: Float>(x: T) -> f64 {
     x.to_f64().unwrap_or(f64::NAN)
 }
 
-/// That a number of either type is finite and not below zero.
+/// Checks that a number of either type is finite and not negative.
 fn valid<T: Float>(what: Subject, x: T) -> Result<(), Error> {
     not_negative(what, value(x)).map(drop)
 }

@@ -1,4 +1,4 @@
-//! Many bodies at once, side by side in vector registers.
+//! The steps of many bodies at once, in vector registers.
 
 use super::coefficients::Coefficients;
 use super::{End, PositionStage, Stepped, turn_square};
@@ -6,23 +6,23 @@ use crate::number::Field;
 use nalgebra::{Quaternion, Vector3};
 use num_traits::Float;
 
-/// The number of bodies that go side by side.
+/// The number of bodies in one block.
 const LANES: usize = 8;
 
-/// What is read of them: attitude, spin, coefficients and frame.
+/// The inputs of a block: attitude, spin, coefficients and frame.
 type Rows<T> = [[T; LANES]; 29];
 
-/// Where they end: attitude, spin, and what decides whether a step is taken.
+/// The results of a block: attitude, spin, and the values that decide whether a step is taken.
 type Ends<T> = [[T; LANES]; 10];
 
 impl<T: Field + Float + From<f32>> PositionStage<T> {
-    /// The [`step`](Self::step) of `h` seconds of many bodies, eight at a time, which the compiler turns into
-    /// vector instructions. Each gets the bits that it gets alone.
+    /// The [`step`](Self::step) of `h` seconds for many bodies, in blocks of eight, which the compiler turns
+    /// into vector instructions. The result of each body has the same bits as if it were computed alone.
     ///
-    /// `all` is what the engine keeps its bodies in and `bodies` names them; `read` gives the stage of one,
-    /// its attitude and its spin, and `write` gets where its step ends. Both are called in any order, so no
-    /// body may be named twice. Bodies that need no gyroscopic term (round, at rest, locked) wait for no
-    /// others.
+    /// `all` is the engine's storage and `bodies` are the keys of the bodies in it. `read` returns a body's
+    /// stage, attitude and spin, and `write` receives the end of its step. The order of the calls is not
+    /// specified, so each key must occur only once. A body that needs no gyroscopic term (round, at rest,
+    /// locked) is finished at once, without a block.
     ///
     /// ```
     /// use nalgebra::{Quaternion, Vector3};
@@ -53,7 +53,7 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
         read: impl Fn(&A, I) -> (&Self, Quaternion<T>, Vector3<T>),
         mut write: impl FnMut(&mut A, I, Stepped<T>),
     ) {
-        // Those with principal axes of their own wait for each other, and the rest.
+        // Bodies whose principal axes differ from the body axes form blocks of their own.
         let mut kinds = [([[T::zero(); LANES]; 29], [None; LANES], 0); 2];
         for body in bodies {
             let (stage, attitude, omega) = read(all, body);
@@ -72,7 +72,7 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
                 for (k, body) in waiting.iter_mut().enumerate() {
                     let Some(body) = body.take() else { continue };
                     let end = end_of(&ends, k);
-                    // Each in a call of its own: the numbers then stay in registers.
+                    // Each kind has a function call of its own, so that the numbers stay in registers.
                     if end.taken() {
                         write(all, body, end.stepped());
                     } else {
@@ -89,7 +89,7 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
     }
 }
 
-/// What has no others of its kind, or needs parts.
+/// For bodies that do not fill a block, and for steps that need several parts.
 #[inline(never)]
 fn alone<T: Field + Float + From<f32>>(
     (stage, attitude, omega): (&PositionStage<T>, Quaternion<T>, Vector3<T>),
@@ -123,7 +123,7 @@ fn fill<T: Field + Float + From<f32>>(
     }
 }
 
-/// Where eight bodies end. Its loop is what the compiler makes vector instructions of.
+/// The ends of the steps of eight bodies. The compiler turns the loop into vector instructions.
 #[inline(never)]
 fn ends_of<T: Field + Float + From<f32>, const FRAMED: bool>(rows: &Rows<T>, h: T) -> Ends<T> {
     let mut ends = [[T::zero(); LANES]; 10];

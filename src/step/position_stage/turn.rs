@@ -1,4 +1,4 @@
-//! The turn that keeps energy and momentum, whatever its rate.
+//! The turn of a step that keeps energy and momentum for any rate.
 
 use crate::number::Field;
 
@@ -15,10 +15,10 @@ pub fn change_of_spin<T: Field>((below, [tangents, slip]): &(T, [[T; 3]; 2])) ->
     })
 }
 
-/// The turn of a free body and the change of its spin, which keep energy and momentum exactly, whatever
-/// `rate` and whatever one number in `weights` is, where the three roots are real and `below` is not zero:
-/// proven of this function (`crates/proofs/src/proofs/position_stage.rs`). Both hold within bounds that a
-/// turn of half a radian, the longest of a part of a step, keeps to.
+/// The turn of a free body and the change of its spin. They conserve energy and momentum exactly for any
+/// `rate` and any number `b` in `weights`, where the three roots are real and `below` is not zero: this is
+/// proven for this function (`crates/proofs/src/proofs/position_stage.rs`). Both conditions hold for turns up
+/// to half a radian, the longest that one part of a step takes.
 ///
 /// - `coupling`: `(I_j - I_k) / I_i` for the principal moments `I`, so that `omega_i' = coupling_i omega_j
 ///   omega_k`.
@@ -29,9 +29,9 @@ pub fn change_of_spin<T: Field>((below, [tangents, slip]): &(T, [[T; 3]; 2])) ->
 /// - `root`: the square root.
 ///
 /// Returns a number `below` and two vectors along the principal axes before the turn, both to be divided by
-/// it: the tangents `c`, the turn's axis times the tangent of half its angle; and the slip
-/// `(1 + c x) omega_after - (1 - c x) omega`, with `omega_after` the spin after the turn along the axes after
-/// it.
+/// `below`: the tangents `c`, which are the axis of the turn times the tangent of half its angle; and the
+/// slip `(1 + c x) omega_after - (1 - c x) omega`, where `omega_after` is the spin after the turn in the axes
+/// after the turn.
 ///
 /// With `Q_i^2 = rate + coupling_j coupling_k (h omega_i)^2`, the addition theorem of Jacobi's functions
 /// gives the spin after the time as `(omega_i Q_j Q_k + coupling_i h omega_j omega_k Q_i) / rate`.
@@ -66,8 +66,9 @@ pub fn conserving_turn<T: Field>(
     (below, [tangents, slip])
 }
 
-/// The rate of a [`conserving_turn`] that follows the free motion, from the numbers that are added to it
-/// under the roots, `coupling_j coupling_k (h omega_i)^2`; `over` gives one over a whole number.
+/// The rate for a [`conserving_turn`] that follows the free motion. Its arguments are the terms `coupling_j
+/// coupling_k (h omega_i)^2` that are added to the rate under the roots; `over` returns the reciprocal of a
+/// whole number.
 ///
 /// With the first terms of Weierstrass' function, `h^2 P(h) = 1 + g2/20 + g3/28 + g2^2/1200 ...`, in units of
 /// the time.

@@ -1,4 +1,4 @@
-//! Torques by what makes them, with their units.
+//! Torques named after their causes, with units.
 
 use super::Torque;
 use crate::number::Field;
@@ -36,7 +36,7 @@ impl<T: Field> Torque<T> {
 
     /// A spring that turns the body back to where its axis `arm` (body axes) lies along `rest` (world axes):
     /// `stiffness` (N m) times the sine of the angle between the two, so near rest the stiffness in N m/rad.
-    /// The two are not brought to length 1: other lengths multiply the stiffness.
+    /// The two vectors are not normalized: their lengths multiply the stiffness.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
@@ -57,10 +57,10 @@ impl<T: Field> Torque<T> {
         Self::Aligning { arm: arm.clone(), field: rest.map(|x| x * stiffness.clone()) }
     }
 
-    /// The gravity gradient on a satellite in a circular orbit, seen along the world's axes: `toward` (of
-    /// length 1, or a stepper refuses it) points to the attracting body at time zero, and turns with the
-    /// `orbit`, whose rate (rad/s) stands along its normal. Of a body that is held fixed relative to the
-    /// attracting one see [`Torque::GravityGradient`].
+    /// The gravity gradient on a satellite in a circular orbit, in world axes that do not turn with the
+    /// orbit. `toward`, of length 1 (a stepper refuses other lengths), points to the attracting body at time
+    /// zero. It turns with `orbit`, the orbit's angular velocity (rad/s, along its normal). For a body that
+    /// does not move relative to the attracting one, see [`Torque::GravityGradient`].
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
@@ -90,11 +90,11 @@ impl<T: Field> Torque<T> {
         }
     }
 
-    /// `torque` from the time `start` to the time `end` (s), and none before and after: a thruster that
+    /// `torque` from the time `start` to the time `end` (s), and no torque before and after: a thruster that
     /// fires. The time is that of the [`Stepper`](crate::step::Stepper).
     ///
-    /// An adaptive run ends a step where a torque begins and where it ends. Methods of a fixed step, and
-    /// kicks, apply it where the time at which they evaluate torques lies between.
+    /// An adaptive run ends a step where a torque begins and where it ends. Methods with a fixed step, and
+    /// kicks, apply the torque if the time at which they evaluate it is between the two.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};

@@ -1,4 +1,4 @@
-//! Kicks: what torques alone do to the momentum.
+//! Kicks: the change of the momentum by torques alone.
 
 use crate::body::State;
 use crate::step::{System, Torque};

@@ -17,7 +17,7 @@ fn equations(text: &str) -> Vec<Equation> {
     maths(&Reader::default().chapter("x", "x.md", text).unwrap())
 }
 
-/// What is wrong with the equations of a chapter.
+/// The faults in the equations of a chapter.
 fn faults(chapter: &str, equations: &[Equation]) -> Vec<Fault> {
     read(&laws::of(chapter).unwrap(), equations).faults
 }
@@ -74,7 +74,7 @@ fn an_altered_equation_is_refused() {
     }
 }
 
-/// Each is refused where it is put after everything that stands in a chapter.
+/// Each is refused if it is appended to a chapter.
 #[test]
 fn what_states_something_or_cannot_be_read_never_passes_for_notation_or_a_value() {
     let holes = [
@@ -174,7 +174,7 @@ fn faults_say_where_and_what() {
     );
 }
 
-/// What is left over of a wrong sign in Euler's equations is shown in symbols.
+/// The residue of a wrong sign in Euler's equations is shown in symbols.
 #[test]
 fn a_wrong_equation_leaves_what_is_wrong_with_it() {
     let text = r"$\tan\theta = \sqrt{b/a}$";

@@ -1,9 +1,9 @@
-//! What a module and its page share: one row of numbers, and one text.
+//! The data that a module shares with its page: one row of numbers, and one text.
 //!
-//! The page writes what it asks into the numbers, calls `answer`, and reads the answer from where its
-//! question was. WebAssembly passes no lists; with a row at a known address none need be passed. The row is
-//! made of atomic integers, which may be changed from outside at any time without a word of unsafe code, and
-//! which cost nothing where there is one thread.
+//! The page writes its question into the numbers, calls `answer`, and reads the answer from the same numbers.
+//! WebAssembly cannot pass lists as arguments; a row at a known address makes this unnecessary. The row
+//! consists of atomic integers, which may be changed from outside at any time without unsafe code, and which
+//! cost nothing with a single thread.
 //!
 //! A module is a function from numbers to numbers, and one line that names it to the page:
 //!
@@ -22,8 +22,8 @@
 //! assert_eq!(row.get(0), 5.0);
 //! ```
 //!
-//! [`page!`] makes exports for WebAssembly alone: elsewhere the module is a library like any other, and the
-//! grid calls the same `answer`.
+//! [`page!`] makes exports only for WebAssembly. Elsewhere the module is an ordinary library, and the grid
+//! calls the same `answer`.
 
 use std::sync::atomic::{AtomicU8, AtomicU64, AtomicUsize, Ordering::Relaxed};
 use std::sync::{Mutex, PoisonError};
@@ -53,7 +53,7 @@ impl Numbers {
         std::array::from_fn(|i| self.get(from + i))
     }
 
-    /// Writes a number to this place, if there is one.
+    /// Writes a number to this place, if the place exists.
     pub fn set(&self, place: usize, number: f64) {
         if let Some(bits) = self.0.get(place) {
             bits.store(number.to_bits(), Relaxed);
@@ -73,7 +73,7 @@ impl Numbers {
         from + numbers.len()
     }
 
-    /// Where the row begins in the module's memory.
+    /// The address of the row in the module's memory.
     #[must_use]
     pub fn address(&self) -> usize {
         self.0.as_ptr().addr()
@@ -101,7 +101,7 @@ impl Text {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
 
-    /// Where the text begins in the module's memory, and how many bytes of UTF-8 it is.
+    /// The address of the text in the module's memory, and its length in bytes of UTF-8.
     #[must_use]
     pub fn place(&self) -> (usize, usize) {
         let text = self.0.lock().unwrap_or_else(PoisonError::into_inner);
@@ -109,15 +109,14 @@ impl Text {
     }
 }
 
-/// A line from the module to its page, for a module that has no other need of memory than what it starts
-/// with.
+/// A line from the module to its page, for a module that needs no memory beyond its initial one.
 pub struct Line {
     bytes: [AtomicU8; Self::ROOM],
     length: AtomicUsize,
 }
 
 impl Line {
-    /// How many bytes of UTF-8 a line can have: the rest of a longer one is left out.
+    /// The largest length of a line in bytes of UTF-8; the rest of a longer line is omitted.
     pub const ROOM: usize = 256;
 
     /// Empty.
@@ -165,7 +164,7 @@ impl Piece {
         Self([const { AtomicU8::new(0) }; Self::ROOM])
     }
 
-    /// Copies the first bytes out, as many as there is room for on either side.
+    /// Copies the first bytes out, as many as fit on both sides.
     pub fn copy_to(&self, room: &mut [u8]) {
         for (to, from) in room.iter_mut().zip(&self.0) {
             *to = from.load(Relaxed);
@@ -179,7 +178,7 @@ impl Piece {
     }
 }
 
-/// The memory of a module that asks for little of it: a list of what is free, a tenth of the code of `std`.
+/// An allocator for modules that need little memory: a list of free blocks, a tenth of the code of `std`'s.
 #[cfg(target_arch = "wasm32")]
 pub type Memory = lol_alloc::LockedAllocator<lol_alloc::FreeListAllocator>;
 
@@ -190,11 +189,11 @@ pub const fn memory() -> Memory {
     Memory::new(lol_alloc::FreeListAllocator::new())
 }
 
-/// Names a module's `answer` to its page; a module that also has words names its [`Text`] or [`Line`]
-/// besides, and one that asks for much memory says so.
+/// Exports a module's `answer` to its page. A module that also has words passes its [`Text`] or [`Line`], and
+/// a module that needs much memory says so.
 ///
-/// `answer` takes what is asked for and the row, and returns how many numbers the answer has. None: the
-/// question has no answer; the text, if the module has one, says why.
+/// `answer` receives the kind of the question and the row, and returns the number of numbers in the answer.
+/// `None` means that the question has no answer; the text, if the module has one, gives the reason.
 #[macro_export]
 macro_rules! page {
     ($answer:path, much) => {

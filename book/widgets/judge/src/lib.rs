@@ -10,8 +10,8 @@ pub static VERDICT: Text = Text::empty();
 
 /// Judges a record.
 ///
-/// Of the row it takes: whether the three moments that follow are to be used (above zero: yes), the moments,
-/// kg m², the most that a law may be broken by, and for each law of
+/// The row contains: whether the three moments that follow are to be used (above zero: yes); the moments, kg
+/// m²; the limit on the violation of a law; and for each law of
 /// [`LawName::ALL`](tumbling_judge::LawName::ALL), in that order, a limit of its own (not above zero: none).
 ///
 /// The text is then the verdict as a JSON object, and the answer is 1. For a record that cannot be judged,
@@ -28,7 +28,7 @@ pub fn judged(record: impl BufRead, row: &Numbers) -> usize {
     count
 }
 
-/// A record that the page holds, asked for by pieces.
+/// A record that is in the page's memory, requested in pieces.
 #[cfg(target_arch = "wasm32")]
 mod record {
     use exchange::{Numbers, Piece};
@@ -39,8 +39,8 @@ mod record {
     #[expect(unsafe_code, reason = "what the page lends must be declared so; calling it is safe")]
     #[link(wasm_import_module = "page")]
     unsafe extern "C" {
-        /// Writes the record's next bytes, this many at most, to this address; returns how many. None are
-        /// left: 0.
+        /// Writes the record's next bytes, at most this many, to this address; returns their number, which is
+        /// 0 at the end.
         safe fn more(address: usize, room: usize) -> usize;
     }
 

@@ -1,7 +1,7 @@
 //! Wrong and right: the engines of the three pitfalls and the right one, stepped from one start. The exact
-//! motion beside them is another module's, the tumble's.
+//! motion shown with them comes from another module, the tumble's.
 //!
-//! The page keeps each engine's state between two questions, and never looks into it.
+//! The page keeps each engine's state between two questions, and does not use it itself.
 
 use exchange::Numbers;
 use nalgebra::{Matrix3, Quaternion, Vector3};
@@ -9,7 +9,7 @@ use tumbling::attitude::rotation_matrix;
 use tumbling::dynamics::observe::{energy, sign_changes};
 use tumbling::step::{Engine, rk4};
 
-/// The attitude, and the vector that the engine carries.
+/// The attitude, and the vector that is the engine's state.
 type Motion = (Quaternion<f64>, Vector3<f64>);
 
 /// The most steps in one answer.
@@ -24,8 +24,9 @@ const STATE: usize = 10;
 
 /// Both questions begin with a body's moments about x, y and z, kg m², and the spin along them, rad/s.
 ///
-/// 0, how an engine starts: which of [`Engine::ALL`]. 1, how it goes on: which, the step in seconds, how many
-/// steps were taken before, how many to take now, and the state as it was answered last.
+/// Question 0, the start of an engine: which of [`Engine::ALL`]. Question 1, its continuation: which engine,
+/// the step in seconds, the number of steps taken before, the number of steps to take now, and the state from
+/// the last answer.
 ///
 /// Both are answered by: how many steps were taken, fewer than asked where the motion leaves what an
 /// `f64` holds; the state, nine numbers; the energy and the length of the momentum, relative to the
@@ -81,7 +82,7 @@ impl Run {
         count + 1
     }
 
-    /// What the page brings back: the attitude, real part first, and the carried vector.
+    /// The state as the page returns it: the attitude, real part first, and the engine's vector.
     fn motion(&self, row: &Numbers) -> Motion {
         let [w, i, j, k, x, y, z] = row.take(STATE);
         (Quaternion::new(w, i, j, k), Vector3::new(x, y, z))
@@ -111,7 +112,7 @@ impl Run {
             low = low.min(found.energy);
             high = high.max(found.energy);
         }
-        // The side that the spin was on before these steps stands for all samples before the last.
+        // The side of the spin before these steps applies to all samples before the last.
         let earlier = [(step * (before - 1.0), row.get(STATE + 8)), (step * before, last)];
         let samples = (0..taken).map(|i| (step * (before + (i + 1) as f64), row.get(HEAD + i)));
         let flips = sign_changes(earlier.into_iter().chain(samples));
@@ -125,7 +126,7 @@ impl Run {
         HEAD + taken
     }
 
-    /// What a measurement on the body would find, whatever the engine believes.
+    /// What a measurement on the body would show, whatever the engine stores.
     fn measured(&self, (attitude, carried): &Motion) -> Measured {
         let rotation = rotation_matrix(attitude);
         let omega = self.engine.omega_world(&rotation, &self.tensor, &self.inverse, carried);
@@ -163,7 +164,7 @@ impl Measured {
     }
 }
 
-/// The side that a spin is on: of zero it is the one before.
+/// The side of the spin; for zero, the side before.
 fn sign(spin: f64, before: f64) -> f64 {
     if spin == 0.0 { before } else { spin.signum() }
 }

@@ -1,5 +1,5 @@
-//! Methods and steps: what a method makes of a motion at a step, and how its errors grow with it. The exact
-//! motion beside it is another module's, the tumble's.
+//! Methods and steps: a method's result for a motion at a given step, and how its errors grow with the step.
+//! The exact motion shown with it comes from another module, the tumble's.
 
 use exchange::Numbers;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
@@ -8,10 +8,10 @@ use tumbling::attitude::angle_between;
 use tumbling::step::{Method, State, System};
 use tumbling::{Error, ErrorKind};
 
-/// What a method is called, or of what the library says that it cannot be had.
+/// The name of a method, or the subject of the library's error.
 pub static WORDS: Words = Words(Mutex::new(""));
 
-/// A text that stands in the library, and takes no memory of its own.
+/// A text that is part of the library and needs no memory of its own.
 pub struct Words(Mutex<&'static str>);
 
 impl Words {
@@ -119,8 +119,8 @@ fn run(method: Method, system: &System<f64>, row: &Numbers) -> usize {
     HEAD + 1 + taken
 }
 
-/// Why a step was refused, as a number; of what, as the text. The library's own sentence prints numbers,
-/// which weighs more than all the methods.
+/// Why a step was refused, as a number; its subject, as the text. The library's own sentence contains
+/// numbers, and the code to print them is larger than all the methods.
 fn refused(error: &Error) -> f64 {
     WORDS.say(error.subject().words());
     match error.kind() {

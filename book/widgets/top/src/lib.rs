@@ -13,11 +13,12 @@ pub static WHY: Line = Line::empty();
 /// The chapter's top: the moments about its point, across its axis and along it, kg m².
 const ACROSS: f64 = 2e-4;
 const ALONG: f64 = 5e-5;
-/// From the point to the centre of mass, m; the weight, N, and what it gives a kilogram, m/s².
+/// The distance from the point to the centre of mass, m; the weight, N; and the gravitational acceleration,
+/// m/s².
 const ARM: f64 = 0.04;
 const WEIGHT: f64 = 1.0;
 const GRAVITY: f64 = 9.81;
-/// In this many seconds the drag takes all but an e-th of the spin.
+/// The time in seconds in which drag reduces the spin to 1/e.
 const SLOWED: f64 = 8.0;
 
 /// The most samples in one answer of each kind, and the most steps.
@@ -57,7 +58,7 @@ pub fn answer(what: u32, row: &Numbers) -> usize {
     })
 }
 
-/// What is wrong.
+/// Reports an error.
 struct Why([&'static str; 2]);
 
 impl From<Error> for Why {
@@ -75,7 +76,7 @@ fn start([spin, lean, round]: [f64; 3]) -> Result<(UnitQuaternion<f64>, Vector3<
     Ok((UnitQuaternion::new_unchecked(attitude), omega, if omega.y == 0.0 { 0.0 } else { round }))
 }
 
-/// The slower rate at which a lean of this cosine stays.
+/// The slower rate at which a lean with this cosine is constant.
 fn steady(spin: f64, cosine: f64) -> Result<f64, Why> {
     let momentum = ALONG * spin;
     let square = momentum * momentum - 4.0 * ACROSS * cosine * WEIGHT * ARM;

@@ -1,5 +1,5 @@
-//! The exact motion, for the widgets that set something beside it: they ask this module, since most of each
-//! would be that.
+//! The exact motion for other widgets, which ask this module, because otherwise it would be most of the code
+//! of each.
 
 use exchange::Numbers;
 use nalgebra::Vector3;
@@ -19,10 +19,10 @@ const MOST: usize = 1500;
 /// 1, a motion from the start on: until when, and in how many parts. The answer: how many flips, the time of
 /// each, and the spin about x at the parts' ends.
 ///
-/// 2, what becomes of the spin, left alone; one number. 0, 1 or 2 for x, y or z: it circles that axis for
-/// ever. 3: it runs along the separatrix. 4: two moments are equal, and it circles the third axis evenly. 5:
-/// all three are equal. 6: two are, and it stays. 7 and the axis: it stays on an axis of the smallest or the
-/// largest moment. 10 and the axis: it stands on that of the middle one.
+/// Question 2, the fate of the spin without torque; one number. 0, 1 or 2 for x, y or z: it circles that axis
+/// for ever. 3: it is on the separatrix. 4: two moments are equal, and it circles the third axis at a
+/// constant rate. 5: all three are equal. 6: two are equal, and it is constant. 7 plus the axis: it stays on
+/// an axis of the smallest or the largest moment. 10 plus the axis: it is exactly on that of the middle one.
 ///
 /// There is no answer where the library has none.
 pub(crate) fn answer(what: u32, row: &Numbers) -> usize {
@@ -57,7 +57,7 @@ fn found(what: u32, row: &Numbers) -> Option<usize> {
     Some(place)
 }
 
-/// As question 2 numbers it.
+/// The numbers of question 2.
 fn fate(moments: PrincipalMoments, motion: &FreeMotion, omega: &Vector3<f64>) -> Option<usize> {
     Some(match motion.regime() {
         Regime::Elliptic { about, .. } => moments.axis(about),

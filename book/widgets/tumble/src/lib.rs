@@ -15,8 +15,8 @@ use tumbling::exact::{FreeMotion, Regime, time_between_flips};
 use tumbling::number::Analytic;
 use tumbling::{Axis, Error, ErrorKind, Subject};
 
-/// Why there is no answer, in the library's own words but for its numbers: to print them would weigh as much
-/// as half of the rest.
+/// The reason why there is no answer, in the library's words but without its numbers: the code to print them
+/// would be half as large as all the rest.
 pub static WHY: Line = Line::empty();
 
 /// The motion last prepared, which later questions are about, and the axis that it was spun about.
@@ -78,11 +78,11 @@ pub fn answer(what: u32, row: &Numbers) -> usize {
     })
 }
 
-/// What is wrong, and by which rule.
+/// Reports an error, and the rule that was broken.
 struct Why([&'static str; 2]);
 
-/// `tests` below hold these words to the library's, but for the rule of the triangle, which the library gives
-/// with numbers.
+/// `tests` below compare these words with the library's, except for the triangle rule, which the library
+/// prints with numbers.
 impl From<Error> for Why {
     fn from(error: Error) -> Self {
         let rule = match error.kind() {

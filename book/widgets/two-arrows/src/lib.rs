@@ -1,5 +1,5 @@
-//! Two arrows: a spin turned from one principal axis of a body to another, and the momentum that leaves it on
-//! the way; and masses that are moved, and the tensor that answers.
+//! Two arrows: a spin that turns from one principal axis of a body to another, and the momentum, which leaves
+//! the spin on the way; and masses that are moved, and the resulting tensor.
 
 use exchange::Numbers;
 use nalgebra::{Matrix3, Vector3};
@@ -70,8 +70,9 @@ fn masses(row: &Numbers) -> usize {
     if about > 0.0 { row.fill_from(at, &[about, twist / about]) } else { 0 }
 }
 
-/// The momentum of a spin along principal axes is each component times its own moment. These moments need no
-/// check, nor is the gap small where a widget shows it: `tests` below hold both to the library's checked way.
+/// Along principal axes, each component of the momentum is that of the spin times its own moment. These
+/// moments need no check, and a gap that a widget shows is not small: `tests` below compare both with the
+/// library's checked functions.
 fn arrows(which: f64, between: u32, spin: [f64; 2]) -> [f64; 11] {
     let (moments, size) = body(which);
     let [least, middle, most] = ordered(moments.into());

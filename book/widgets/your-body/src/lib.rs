@@ -11,7 +11,7 @@ use tumbling::solid::{
 };
 use tumbling::{Error, ErrorKind, Inertia, PrincipalMoments, Subject};
 
-/// Why there is no answer, in the library's own words but for its numbers.
+/// The reason why there is no answer, in the library's words but without its numbers.
 pub static WHY: Line = Line::empty();
 
 /// The pushes, as parts of the spin: 0.1 down to 1e-9.
@@ -113,7 +113,7 @@ fn parts(row: &Numbers) -> Result<MassProperties, Error> {
     whole.properties()
 }
 
-/// Which moments are equal, to 1e-12 of the largest; those that are come out equal.
+/// Which moments are equal, to 1e-12 of the largest; those are then made equal.
 fn equal(m: &mut Vector3<f64>) -> f64 {
     let near = |a: f64, b: f64| (a - b).abs() <= 1e-12 * m.z;
     match (near(m.x, m.y), near(m.y, m.z)) {
@@ -133,8 +133,8 @@ fn equal(m: &mut Vector3<f64>) -> f64 {
     }
 }
 
-/// The square root; zero of what is below zero by rounding. (Which zero `max` gives is left to the
-/// machine.)
+/// The square root, and zero for a number below zero by rounding. (Machines differ in the sign of the zero
+/// that `max` returns.)
 fn root(x: f64) -> f64 {
     if x > 0.0 { x.sqrt() } else { 0.0 }
 }

@@ -1,4 +1,4 @@
-//! What the names mean where the book speaks of a body's mass: the same in every equation of a kind.
+//! The meanings of the names in equations about a body's mass; they are the same in every equation of a kind.
 
 use crate::number::Fraction;
 use crate::symbols::{Matrix, Vector, diagonal, symmetric, variables, vector};
@@ -24,8 +24,9 @@ fn with_entries(mut scope: Scope, stem: &str, m: &Matrix) -> Scope {
     scope
 }
 
-/// Any body: three points of any mass anywhere, which have every tensor that a body can have. Its momentum is
-/// the sum of `r x m (w x r)`, its energy that of `m (w x r)²/2`, its tensor the library's.
+/// Any body: three points with any masses at any places, which can have every tensor that a body can have.
+/// Its momentum is the sum of `r x m (w x r)`, its energy that of `m (w x r)²/2`, and its tensor is the
+/// library's.
 pub(super) fn body() -> Scope {
     of_points(&["r", "s", "t"].map(vector))
 }
@@ -69,7 +70,7 @@ pub(super) fn the_box() -> Scope {
 fn momentum(moments: &Vector, omega: &Vector) -> Value {
     let inverse = diagonal(&moments.map(|x| Fraction::one() / x));
     let spin_of = |l: &Vector| omega_world(&Matrix::identity(), &inverse, l);
-    // The law is linear: its columns are what it makes of each axis.
+    // The law is linear: its columns are its results for the axes.
     let unit = |i: usize| Vector::from_fn(|j, _| if i == j { Fraction::one() } else { Fraction::zero() });
     Value::Solution(
         Matrix::from_columns(&[spin_of(&unit(0)), spin_of(&unit(1)), spin_of(&unit(2))]),
@@ -87,8 +88,8 @@ pub(super) fn the_box_spun() -> Scope {
     scope.with(r"\mathbf{L}", momentum(&Cuboid::moments(&m, [&a, &b, &c]), &omega))
 }
 
-/// The example says each moment times 1, 1 and 0, the components of its spin: for those their names are put,
-/// so that what stands before them must be right also where that is 0.
+/// The example multiplies each moment by 1, 1 and 0, the components of its spin. Their names replace these
+/// numbers, so that the factors before them must be right even for the component that is 0.
 pub(super) fn for_any_spin(statement: &Statement) -> Result<Statement, String> {
     let mut general = statement.clone();
     let Some((_, side)) = general.others.first_mut() else { return Ok(general) };
@@ -165,7 +166,7 @@ pub(super) fn twice_the_energy() -> Scope {
     twice.into_iter().fold(body, |scope, it| scope.with(Scope::IT, it))
 }
 
-/// The sum that some books call the product of inertia: the entry of the library's matrix, with the other
+/// The sum that some books call the product of inertia: the entry of the library's matrix with the opposite
 /// sign.
 pub(super) fn product_without_minus() -> Scope {
     let body = body();

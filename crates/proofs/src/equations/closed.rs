@@ -1,5 +1,5 @@
-//! What the names mean where the book derives the exact motion: the motion whose spin and attitude are
-//! proven to obey Euler's equations and `q' = q w/2`, and the series, which are the library's own.
+//! The meanings of the names where the book derives the exact motion. The motion is the one whose spin and
+//! attitude are proven to satisfy Euler's equations and `q' = q w/2`; the series are the library's own.
 
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
 use crate::proofs::klein::{Change, Motion, motion};
@@ -9,17 +9,17 @@ use num_traits::{One, Zero};
 use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::laws::{ComplementaryPair, ComplementarySeries, DirectPair, DirectSeries};
 
-/// The constants of the motion and the spin, at any instant; nothing has a meaning if there is none.
+/// The constants of the motion and the spin, at any instant; without such a motion the names have no meaning.
 pub(super) fn at_any_time() -> Scope {
     at_an_instant(1, false)
 }
 
-/// The motion where across, middle and circled axis follow each other the other way.
+/// The motion for the other cyclic order of the across, middle and circled axes.
 pub(super) fn in_the_other_order() -> Scope {
     at_an_instant(-1, false)
 }
 
-/// The motion at the saddle, where the spin across vanishes.
+/// The motion at the saddle, where the spin along the across axis is zero.
 pub(super) fn at_the_saddle() -> Scope {
     at_an_instant(1, true)
 }
@@ -75,8 +75,8 @@ pub(crate) fn of_motion(motion: Motion, sense: i64, saddle: bool) -> Scope {
         .under(motion.relations)
 }
 
-/// Where the amplitude and the argument are too large, by a share and by an amount, the components are by the
-/// two errors.
+/// Where the amplitude has a relative error and the argument an absolute one, the components have both
+/// errors.
 fn with_errors(scope: Scope) -> Scope {
     let [mu, lambda, sn, cn, dn] = variables(["mu", "lambda", "sn", "cn", "dn"]);
     scope.with(r"\epsilon_M", &lambda + &mu * &cn * &dn / &sn).with_all([
@@ -225,7 +225,7 @@ pub(super) fn drift_at_the_saddle() -> Scope {
         .under(Relations::new(vec![circle, sense]).unwrap_or_default())
 }
 
-/// Flips: the argument at the start is the one that is zero at the time of a flip.
+/// Flips: at the time of a flip the argument is zero.
 pub(super) fn flips() -> Scope {
     let [count, quarter, eta, nu, t] = variables(["N", "K", "eta", "nu", "t"]);
     let two = Fraction::from(2);

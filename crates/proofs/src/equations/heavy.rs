@@ -1,4 +1,4 @@
-//! What the names mean where the book gives a top's motion under its weight in closed form.
+//! The meanings of the names where the book states a top's motion under its weight in closed form.
 
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
 use crate::symbols::{Vector, attitude, diagonal, square, variables, vector};
@@ -36,7 +36,7 @@ impl Complex {
         [(r"\alpha", &self.alpha), (r"\beta", &self.beta), (r"\omega", &self.omega)]
     }
 
-    /// How fast the angles grow.
+    /// The rates of the angles.
     fn angles(&self, rates: &Self) -> [Fraction; 3] {
         let angle = |(_, z): (&str, &[Fraction; 2]), (_, rate): (&str, &[Fraction; 2])| growth(z, rate);
         let [alpha, beta, omega] = self.all();
@@ -45,7 +45,7 @@ impl Complex {
     }
 }
 
-/// How fast the angle of a complex number grows.
+/// The rate of the angle of a complex number.
 fn growth([re, im]: &[Fraction; 2], rate: &[Fraction; 2]) -> Fraction {
     (re * &rate[1] - im * &rate[0]) / (re.pow(2) + im.pow(2))
 }
@@ -177,7 +177,8 @@ pub(super) fn any_height() -> Scope {
     scope.with(r"\dot{c}", Value::Root(square)).with("c", c)
 }
 
-/// The height in time, if the square of its rate is the cubic; nothing has a meaning if not.
+/// The height as a function of time, if the square of its rate is the cubic; otherwise the names have no
+/// meaning.
 pub(super) fn swinging() -> Scope {
     let Ok((scope, [l, n, e, _, eta], relations)) = roots() else { return Scope::default() };
     let [low, span, m, sn] = variables(["c1", "a", "m", "sn"]);

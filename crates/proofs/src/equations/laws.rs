@@ -1,4 +1,4 @@
-//! Laws as equations in TeX, and what the names of each mean.
+//! Laws as equations in TeX, and the meanings of the names of each.
 
 use super::bodies::{self, axis, body, planar, the_box, the_box_spun};
 use super::closed;
@@ -19,26 +19,27 @@ use tumbling::solid::{Cuboid, Shape};
 /// An equation, and what its names stand for.
 #[derive(Debug, Clone, Copy)]
 pub struct Law {
-    /// Its left side as written, by which it is found: laws with one left side are found in their order.
+    /// Its left side as written, by which the law is found; laws with the same left side are found in their
+    /// order.
     pub left: &'static str,
     /// What it is proven to be.
     pub says: &'static str,
-    /// The meanings of its names; in each it must hold.
+    /// The meanings of its names; the law must hold in each.
     pub cases: &'static [fn() -> Scope],
-    /// For a bound: meanings in which its two sides are equal, so that no weaker bound passes.
+    /// For a bound: meanings in which its two sides are equal, so that a weaker bound fails.
     pub attained: &'static [fn() -> Scope],
-    /// For an example: what it says in general, or why it is none of that.
+    /// For an example: the general law, or the reason why there is none.
     pub in_general: fn(&Statement) -> Result<Statement, String>,
-    /// For an example with numbers: the values of its variables there. Without any, no number is passed.
+    /// For an example with numbers: the values of its variables. Without values, numbers are refused.
     pub example: &'static [(&'static str, i64)],
-    /// Whether its names mean formulas that are written here a second time, put into the library's laws where
-    /// there is such a law.
+    /// Whether its names mean formulas that are written here a second time; they are then substituted into
+    /// the library's laws, where there are such laws.
     pub again: bool,
-    /// Whether it is a bare expression, the sentence around it saying what it is; then `left` is all of it.
+    /// Whether it is a bare expression, with its meaning in the sentence around it; then `left` is all of it.
     pub bare: bool,
 }
 
-/// What names mean, worked out once: the closed form takes a while.
+/// The meanings of names, computed once: those of the closed form take a while.
 fn known(case: fn() -> Scope) -> Scope {
     static KNOWN: Mutex<BTreeMap<usize, Scope>> = Mutex::new(BTreeMap::new());
     let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
@@ -86,12 +87,12 @@ impl Law {
     }
 }
 
-/// What claims nothing about the library, or of which a proof holds what the reason says.
+/// A statement that claims nothing about the library, or for which a proof shows what the reason says.
 #[derive(Debug, Clone, Copy)]
 pub struct Exemption {
     /// All of it, as written.
     pub tex: &'static str,
-    /// Why it is no claim, or what the proof says of it.
+    /// The reason why it is no claim, or what the proof shows about it.
     pub reason: &'static str,
     /// The name of the proof that must hold, if there is one.
     pub proof: Option<&'static str>,

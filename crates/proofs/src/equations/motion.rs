@@ -1,4 +1,4 @@
-//! What the names mean where the book speaks of motion.
+//! The meanings of the names where the book treats motion.
 
 use crate::number::{Derivation, Fraction};
 use crate::proofs::conserved;
@@ -153,7 +153,7 @@ fn wobble_of([about, first, second]: [usize; 3]) -> Scope {
     Scope::default().with(r"\lambda", Value::Root(square)).positive(["omega", "I1", "a", "b"])
 }
 
-/// Where it neither swings nor grows: the bound of both.
+/// Where it neither oscillates nor grows: the limit between both.
 pub(super) fn equal_moments() -> Scope {
     let [omega, moment, other] = variables(["omega", "I", "J"]);
     Scope::default().with(r"\lambda", Value::Root(rate_squared(&omega, &moment, &moment, &other)))
@@ -171,7 +171,7 @@ pub(super) mod grows {
     pub(in super::super) const BOTH: &[fn() -> Scope] = &[|| wobble_of([1, 0, 2]), || wobble_of([1, 2, 0])];
 }
 
-/// Pitfall 1: the rate that the wrong engine carries.
+/// Pitfall 1: the rate of the vector that the wrong engine stores.
 pub(super) fn frozen() -> Scope {
     let (tensor, omega) = (symmetric("I"), vector("omega"));
     let attitude = quaternion(Fraction::one(), &Vector::zeros());
@@ -182,7 +182,7 @@ pub(super) fn frozen() -> Scope {
         .with(r"\dot{\boldsymbol{\omega}}", rate)
 }
 
-/// Pitfall 2: the spin that the wrong engine reads, with the mean of the three moments.
+/// Pitfall 2: the spin that the wrong engine computes, with the mean of the three moments.
 pub(super) fn momentum_for_spin() -> Scope {
     let (moments, momentum) = (vector("I"), vector("L"));
     let (q, _) = crate::symbols::attitude();
@@ -226,7 +226,8 @@ pub(crate) fn slant() -> Scope {
     scope.with_all([(r"\tan(\theta)", slope), (r"\tan(\text{gap})", tangent)])
 }
 
-/// Where the gap between two axes is widest, and how wide: moments `a` and `b`, the larger `b`.
+/// The direction between two axes with the largest gap, and this gap; the moments are `a` and `b`, with `b`
+/// the larger.
 pub(super) fn summit() -> Scope {
     let [a, b, tangent] = gap_at(&Fraction::variable("t"));
     // Its derivative vanishes where c0 + c2 t² does.
@@ -285,7 +286,7 @@ pub(super) fn carried_round() -> Scope {
         .under(unit)
 }
 
-/// The slope of the momentum over that of the spin.
+/// The slope of the momentum divided by the slope of the spin.
 pub(super) fn slopes() -> Scope {
     let [a, b, slope] = variables(["a", "b", "t"]);
     let inverse = inverse_diagonal(&Vector::new(a.clone(), b.clone(), Fraction::one()));
@@ -314,7 +315,7 @@ pub(crate) fn in_order() -> Scope {
     Scope::default().with("a", a).with("b", b).with_each("I", &moments)
 }
 
-/// An arrow fixed in the room, seen from a frame that spins anyhow.
+/// An arrow at rest in the world, seen from a frame with any spin.
 pub(super) fn seen_from_the_body() -> Scope {
     let (inverse, arrow) = (crate::symbols::symmetric("J"), vector("L"));
     let rate = tumbling::laws::momentum_rate(&inverse, &arrow, &Vector::zeros());
@@ -341,7 +342,7 @@ pub(super) fn linearised() -> Scope {
         .with_all([(r"\dot{\omega}_b", rate.z.clone()), (r"\ddot{\omega}_a", again)])
 }
 
-/// What is kept, by the components of the spin along principal axes.
+/// The conserved quantities, in the components of the spin along principal axes.
 pub(super) fn conserved() -> Scope {
     let (moments, omega) = (vector("I"), vector("omega"));
     let momentum = diagonal(&moments) * &omega;

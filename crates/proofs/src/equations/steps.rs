@@ -1,4 +1,4 @@
-//! What the names mean where the book speaks of steps through time.
+//! The meanings of the names where the book treats steps through time.
 
 use crate::number::{Fraction, Relations, Series};
 use crate::proofs::methods::cases;
@@ -51,8 +51,8 @@ pub(super) mod explicit {
     }
 }
 
-/// A turn of the body about one of its axes, its momentum staying in the room: `j` and `k` are the two axes
-/// after it.
+/// A turn of the body about one of its axes, at constant momentum in the world; `j` and `k` are the next two
+/// axes.
 pub(super) mod turn {
     use super::*;
 
@@ -84,8 +84,8 @@ pub(super) fn angle() -> Scope {
         .with(Scope::IT, h * &omega.x)
 }
 
-/// A step by the rate at the mean of both ends, and a torque that is constant in it: start and end by the
-/// mean.
+/// A step with the rate at the mean of start and end, and a torque that is constant during the step; start
+/// and end are written by their mean.
 pub(super) fn midpoint() -> Scope {
     let (moments, mean, torque) = (vector("I"), vector("M"), vector("tau"));
     let (inverse, h) = (inverse_diagonal(&moments), Fraction::variable("h"));
@@ -122,7 +122,7 @@ pub(super) fn discrete() -> Scope {
         .under(unit)
 }
 
-/// The matrix of implicit Euler's one Newton step: the tensor less the step times the derivative of the
+/// The matrix of the one Newton step of implicit Euler: the tensor minus the step times the derivative of the
 /// gyroscopic term.
 pub(super) fn newton() -> Scope {
     let (moments, omega, change) = (vector("I"), vector("omega"), vector("delta"));

@@ -1,4 +1,4 @@
-//! What the names mean where the book gives a motion in closed form.
+//! The meanings of the names where the book states a motion in closed form.
 
 use crate::number::{Derivation, Fraction, Relations};
 use crate::proofs::klein::{Change, momentum, motion};
@@ -24,7 +24,8 @@ pub(super) fn coin() -> Scope {
         .with(r"\mathbf{e}", axis)
 }
 
-/// Its spin in time, if the library's equations hold along it; nothing has a meaning if not.
+/// Its spin as a function of time, if it satisfies the library's equations; otherwise the names have no
+/// meaning.
 pub(super) fn coin_in_time() -> Scope {
     let [i1, i3, amplitude, w3, cos, sin] = variables(["I1", "I3", "a", "omega3", "cos", "sin"]);
     let rate = (&i3 - &i1) * &w3 / &i1;
@@ -40,14 +41,14 @@ pub(super) fn coin_in_time() -> Scope {
         .under(Relations::circle("cos", "sin"))
 }
 
-/// A top whose axis goes round the vertical at a rate `Omega` and a constant lean: the weight is what its
-/// momentum's rate requires.
+/// A top whose axis turns about the vertical at a rate `Omega` with a constant lean; the weight follows from
+/// the rate of its momentum.
 pub(super) fn steady_top() -> Scope {
     let [spin, sin, cos] = variables(["omega3", "sin", "cos"]);
     precessing(spin, sin, cos)
 }
 
-/// That top nearly upright, where the two rates that one spin allows are one.
+/// This top nearly upright, where the two possible rates for one spin are equal.
 pub(super) fn sleeping_top() -> Scope {
     let [i1, i3, rate, sin] = variables(["I1", "I3", "Omega", "sin"]);
     precessing(&i1 * &rate * Fraction::from(2_i64) / &i3, sin, Fraction::one())
@@ -76,8 +77,8 @@ fn required_torque(spin: &Fraction, sin: &Fraction, cos: &Fraction) -> Fraction 
     (up.cross(&momentum) * rate).y.clone()
 }
 
-/// A small nod about a steady precession: its second rate by the lean, where the momentum about the vertical
-/// and that about the axis are constant; nothing has a meaning if the former is not.
+/// A small nutation about a steady precession: its second rate as a function of the lean, at constant
+/// momentum about the vertical and about the axis; without meaning if the former is not constant.
 pub(super) fn nodding() -> Scope {
     let [i1, i3, rate, spin] = variables(["I1", "I3", "Omega", "omega3"]);
     let [sin, cos, pull] = variables(["sin", "cos", "Wh"]);
@@ -107,8 +108,8 @@ pub(super) fn jacobi() -> Scope {
     })
 }
 
-/// The motion, its circled axis the third, if the library's equations hold along it; nothing has a meaning if
-/// not. Worked out once.
+/// The motion, with the third axis as its circled axis, if it satisfies the library's equations; otherwise
+/// without meaning. Computed once.
 pub(super) fn jacobi_motion() -> Scope {
     let (Ok(_), Ok(motion)) = (momentum(1, Change::None), motion(1, Change::None)) else {
         return Scope::default();

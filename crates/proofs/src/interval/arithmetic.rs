@@ -1,8 +1,8 @@
 //! Sums, products and quotients, each end rounded outward.
 //!
-//! A float's operation rounds to the nearest; which side the exact result lies on, its error says, which is a
-//! float itself (two-sum; a fused product) where nothing underflows. Where that is not certain, the next
-//! float is taken on either side.
+//! A float operation rounds to nearest. Its error, which is itself a float (two-sum; a fused product) unless
+//! something underflows, shows on which side the exact result lies. Where this is not certain, the next float
+//! on either side is used.
 
 use super::Interval;
 use num_traits::{One, Zero};

@@ -6,9 +6,9 @@ use num_traits::One;
 
 /// Carlson's integral of the first kind, of three numbers of which one at most is zero.
 ///
-/// Each number replaced by the mean of itself and `sqrt(xy) + sqrt(yz) + sqrt(zx)`, over four, the integral
-/// stays and the three come together; it lies between the inverse roots of the largest and the smallest.
-/// Source: [Car95](tumbling::references).
+/// If each number is replaced by the mean of itself and `sqrt(xy) + sqrt(yz) + sqrt(zx)`, divided by four,
+/// the integral is unchanged and the three numbers approach each other. The integral lies between the inverse
+/// roots of the largest and the smallest. Source: [Car95](tumbling::references).
 ///
 /// ```
 /// use tumbling_proofs::{Interval, given, interval::elliptic::carlson_first};

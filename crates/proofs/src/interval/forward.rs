@@ -1,13 +1,12 @@
-//! How far the library's free motion, computed with floats, is from the exact one at most, for all floats in
-//! a box.
+//! Bounds on the error of the library's free motion computed with floats, for all floats in a box.
 //!
-//! The closed form runs on numbers that pass their rounding errors on, over boxes of moments, spins and times
-//! at once. What it rests on: where the motion is prepared, the library's exponential, that less 1, sine,
-//! cosine, arctangent and length of two numbers are right to a unit in the last place, which tests sample;
-//! and the rests of the series. Those of the theta sums, and of exponential, sine and cosine at an instant,
-//! are argued next to each in the library's code and compared with sums of many more terms, at samples in
-//! exact fractions (`tests/proofs/rests.rs`). Those of the mean and of Carlson's series are argued
-//! there alone. All else follows from IEEE 754.
+//! The closed form runs on numbers that propagate their rounding errors, over boxes of moments, spins and
+//! times at once. The bounds assume two things. First, in the preparation of the motion, the library's
+//! exponential, `exp(x) - 1`, sine, cosine, arctangent and length of two numbers are right to a unit in the
+//! last place, which tests sample. Second, the remainders of the series are as stated. For the theta sums,
+//! and for exponential, sine and cosine at an instant, they are argued next to each in the library's code and
+//! compared with sums of many more terms, at samples in exact fractions (`tests/proofs/rests.rs`). For the
+//! mean and for Carlson's series they are only argued. Everything else follows from IEEE 754.
 
 use super::Interval;
 use super::motion::{self, Open};
@@ -19,8 +18,8 @@ use num_traits::Zero;
 use tumbling::exact;
 use tumbling::laws::ClosedForm;
 
-/// How much the computed spin (rad/s) and the computed attitude (radians) are off at most, for all floats in
-/// these intervals of moments (kg m²), spin (rad/s) and time (s): infinite where nothing is found.
+/// Bounds on the errors of the computed spin (rad/s) and the computed attitude (radians), for all floats in
+/// these intervals of moments (kg m²), spin (rad/s) and time (s); infinite where no bound is found.
 ///
 /// ```
 /// use tumbling_proofs::interval::{forward, motion::of_floats};
@@ -54,12 +53,12 @@ pub fn bound(moments: &Vector3<Interval>, omega: &Vector3<Interval>, t: Interval
     Ok(most)
 }
 
-/// By which share of itself each number may differ in [`table`], by its rows: in much wider boxes too many
-/// of the code's comparisons stay open.
+/// The relative half widths of the boxes in [`table`], by its rows: in much wider boxes too many of the
+/// code's comparisons are undecided.
 pub const SHARES: [f64; 5] = [1e-10, 1e-10, 1e-11, 1e-10, 1e-12];
 
-/// [`bound`] for all bodies and spins that differ from these by `share` at most in each number, at all times
-/// from 0 to `flips` times the time between flips of the body given.
+/// [`bound`] for all bodies and spins that differ from the given ones by at most `share` in each number
+/// (relative), at all times from 0 to `flips` times the time between flips of the given body.
 ///
 /// # Errors
 /// As [`bound`].
@@ -70,9 +69,9 @@ pub fn bound_of_all(moments: [f64; 3], omega: [f64; 3], share: f64, flips: f64) 
     bound(&around(moments), &around(omega), Interval { low: 0.0, high: late })
 }
 
-/// A row of the book's table for each body but that next to the separatrix: its share, and the bounds of the
-/// spin, for its largest component at the start, and of the attitude until one flip and until a billion;
-/// rounded up.
+/// The rows of the book's table, one for each body except the one next to the separatrix: the relative half
+/// width, the bound on the spin, divided by its largest component at the start, and the bounds on the
+/// attitude up to one flip and up to a billion; rounded up.
 ///
 /// # Errors
 /// As [`bound`].
@@ -94,9 +93,9 @@ pub fn table() -> Result<Vec<String>, Open> {
 /// Of each of [`motion::BODIES`] moments and spin, four times, and spin and attitude then, to 40 digits.
 const TRUTHS: &str = include_str!("../../../../tests/data/late.json");
 
-/// A row of the book's table for each body of [`table`]: how far the library's spin is from 40 digits, for
-/// its largest component at the start and at the worst of four times, and its attitude, in radians, after
-/// one flip and after a billion. None where there are no such digits.
+/// The rows of the book's table, one for each body of [`table`]: the difference of the library's spin from 40
+/// digits, divided by its largest component at the start, at the worst of four times; and of its attitude, in
+/// radians, after one flip and after a billion. `None` where these digits are missing.
 #[must_use]
 pub fn measured() -> Option<Vec<String>> {
     let numbers: Vec<_> = TRUTHS.split('"').filter(|text| text.parse::<f64>().is_ok()).collect();

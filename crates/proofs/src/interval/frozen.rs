@@ -1,4 +1,4 @@
-//! The energy that an engine shows whose tensor never turns, enclosed.
+//! The energy of an engine whose tensor never turns, as a measurement shows it, enclosed.
 //!
 //! Its spin obeys Euler's equations in the world, and the closed form encloses it. The attitude follows the
 //! spin, and here is turned through each short part of the time, `h`, by `h w` with the spin `w` at the
@@ -29,8 +29,8 @@ fn bounds(moments: &Vector3<Interval>, omega: &Vector3<Interval>) -> [Interval; 
     [spin, rate, whole(2).sqrt() * factor * spin * rate]
 }
 
-/// The least and the greatest energy at this number of `instants`, `apart` seconds from each other, relative
-/// to the energy at the start; for the principal moments (kg m²) and the spin (rad/s) along their axes. None
+/// The smallest and the largest energy at `instants` instants, `apart` seconds from each other, relative to
+/// the energy at the start, for the principal moments (kg m²) and the spin (rad/s) along their axes. `None`
 /// where the closed form encloses no motion.
 ///
 /// ```

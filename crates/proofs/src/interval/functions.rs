@@ -4,7 +4,7 @@ use super::arithmetic::root;
 use super::{Interval, whole};
 use num_traits::{One, Zero};
 
-/// The number of terms of each series; its rest is bounded by the next one.
+/// The number of terms of each series; the next term bounds its remainder.
 const TERMS: i32 = 24;
 
 /// The sum of `sign^n x^(2n+1) / (2n+1)`: the arctangent, or with a positive sign its hyperbolic sister, for
@@ -27,7 +27,7 @@ fn logarithm_of_2() -> Interval {
 }
 
 impl Interval {
-    /// The square root; all numbers where it may not have one.
+    /// The square root; all numbers if it may not exist.
     #[must_use]
     pub fn sqrt(self) -> Self {
         if self.low < 0.0 || self.low.is_nan() {
@@ -142,7 +142,7 @@ impl Interval {
         (self.rising(|x| both(x).0), self.rising(|x| both(x).1))
     }
 
-    /// The natural logarithm; all numbers where it may have none.
+    /// The natural logarithm; all numbers if it may not exist.
     #[must_use]
     pub fn ln(self) -> Self {
         if self.low <= 0.0 || self.high.is_infinite() {

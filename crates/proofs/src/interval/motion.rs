@@ -1,7 +1,7 @@
 //! The free motion of a body, enclosed: the library's own closed form, run on intervals.
 //!
-//! All of it, from moments and spin to spin and attitude, is the code that runs on floats
-//! ([`ClosedForm`]), with the sums' rests taken in.
+//! All of it, from moments and spin to spin and attitude, is the code that runs on floats ([`ClosedForm`]),
+//! with bounds on the remainders of the sums added.
 
 use super::real::Enclosed;
 use super::{Interval, whole};
@@ -18,12 +18,12 @@ pub struct FreeMotion {
     starts_at_a_flip: bool,
 }
 
-/// Why a motion is not enclosed: the intervals leave open of which kind it is.
+/// The reason why a motion is not enclosed: the intervals do not determine its kind.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Open {
-    /// Which moment is the middle one, or whether two are the same.
+    /// It is undecided which moment is the middle one, or whether two are equal.
     Moments,
-    /// Which end the spin circles, or whether the motion is steady.
+    /// It is undecided which axis the spin circles, or whether the motion is steady.
     Spin,
 }
 
@@ -38,7 +38,7 @@ impl fmt::Display for Open {
 
 impl std::error::Error for Open {}
 
-/// In more than this part of a half period the series are not known to hold.
+/// If the phase is wider than this fraction of a half period, the series are not known to hold.
 const WIDEST: f64 = 0.25;
 
 /// An instant: the spin in body axes, rad/s, and the turn since the start, from body to world.
@@ -74,7 +74,7 @@ impl FreeMotion {
         Ok(Self { moments: *moments, motion: motion.ok_or(Open::Spin)?, starts_at_a_flip })
     }
 
-    /// The spin at a time (s), rad/s; all numbers where nothing is known of it.
+    /// The spin at a time (s), rad/s; all numbers if nothing is known of it.
     #[must_use]
     pub fn omega(&self, t: Interval) -> Vector3<Interval> {
         self.at(t).0
@@ -86,10 +86,10 @@ impl FreeMotion {
         self.moments.component_mul(&self.omega(t))
     }
 
-    /// The spin in body axes (rad/s) and the attitude, from body to world and up to its sign, at a time (s),
-    /// where the world is taken along the body's axes at time 0. All numbers where nothing is known of them:
-    /// where the intervals leave the phase open by more than a quarter of the time between flips, however
-    /// short the parts that the time is cut into.
+    /// The spin in body axes (rad/s) and the attitude, from body to world and up to its sign, at a time (s);
+    /// the world axes are the body's axes at time 0. Both are all numbers if nothing is known of them. This
+    /// happens if, however short the parts into which the time is divided, the phase is wider than a quarter
+    /// of the time between flips.
     ///
     /// ```
     /// use nalgebra::Vector3;
@@ -118,7 +118,7 @@ impl FreeMotion {
         (spin.zip_map(&later, Interval::hull), turn.coords.zip_map(&turned.coords, Interval::hull).into())
     }
 
-    /// The half periods from the flip nearest to the start until a time, s.
+    /// The number of half periods from the flip nearest to the start until a time, s.
     fn half_periods(&self, t: Interval) -> Interval {
         self.motion.half_periods(Enclosed(t)).0
     }
@@ -129,8 +129,9 @@ impl FreeMotion {
         self.motion.half_period().0
     }
 
-    /// The time of a flip after the start, counted from 0, s: where the spin along the middle axis is zero. A
-    /// start at a flip is none of them. All numbers where it is open whether one has passed.
+    /// The time of the flip with this number after the start, counted from 0, s: there the spin along the
+    /// middle axis is zero. A flip exactly at the start does not count. All numbers if it is undecided
+    /// whether a flip has passed.
     #[must_use]
     pub fn flip(&self, number: u32) -> Interval {
         let (zero, start) = (Interval::zero(), self.half_periods(Interval::zero()));
@@ -142,7 +143,7 @@ impl FreeMotion {
         (first + whole(number)) * self.between_flips()
     }
 
-    /// The number of flips from the start to this time, s, if that is certain: as an interval of one number.
+    /// The number of flips from the start to this time, s, as an interval of one number, if it is certain.
     #[must_use]
     pub fn flips_until(&self, end: Interval) -> Interval {
         let mut count = 0;
@@ -181,7 +182,7 @@ pub fn of_floats(moments: [f64; 3], omega: [f64; 3], flips: f64) -> Result<(Free
     Ok((motion, late))
 }
 
-/// How wide spin, for its size, and attitude are enclosed at that time.
+/// The widths of the enclosures at that time: of the spin relative to its size, and of the attitude.
 ///
 /// # Errors
 /// As [`FreeMotion::new`].

@@ -1,4 +1,4 @@
-//! All ways through a computation whose comparisons are open.
+//! All paths through a computation with undecided comparisons.
 //!
 //! Where the numbers of a box leave open how a comparison comes out, or which integer is the nearest, the
 //! computation takes one answer, and is run again with the others, until no open question is left. A result

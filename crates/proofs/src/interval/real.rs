@@ -96,7 +96,7 @@ impl Enclosed {
     }
 }
 
-/// What is the same in all lanes of one number that lies between bounds.
+/// The value that is the same in all lanes, of one number between bounds.
 macro_rules! one_lane {
     ($exact:ident) => {
         type Mask = bool;

@@ -1,4 +1,4 @@
-//! How far a computation with floats can be from exact arithmetic, for all floats in a box.
+//! Bounds on the difference between a computation with floats and exact arithmetic, for all floats in a box.
 //!
 //! A [`Rounded`] number holds two intervals: in the first lies what is computed, in the second how much more
 //! that is than the same formula gives without rounding. Each operation passes both on and adds its own
@@ -18,13 +18,13 @@ use tumbling::number::{Lane, Series};
 /// What is computed, and how much more that is than without rounding.
 #[derive(Debug, Clone, Copy)]
 pub struct Rounded {
-    /// What is computed.
+    /// The computed value.
     pub at: Interval,
-    /// How much more.
+    /// The computed value minus the exact one.
     pub off: Interval,
 }
 
-/// In how many parts a turn is looked at whose phase is open.
+/// The number of parts into which a turn with undecided phase is divided.
 const PARTS: f64 = 16.0;
 
 /// The smallest float.
@@ -51,17 +51,17 @@ fn units(x: Interval, number: f64) -> Interval {
 field!(Rounded, exact);
 
 impl Rounded {
-    /// Floats of this interval, as the exact numbers that they are.
+    /// Floats in this interval; as inputs they are exact.
     pub fn given(at: Interval) -> Self {
         Self { at, off: Interval::zero() }
     }
 
-    /// What comes out without rounding.
+    /// The value without rounding.
     fn truth(self) -> Interval {
         self.at - self.off
     }
 
-    /// All numbers that are computed, come out without rounding, or lie between such.
+    /// All numbers that are computed values, exact values, or between the two.
     fn both(self) -> Interval {
         self.at.hull(self.truth())
     }
@@ -84,7 +84,7 @@ impl Rounded {
         Self { off: found.off + Interval { low: -TINY, high: TINY }, ..found }
     }
 
-    /// From a function that is right to a unit in the last place.
+    /// The result of a function that is right to a unit in the last place.
     fn function(at: Interval, off: Interval) -> Self {
         let unit = units(at, 1.0);
         Self { at: at + unit, off: off + unit }
@@ -124,19 +124,19 @@ impl Rounded {
         self.at.is_zero()
     }
 
-    /// Its sign if that is certain, computed and without rounding.
+    /// Its sign if that is certain for both the computed and the exact value.
     fn one_sign(self) -> Option<f64> {
         let both = self.both();
         if both.low >= 0.0 { Some(1.0) } else { (both.high <= 0.0).then_some(-1.0) }
     }
 
-    /// Nothing is known.
+    /// A number about which nothing is known.
     fn open() -> Self {
         Self { at: Interval::ALL, off: Interval::ALL }
     }
 }
 
-/// Where it is open which is larger, either.
+/// If it is undecided which is larger, either.
 impl PartialOrd for Rounded {
     fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
         self.at.partial_cmp(&other.at).or_else(|| Some([Ordering::Less, Ordering::Greater][choose(2)]))

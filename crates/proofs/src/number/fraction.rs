@@ -13,11 +13,11 @@ use tumbling::number::Field;
 
 /// A quotient of two polynomials, a rational function. Equality is decided, by cross multiplication.
 ///
-/// Division by zero gives the *undefined* fraction, which spreads to all that is computed from it and, as
-/// a float's NaN, equals nothing, not even itself.
+/// Division by zero gives the *undefined* fraction. Everything computed from it is undefined too, and like a
+/// float's NaN it equals nothing, not even itself.
 ///
-/// Powers of variables are cancelled, and the denominator where it divides the numerator or is divided by
-/// it; other common factors may stay, which changes how it prints but not what it equals.
+/// Powers of variables are cancelled, and so is the denominator where it divides the numerator or is divided
+/// by it. Other common factors may remain, which changes the printed form but not equality.
 ///
 /// ```
 /// use tumbling_proofs::Fraction;
@@ -88,7 +88,7 @@ impl Fraction {
         &self.denominator
     }
 
-    /// Whether a division by zero stands behind it.
+    /// Whether it is the result of a division by zero.
     #[must_use]
     pub fn is_undefined(&self) -> bool {
         self.denominator.is_zero()
@@ -208,7 +208,7 @@ impl Fraction {
         if self.denominator.is_one() && other.denominator.is_one() {
             return (&self.numerator * &other.numerator).into();
         }
-        // Cancelled crosswise first: what was in lowest terms stays so, without large products.
+        // Cancelled crosswise first: fractions in lowest terms stay so, and products stay small.
         let left = Self::new(self.numerator.clone(), other.denominator.clone());
         let right = Self::new(other.numerator.clone(), self.denominator.clone());
         Self::new(left.numerator * right.numerator, left.denominator * right.denominator)

@@ -1,7 +1,7 @@
-//! Square root, sine, cosine and exponential of power series with exact coefficients: what steppers ask for.
+//! Square root, sine, cosine and exponential of power series with exact coefficients, for steppers.
 //!
-//! Each follows from a differential equation that settles one power after another, and is exact. Where the
-//! first coefficient has no exact value (the sine of 1) the result is undefined, never rounded.
+//! Each follows from a differential equation that determines one power after another, and is exact. If the
+//! first coefficient has no exact value (the sine of 1), the result is undefined, never rounded.
 
 use super::{Fraction, Rational, Series};
 use num_traits::{One, Zero};
@@ -19,8 +19,8 @@ impl Rooted for Rational {
     }
 }
 
-/// A number that has no root in fractions has a variable for it, `root(3)`: what is claimed of it holds
-/// under the relation `root(3)^2 = 3`.
+/// A number without a root in fractions gets a variable for it, `root(3)`: statements about it hold under the
+/// relation `root(3)^2 = 3`.
 impl Rooted for Fraction {
     fn square_root(&self) -> Option<Self> {
         let value = Rational::from(self.as_constant()?);

@@ -1,4 +1,4 @@
-//! Spares each number type the many ways of writing an operation: all follow from one function.
+//! Macros that implement all forms of an operator of a number type from one function.
 
 /// Implements an operator for values and references, and its assigning form, by `fn(&Self, &Self) -> Self`.
 macro_rules! operator {

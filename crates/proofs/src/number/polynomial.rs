@@ -13,9 +13,9 @@ use std::fmt;
 
 /// A polynomial in any number of named variables, with exact rational coefficients.
 ///
-/// Kept expanded, like terms gathered, no coefficient zero: two polynomials are the same function
-/// exactly when they are the same value. So whether an identity holds for all values of its variables is
-/// not argued but computed.
+/// Polynomials are expanded, with like terms collected and no zero coefficient: two of them are the same
+/// function exactly if they are equal values. So whether an identity holds for all values of its variables is
+/// computed.
 ///
 /// ```
 /// use tumbling_proofs::Polynomial;
@@ -121,8 +121,8 @@ impl Polynomial {
         parts
     }
 
-    /// The sign that all its coefficients share: `Some(1)` or `Some(-1)`, `None` if they differ or there
-    /// are none. Then that is its sign wherever all its variables are positive.
+    /// The common sign of all its coefficients: `Some(1)` or `Some(-1)`; `None` if they differ or there are
+    /// none. This is its sign wherever all its variables are positive.
     ///
     /// ```
     /// use tumbling_proofs::Polynomial;
@@ -185,8 +185,8 @@ impl Polynomial {
         all.fold(first, |common, monomial| common.gcd(monomial))
     }
 
-    /// The positive or negative number that, taken out, leaves whole coefficients without a common
-    /// factor, the first of them positive; 1 for zero.
+    /// The rational number by which to divide so that the coefficients are whole, without a common factor,
+    /// and the first of them positive; 1 for zero.
     #[must_use]
     pub fn content(&self) -> BigRational {
         let numerators = self.terms.values().fold(BigInt::zero(), |all, c| all.gcd(c.numer()));
@@ -246,7 +246,8 @@ impl Polynomial {
         self.terms.values().fold(BigInt::one(), |below, c| below.lcm(c.denom()))
     }
 
-    /// In whole numbers, since to reduce the fraction of each product of two terms takes most of the time.
+    /// In whole numbers, because reducing the fraction of each product of two terms would take most of the
+    /// time.
     fn product(&self, other: &Self) -> Self {
         let [(a, below), (b, others_below)] = [self, other].map(|p| {
             let below = p.denominator();
@@ -277,7 +278,7 @@ constants!(Polynomial: |p| p.is_empty(), |p| {
 });
 
 impl fmt::Display for Polynomial {
-    /// The largest terms first, leaving out a 1 that goes without saying.
+    /// The largest terms first, without coefficients and powers of 1.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut text = String::new();
         for (monomial, coefficient) in self.terms() {

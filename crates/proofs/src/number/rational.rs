@@ -6,10 +6,10 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::fmt;
 
-/// An exact fraction of two whole numbers, as large as they need to be: nothing rounds or overflows.
+/// An exact fraction of two whole numbers of any size: nothing rounds or overflows.
 ///
-/// A quotient by zero is *undefined*, and so is all that is computed from it. As with a float's NaN,
-/// undefined equals nothing, not even itself; so no equality that is found can rest on a division by zero.
+/// A quotient by zero is *undefined*, and so is everything computed from it. Like a float's NaN, it equals
+/// nothing, not even itself; so no equality can rest on a division by zero.
 ///
 /// ```
 /// use tumbling_proofs::Rational;
@@ -83,7 +83,7 @@ impl Rational {
         Self::of_decimal(plain.trim_end_matches('.')).unwrap_or(Self(None))
     }
 
-    /// Whether a division by zero stands behind it.
+    /// Whether it is the result of a division by zero.
     #[must_use]
     pub fn is_undefined(&self) -> bool {
         self.0.is_none()

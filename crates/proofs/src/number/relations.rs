@@ -6,10 +6,10 @@ use super::symbol::Symbol;
 use num_traits::{One, Zero};
 use std::fmt;
 
-/// Rules of the kind `c^2 = 1 - s^2`, under which more expressions are equal than before.
+/// Rules such as `c^2 = 1 - s^2`, under which more expressions are equal.
 ///
-/// Reducing a polynomial leaves each `c` with a power of 0 or 1. No rule's right side holds its own
-/// symbol or that of an earlier rule, so reduction ends, and what it leaves is unique: two polynomials
+/// A reduced polynomial contains each `c` only with power 0 or 1. The right side of a rule contains neither
+/// its own symbol nor that of an earlier rule, so reduction ends and its result is unique: two polynomials
 /// are equal under the rules exactly if they reduce to the same.
 ///
 /// ```
@@ -89,7 +89,7 @@ impl Relations {
         Self { squares: vec![cn, ("dn".into(), Polynomial::one() - m * square)] }
     }
 
-    /// What is left of `p` under the rules; zero exactly if the rules make it zero.
+    /// The reduced form of `p`; zero exactly if the rules make `p` zero.
     #[must_use]
     pub fn reduce(&self, p: &Polynomial) -> Polynomial {
         let mut reduced = p.clone();

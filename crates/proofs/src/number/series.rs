@@ -8,12 +8,12 @@ use tumbling::number::Field;
 
 /// A power series `a0 + a1 h + a2 h^2 + ...` over any field, known up to some power of `h`.
 ///
-/// What is known of a result is what its parts settle: the sum of a series known to `h^2` and one known to
-/// `h^5` is known to `h^2`. Plain numbers, which have no `h` in them, are known to every power.
-/// Two series are equal if they agree in all powers to which both are known.
+/// A result is known as far as its operands determine it: the sum of a series known to `h^2` and one known to
+/// `h^5` is known to `h^2`. Plain numbers, which do not contain `h`, are known to every power. Two series are
+/// equal if they agree in all powers to which both are known.
 ///
-/// A quotient needs a divisor with `a0` not zero; by any other it is *undefined*: known to no power at
-/// all, and, as a float's NaN, equal to nothing, not even itself.
+/// A quotient needs a divisor with `a0` not zero. By any other divisor it is *undefined*: it is known to no
+/// power and, like a float's NaN, equals nothing, not even itself.
 ///
 /// ```
 /// use tumbling_proofs::{Rational, Series};
@@ -150,7 +150,7 @@ impl<T: Field> Series<T> {
         let count = match known {
             Some(known) => known,
             None if plain => self.coefficients.len(),
-            // Exact over exact would have no last power: nothing says where to stop.
+            // The quotient of two exact series has no last power: nothing determines where to stop.
             None => return undefined,
         };
         let mut coefficients: Vec<T> = Vec::with_capacity(count);

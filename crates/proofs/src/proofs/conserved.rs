@@ -1,4 +1,4 @@
-//! What stays while a body tumbles, and what does not.
+//! What is conserved while a body tumbles, and what is not.
 
 use crate::equations::rates;
 use crate::number::{Derivation, Fraction};

@@ -1,4 +1,4 @@
-//! The engines, right and wrong: which laws of motion each keeps, and what is left over of those it breaks.
+//! The engines, right and wrong: which laws of motion each obeys, and the residue of each law that it breaks.
 
 use crate::number::{Derivation, Fraction, Relations};
 use crate::proof::{Outcome, Residue, same_entries_under, vanishes};
@@ -15,20 +15,20 @@ use tumbling::step::Engine;
 /// A law that the motion of a free body obeys, and that an engine may break.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Kept {
-    /// The momentum that the body's mass truly has, `R I R^T w`, is constant.
+    /// The true momentum of the body's mass, `R I R^T w`, is constant.
     Momentum,
-    /// Its length is.
+    /// Its length is constant.
     LengthOfMomentum,
-    /// The energy that the body truly has, half of `w . R I R^T w`, is constant.
+    /// The true energy of the body, half of `w . R I R^T w`, is constant.
     Energy,
     /// Euler's equations: `I w' = (I w) x w` in the body.
     Euler,
-    /// What the engine carries, if it is meant as momentum, is the momentum that the body truly has.
+    /// If the engine's state vector is meant as momentum, it is the body's true momentum.
     SpinFromMomentum,
 }
 
 impl Kept {
-    /// Whether it says anything of an engine: the last speaks only of those that carry momentum.
+    /// Whether the law applies to an engine: the last law applies only to those that store a momentum.
     #[must_use]
     fn applies_to(self, engine: Engine) -> bool {
         self != Self::SpinFromMomentum || matches!(engine, Engine::Turned | Engine::MomentumForSpin)
@@ -87,7 +87,7 @@ impl Run {
         v.map(|x| self.unit.reduce_fraction(&x))
     }
 
-    /// What each law leaves over: zero where it is kept. In the attitude of the moment.
+    /// The residue of each law, which is zero where the law holds, at the current attitude.
     fn left_over(&self, law: Kept) -> Vector {
         let body_spin = self.reduced(&(self.rotation.transpose() * &self.omega));
         let body_momentum = &self.tensor * &body_spin;
@@ -111,7 +111,7 @@ impl Run {
     }
 }
 
-/// That the attitude turns at the spin.
+/// Checks that the attitude turns at the spin.
 fn turns(engine: Engine) -> Outcome {
     let run = Run::new(engine, &vector("I"));
     let (q, spin) = (attitude().0, run.reduced(&(run.rotation.transpose() * &run.omega)));
@@ -119,11 +119,11 @@ fn turns(engine: Engine) -> Outcome {
     same_entries_under(&run.unit, "the attitude's rate", &moved, &rate(&q, &spin).coords)
 }
 
-/// Whether a law is kept for every attitude and spin.
+/// Whether a law holds for every attitude and spin.
 ///
 /// # Errors
-/// If it is not, what is left over after a quarter turn about z if anything is then, else at any attitude.
-/// There `v` is the vector that the engine carries, along the world's axes.
+/// The residue of a law that does not hold: after a quarter turn about z if it is not zero there, otherwise
+/// at any attitude. In it, `v` is the vector that the engine stores, along the world's axes.
 fn keeps(run: &Run, law: Kept) -> Outcome {
     // Reduced, it is made of even powers of w, x, y, z; after a quarter turn about z, w and z are both the
     // root of one half.
@@ -138,7 +138,7 @@ fn keeps(run: &Run, law: Kept) -> Outcome {
     same_entries_under(&run.unit, &claim, &left, &Vector::zeros())
 }
 
-/// Of each law that applies to the engine, 1 where it is kept and 0 where something is left over.
+/// For each law that applies to the engine, 1 where it holds and 0 where there is a residue.
 fn laws_with(engine: Engine, moments: &Vector) -> Result<Scope, Residue> {
     let run = Run::new(engine, moments);
     let named = Kept::ALL.into_iter().zip(["P", "M", "E", "F", "S"]);

@@ -1,4 +1,4 @@
-//! Euler's equations, from the one law that world momentum answers to the torque.
+//! Euler's equations, from the single law that the torque is the rate of the momentum in the world.
 
 use crate::equations::rates;
 use crate::number::{Derivation, Fraction};

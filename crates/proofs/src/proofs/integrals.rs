@@ -1,9 +1,9 @@
 //! The integrals of the closed form: Gauss's mean, Carlson's integrals by duplication, and Legendre's
 //! integrals as Carlson writes them.
 //!
-//! Two integrals are equal if a change of variable takes one integrand and its range to the other; each claim
-//! is about integrands, and no check is about the ranges. The roots in them are symbols, tied by their
-//! squares or by their derivatives.
+//! Two integrals are equal if a change of variable maps one integrand and its range to the other. Each claim
+//! is about integrands; no check covers the ranges. The roots are symbols, related by their squares or by
+//! their derivatives.
 
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
 use crate::proof::Residue;

@@ -1,15 +1,15 @@
-//! Why methods keep what they keep, for all bodies and steps of any size: the algebra of their equations,
-//! which are written here a second time.
+//! Why methods conserve what they conserve, for all bodies and steps of any size: the algebra of their
+//! equations, which are written here a second time.
 //!
-//! Those of Munthe-Kaas, Buss, the midpoint, Moser and Veselov, and every splitting, make turns, which keep
-//! the momentum. The angle of a splitting's turn rests on the momentum that it leaves alone: so shares that
-//! are the same backwards make it reversible. The midpoint rule is a turn by Cayley's formula with the step
-//! times the inverse moments over two for `g`, and Moser and Veselov's, up to the factor `1 + |c|²`, with
-//! `a/I_i + b`: as `a` and `b` depend on energy and `|L|` alone, both keep the energy, and as the other sign
-//! of `c` exchanges the two momenta, both are reversible. In Gauss's methods what is square and has no rate
-//! at any state stays: energy, `|L|²` and the attitude's length; the stages in reverse order are those of the
-//! step back. The rules of engines keep the lengths that they divide by, or a momentum that they do not
-//! change.
+//! The steps of Munthe-Kaas, Buss, the midpoint rule, Moser and Veselov, and every splitting are turns, which
+//! conserve the momentum. The angle of a turn of a splitting depends on a momentum component that the turn
+//! does not change, so a splitting with symmetric coefficients is reversible. The midpoint rule is a turn by
+//! Cayley's formula with the step times the inverse moments over two as `g`; Moser and Veselov's is one, up
+//! to the factor `1 + |c|²`, with `a/I_i + b`. Since `a` and `b` depend only on energy and `|L|`, both
+//! methods conserve the energy; since the opposite sign of `c` exchanges the two momenta, both are
+//! reversible. Gauss's methods conserve every quadratic quantity whose rate is zero at every state: energy,
+//! `|L|²` and the attitude's length; the stages in reverse order are those of the step back. The rules of
+//! engines conserve the lengths by which they divide, or a momentum that they do not change.
 
 use crate::number::{Fraction, Relations};
 use crate::proof::{Residue, same_entries_under};

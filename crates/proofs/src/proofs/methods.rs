@@ -1,12 +1,12 @@
-//! Every stepping method's order, proven for all free bodies, and the laws that it keeps, tested.
+//! The order of every stepping method, proven for all free bodies, and the laws that it conserves, tested.
 //!
 //! The method's own step runs on power series whose coefficients are polynomials in the moments and in the
-//! momentum at the start: that it agrees with the motion through a power of the step is then decided for all
-//! of them at once, and no theorem on order conditions stands in between; for Moser and Veselov's two highest
-//! orders [`discrete`] decides it by the equation that the step solves. Two starts in numbers show that a
-//! step agrees no further, and which laws it breaks; that it keeps the others for these is a test ([`kept`]
-//! proves why it does). The numbers are chosen so that spin, momentum and attitude have lengths without a
-//! root.
+//! initial momentum. So its agreement with the motion through a power of the step is decided for all bodies
+//! and motions at once, without theorems on order conditions. For the two highest orders of Moser and
+//! Veselov, [`discrete`] decides it by the equation that the step solves. Two starts in numbers show that a
+//! method agrees no further, and which laws it breaks; that it conserves the others from these starts is a
+//! test ([`kept`] proves the reason). The numbers are chosen so that spin, momentum and attitude have
+//! rational lengths.
 //!
 //! The weights of the longest splitting are decimals: [`shares`] proves that exact ones lie next to them.
 //!
@@ -116,7 +116,8 @@ fn last_power(method: Method) -> usize {
 /// The method whose weights are decimals.
 const ROUNDED: Method = Method::RotationSplitting6;
 
-/// Whether no coefficient is above 1e-18, which is what 27 digits of a weight may leave over.
+/// Whether all coefficients are at most 1e-18, the residue that the rounding of a weight to 27 digits can
+/// leave.
 fn tiny(x: &Fraction) -> bool {
     let most = BigRational::new(1.into(), 1_000_000_000_000_000_000_i64.into());
     x.as_polynomial().is_some_and(|p| p.terms().all(|(_, coefficient)| coefficient.abs() < most))

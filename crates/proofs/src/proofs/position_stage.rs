@@ -1,4 +1,4 @@
-//! The position stage of an engine: its step keeps energy and momentum whatever its rate, its roots are real
+//! The position stage of an engine: its step conserves energy and momentum for any rate, its roots are real
 //! and its divisor is not zero; and the work of an impulse.
 
 use crate::number::{Fraction, Relations};
@@ -33,7 +33,7 @@ proofs! {
     }
 }
 
-/// A turn of a body, and what is true of its roots.
+/// A turn of a body, and the relations of its roots.
 struct Turned {
     moments: Vector,
     omega: Vector,
@@ -148,7 +148,7 @@ fn real([turn, bend]: [i64; 2]) -> Result<Vec<Scope>, Residue> {
     Ok(cases)
 }
 
-/// With the end's spin that of the start and this number of times its change.
+/// With a spin at the end that is the spin at the start plus this number of times its change.
 fn work(counted: i64) -> Vec<Scope> {
     let s = Fraction::variable("s");
     // In axes of the world the inverse tensor is any symmetric matrix; in its own it is diagonal.

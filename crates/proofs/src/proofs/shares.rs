@@ -1,9 +1,9 @@
-//! The shares of the longest splitting: that its step is made of them, and that exact ones lie next to them.
+//! The coefficients of the longest splitting: its step is composed of them, and exact ones lie next to them.
 //!
-//! A symmetric composition of a symmetric method of order 2 has order 6 if its shares meet four conditions
-//! ([HLW06](tumbling::references), V.3). Decimals meet them but for a rest, `F`. With `A` near the inverse of
-//! the matrix of derivatives, `x - A F(x)` takes a ball around the decimals into itself and draws it
-//! together: where it rests, `F` is zero.
+//! A symmetric composition of a symmetric method of order 2 has order 6 if its coefficients satisfy four
+//! conditions ([HLW06](tumbling::references), V.3). Decimals satisfy them up to a residue, `F`. With `A` near
+//! the inverse of the matrix of derivatives, `x - A F(x)` maps a ball around the decimals into itself and is
+//! a contraction there: at its fixed point `F` is zero.
 
 use crate::number::{Fraction, Rational};
 use crate::proof::{Outcome, Residue};
@@ -16,7 +16,7 @@ use nalgebra::{Matrix4, Vector4};
 use num_traits::{One, Zero};
 use tumbling::step::Method;
 
-/// As the library has them; the first is free.
+/// The coefficients of the library; the first is free.
 const SHARES: [&str; 5] = [
     "0.392161444007314139279250560",
     "0.332599136789359438599748634",

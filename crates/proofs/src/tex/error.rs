@@ -1,4 +1,4 @@
-//! What becomes of TeX that cannot be read.
+//! The error for TeX that cannot be read.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! From a tree to its worth, and from a statement to its proof.
+//! From a tree to its value, and from a statement to its proof.
 
 use super::scope::Scope;
 use super::tree::{Node, Relation, Statement, is_value};
@@ -10,10 +10,10 @@ use num_rational::BigRational;
 use num_traits::{Signed, Zero};
 
 impl Scope {
-    /// What an expression is worth.
+    /// The value of an expression.
     ///
     /// # Errors
-    /// A name that means nothing here, or an operation that does, such as the dot product of a matrix.
+    /// A name or an operation without a meaning here, such as the dot product of a matrix.
     pub fn value(&self, node: &Node) -> Result<Value, String> {
         let both = |a: &Node, b: &Node| Ok::<_, Meaningless>((self.value(a)?, self.value(b)?));
         let value = match node {
@@ -110,11 +110,11 @@ impl Statement {
         Ok(())
     }
 
-    /// Proves each number that something is set equal to, for these values of the variables: its decimals are
-    /// the correct rounding, and a whole number is exact. Returns the statement without these numbers.
+    /// Proves each equality with a number, for these values of the variables: decimals must be the correct
+    /// rounding, and a whole number must be exact. Returns the statement without these numbers.
     ///
     /// # Errors
-    /// What the value is, or why it has none.
+    /// The value, or why there is none.
     pub fn prove_example(&self, scope: &Scope, values: &[(&str, i64)]) -> Result<Self, String> {
         let values: Vec<_> = values.iter().map(|(name, x)| (*name, Rational::from(*x))).collect();
         for (left, relation, right) in self.pairs().filter(|(_, relation, right)| is_value(*relation, right))
@@ -139,7 +139,7 @@ impl Statement {
         Ok(Self { others, ..self.clone() })
     }
 
-    /// Proves that all its sides are equal, whatever stands between them: that a bound is attained.
+    /// Proves that all its sides are equal, for any relations between them: that a bound is attained.
     ///
     /// # Errors
     /// What is left over.
@@ -150,7 +150,7 @@ impl Statement {
         Ok(())
     }
 
-    /// Proves that a bare expression is worth what the scope calls [`Scope::IT`].
+    /// Proves that a bare expression has the value that the scope calls [`Scope::IT`].
     ///
     /// # Errors
     /// What is left over.

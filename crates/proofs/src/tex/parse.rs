@@ -1,4 +1,4 @@
-//! From parts to trees. What is not read is refused, with its place.
+//! From tokens to trees. Everything that cannot be read is refused, with its place.
 
 mod factors;
 mod names;
@@ -7,18 +7,18 @@ use super::error::TexError;
 use super::token::{Kind, Token, tokens};
 use super::tree::{Node, Relation, Side, Statement};
 
-/// No deeper brackets are read, so that no text can exhaust the stack.
+/// The maximum depth of brackets, so that no text can exhaust the stack.
 const DEEPEST: usize = 32;
 
 /// Reads one piece of maths: equations, inequalities and bare expressions, one or several, with commas,
 /// `\qquad` or the rows of an `aligned` between them, a mark of the sentence at the end.
 ///
-/// Side by side is a product and binds tighter than `\cdot` and `\times`; so does `/`, which takes only the
-/// next factor and bears none after it. What could be read in two ways is refused: several `\times` in a row,
-/// `a/b c`, `x^12`.
+/// Juxtaposition is a product and binds tighter than `\cdot` and `\times`. So does `/`, which applies only to
+/// the next factor; no factor may follow that. Ambiguous TeX is refused: several `\times` in a row, `a/b c`,
+/// `x^12`.
 ///
 /// # Errors
-/// What is not read, and where.
+/// The part that cannot be read, and its place.
 pub fn parse(tex: &str) -> Result<Vec<Statement>, TexError> {
     let tokens = tokens(tex)?;
     Parser { tokens, next: 0, end: tex.len(), depth: 0 }.document()

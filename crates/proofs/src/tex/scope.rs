@@ -1,10 +1,10 @@
-//! What the names in an equation mean.
+//! The meanings of the names in an equation.
 
 use super::value::Value;
 use crate::number::{Fraction, Monomial, Polynomial, Relations};
 use num_traits::Signed;
 
-/// What each name means, what ties the variables, and which of them are above zero.
+/// The meaning of each name, the relations of the variables, and which of them are positive.
 #[derive(Debug, Clone, Default)]
 pub struct Scope {
     pub(super) names: Vec<(String, Value)>,
@@ -14,7 +14,7 @@ pub struct Scope {
 }
 
 impl Scope {
-    /// What a bare expression is to be worth; no name in TeX is written so.
+    /// The name for the value that a bare expression must have; no name in TeX is written so.
     pub const IT: &'static str = "it";
 
     /// With a name, as it is written in TeX without spaces. A later meaning hides an earlier one.
@@ -57,7 +57,7 @@ impl Scope {
         self
     }
 
-    /// With the ties between its variables.
+    /// With the relations of its variables.
     #[must_use]
     pub fn under(mut self, relations: Relations) -> Self {
         self.relations = relations;
@@ -71,7 +71,7 @@ impl Scope {
         self
     }
 
-    /// What a name means.
+    /// The meaning of a name.
     pub(crate) fn meaning(&self, name: &str) -> Option<&Value> {
         self.names.iter().rev().find(|(known, _)| known == name).map(|(_, value)| value)
     }
@@ -93,8 +93,8 @@ impl Scope {
         (shown, shown && p.terms().any(|(m, _)| above(m)))
     }
 
-    /// Whether `x` is shown to be above zero, or, unless `strict`, zero: every term is a positive number
-    /// times squares and what is positive.
+    /// Whether `x` is shown to be positive or, unless `strict`, zero: every term is a positive number times
+    /// squares and positive variables.
     pub(super) fn is_above(&self, x: &Fraction, strict: bool) -> bool {
         let x = self.relations.reduce_fraction(x);
         let shown = |sign: i64| {

@@ -1,4 +1,4 @@
-//! What an equation says, as a tree.
+//! The contents of an equation as a tree.
 
 use crate::number::Rational;
 
@@ -108,8 +108,8 @@ impl Statement {
         lefts.zip(&self.others).map(|(left, (relation, right))| (left, *relation, right))
     }
 
-    /// Whether it only gives a value to a name that is free to have one: a small letter set equal to a
-    /// number, or a bold one to a tuple of numbers.
+    /// Whether it only assigns a value to a name that may have one: a small letter equal to a number, or a
+    /// bold one equal to a tuple of numbers.
     #[must_use]
     pub fn gives_values(&self) -> bool {
         let Node::Name(name) = &self.left.tree else { return false };
@@ -125,7 +125,7 @@ impl Statement {
     }
 }
 
-/// Whether a pair sets something equal to nothing but numbers.
+/// Whether a pair is an equality with an expression of numbers alone.
 pub(crate) fn is_value(relation: Relation, right: &Side) -> bool {
     relation == Relation::Equal && right.tree.is_numeric()
 }

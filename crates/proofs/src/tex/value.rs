@@ -15,11 +15,12 @@ pub enum Value {
     Matrix(Matrix),
     /// A quaternion.
     Quaternion(Quaternion<Fraction>),
-    /// The square root of a number, not below zero. Only its even powers are worked with.
+    /// The square root of a number, not negative. Only its even powers are evaluated.
     Root(Fraction),
-    /// The inverse of a matrix, not worked out: a matrix is it if their product is 1.
+    /// The inverse of a matrix, not computed: another matrix equals it if their product is 1.
     Inverse(Matrix),
-    /// The inverse of a matrix times a vector, not worked out: a vector is it if the matrix takes it there.
+    /// The inverse of a matrix times a vector, not computed: another vector equals it if the matrix maps it
+    /// to that vector.
     Solution(Matrix, Vector),
 }
 
@@ -84,7 +85,7 @@ impl Value {
         })
     }
 
-    /// An inverse, worked out unless a vector follows.
+    /// An inverse, computed unless a vector follows.
     fn worked_out(self, next: &Self) -> Self {
         match (self, next) {
             (Self::Inverse(m), Self::Matrix(_) | Self::Inverse(_)) => Self::Matrix(inverse(&m)),
@@ -164,7 +165,7 @@ impl Value {
         }
     }
 
-    /// What must vanish for the two to be the same, and what must then not be below zero.
+    /// What must be zero for the two to be equal, and what must then not be negative.
     pub(super) fn difference(self, other: Self) -> Result<(Vec<Fraction>, Option<Fraction>), Meaningless> {
         let zero = match (self, other) {
             (Self::Scalar(a), Self::Scalar(b)) | (Self::Root(a), Self::Root(b)) => vec![a - b],
@@ -193,7 +194,7 @@ impl Value {
     }
 }
 
-/// Whether a power can be worked out without asking for much time: a text may nest them.
+/// Whether a power can be computed in a short time: a text may nest powers.
 fn bearable(x: &Fraction, n: u32) -> bool {
     [x.numerator(), x.denominator()].iter().all(|p| {
         let terms = u64::from(usize::BITS - p.len().leading_zeros());

@@ -1,4 +1,4 @@
-//! Every proof holds, and none holds of an altered law.
+//! Every proof holds, and none holds for an altered law.
 
 use std::collections::{BTreeSet, HashMap};
 use std::sync::LazyLock;
@@ -28,8 +28,8 @@ fn every_proof_leaves_nothing_over() {
     assert_eq!(halves(|half| half.filter_map(left).collect()), [""; 0]);
 }
 
-/// Mutants in which what is claimed to break, or to be found, does not or is not; all others must leave
-/// something over.
+/// Mutants in which something that is claimed to break, or to be found, does not break or is not found; all
+/// other mutants must leave a residue.
 const FOUND_MISSING: [(&str, &str); 2] =
     [("spin-is-not-conserved", "the law of a ball"), ("spin-is-not-conserved", "a steady spin")];
 
@@ -77,8 +77,8 @@ fn sentences_of_proofs_hold_formulas_between_dollars_alone() {
 /// The letters of the sentences that have a name in TeX.
 const GREEK: &str = r"\alpha \beta \gamma \delta \eta \theta \lambda \sigma \tau \phi \psi \omega \Omega";
 
-/// A formula with each sign turned, its last side doubled or no longer zero, and each letter become the next
-/// other one, where that gives a side that it did not have.
+/// A formula with each sign changed, with its last side doubled or no longer zero, and with each letter
+/// replaced by the next one, if this gives a new side.
 fn altered(tex: &str) -> Vec<String> {
     let tex = &tex.replace('\\', r" \");
     let sides = |tex: &str| tex.split(['=', '<', '>']).map(|side| side.trim().to_owned()).collect::<Vec<_>>();

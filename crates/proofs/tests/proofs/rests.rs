@@ -1,5 +1,5 @@
-//! What each series leaves out, and what the library says that this is at most: its code runs on numbers that
-//! are exact but for these rests, and is compared with sums of many more terms.
+//! The remainder of each series, and the bound on it that the library states: its code runs on numbers that
+//! are exact except for these remainders, and is compared with sums of many more terms.
 
 use num_rational::BigRational as Exact;
 use num_traits::{Signed, ToPrimitive, Zero};
@@ -9,12 +9,13 @@ use tumbling::laws::{ComplementaryPair, ComplementarySeries, DirectPair, DirectS
 use tumbling::number::{Lane, Series};
 use tumbling_proofs::field;
 
-/// An exact number, and how much the rests can change it. Both are never freed, since a lane must be `Copy`.
+/// An exact number, and a bound on the effect of the remainders on it. Both are never freed, since a lane
+/// must be `Copy`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Bounded(&'static [Exact; 2]);
 
 thread_local! {
-    /// How many rests are still left out.
+    /// The number of remainders that are still omitted.
     static LEFT_OUT: Cell<usize> = const { Cell::new(0) };
 }
 
@@ -114,8 +115,8 @@ impl Rounding for Bounded {
     }
 }
 
-/// That all results differ from the truth by no more than their rests, and that in each place the largest
-/// rest is below rounding, and at most ten times the largest difference.
+/// Checks that no result differs from the truth by more than its remainders, and that at each place the
+/// largest remainder is below rounding, and at most ten times the largest difference.
 fn rests_hold<const N: usize>(name: &str, found: &[([Bounded; N], [Exact; N])]) {
     for n in 0..N {
         let [mut most, mut largest] = [Exact::zero(), Exact::zero()];

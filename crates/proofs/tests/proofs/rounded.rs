@@ -1,4 +1,4 @@
-//! How far the library's floats are from exact numbers, against fractions and intervals.
+//! The errors of the library's floats, compared with fractions and intervals.
 
 use num_traits::Zero;
 use proptest::prelude::*;

@@ -6,9 +6,9 @@ use crate::inertia::PrincipalMoments;
 use crate::step::system::System;
 use crate::step::torque::Torque;
 
-/// Of Euler's equations `I w' = I w x w + a x g + T` with `g' = g x w` of gravity in body axes, and of
-/// `q' = q w / 2`: coefficient `n + 1` is the sum of all products of powers that add up to `n`, by `n +
-/// 1`.
+/// The recurrences of Euler's equations `I w' = I w x w + a x g + T`, with `g' = g x w` for gravity in body
+/// axes, and of `q' = q w / 2`. Coefficient `n + 1` is the sum of all products of coefficients whose powers
+/// add up to `n`, divided by `n + 1`.
 #[test]
 fn the_fast_sums_are_those_of_the_recurrence() {
     let (moments, arm) = (Vector3::new(1.0, 1.7, 2.4), Vector3::new(0.1, -0.2, 0.4));

@@ -1,8 +1,8 @@
 //! The motion's first variations as power series, once its own series are known.
 //!
-//! An error `e` of the attitude, along the body's axes, and one `d` of the spin obey `e' = d - w x e`, and a
-//! vector fixed in the world, `v` along the body's axes, varies by `v x e`. The law is bilinear, so all of
-//! these are sums of products of a series of the motion and one of the variations.
+//! An attitude error `e` (body axes) and a spin error `d` obey `e' = d - w x e`. A vector that is fixed in
+//! the world and has body components `v` varies by `v x e`. The law is bilinear, so each coefficient is a sum
+//! of products of a series of the motion and a series of the variations.
 
 use super::{Lanes, Law, Series};
 use alloc::vec::Vec;
@@ -11,11 +11,11 @@ use core::array;
 /// The derivatives of a vector by each of six variables.
 type Columns = [[f64; 6]; 3];
 
-/// The number of columns of zeros that are skipped where the spin does not depend on the attitude: the four
-/// that are left fill whole vectors.
+/// The number of leading zero columns, which are skipped where the spin does not depend on the attitude; the
+/// remaining four fill whole vectors.
 const SKIPPED: usize = 2;
 
-/// Those of the attitude, as an error vector along the body's axes (rad), and of the spin.
+/// The derivatives of the attitude, as an error vector in body axes (rad), and of the spin.
 pub(in super::super) type Variation = [Columns; 2];
 
 #[inline(always)]
@@ -55,7 +55,7 @@ pub(in super::super) struct Variations<const N: usize> {
     apart: bool,
     attitude: [Columns; N],
     spin: [Columns; N],
-    /// What dissipation needs of them, and each gravity gradient: as the series.
+    /// The terms for dissipation and for each gravity gradient, as in the series of the motion.
     momentum: [Columns; N],
     coupling: [Columns; N],
     direction: Vec<[Columns; N]>,
@@ -68,17 +68,17 @@ impl<const N: usize> Variations<N> {
         Self { order: 0, sizes: [1.0; 6], apart: false, attitude, spin, momentum, coupling, direction }
     }
 
-    /// From those at the start, with the spin in units.
+    /// From the variations at the start, with the spin in units.
     pub(in super::super) fn begin(&mut self, &[attitude, spin]: &Variation) {
         (self.order, self.attitude[0], self.spin[0]) = (0, attitude, spin);
         self.apart = spin.iter().all(|row| row[..SKIPPED].iter().all(|x| *x == 0.0));
-        // Below this it has no digits.
+        // Below this size a column has no significant digits.
         let least = f64::MIN_POSITIVE / f64::EPSILON;
         let parts = || attitude.iter().chain(&spin);
         self.sizes = array::from_fn(|i| parts().fold(least, |most: f64, row| most.max(row[i].abs())));
     }
 
-    /// Those of a power: of the first they are the values at the start, of the next the rates.
+    /// The coefficients of a power: of the power 0, the values at the start; of the power 1, the rates.
     pub(in super::super) fn coefficient(&self, power: usize) -> Variation {
         [self.attitude[power], self.spin[power]]
     }
@@ -120,24 +120,24 @@ impl<const N: usize> Variations<N> {
         self.order = n + 1;
     }
 
-    /// The largest part of a power, in sizes of its column.
+    /// The largest entry of a power, relative to the size of its column.
     pub(super) fn size(&self, power: usize) -> f64 {
         self.share(&self.coefficient(power))
     }
 
-    /// The largest part, in sizes of its column.
+    /// The largest entry, relative to the size of its column.
     fn share(&self, parts: &Variation) -> f64 {
         let rows = parts.as_flattened().iter();
         let shares = rows.flat_map(|row| row.iter().zip(&self.sizes).map(|(x, size)| x.abs() / size));
         shares.fold(0.0, |most, x| if x > most || x.is_nan() { x } else { most })
     }
 
-    /// The largest difference, in sizes of its column.
+    /// The largest difference, relative to the size of its column.
     pub(in super::super) fn off(&self, one: &Variation, other: &Variation) -> f64 {
         self.share(&[0, 1].map(|part| columns(|i, column| one[part][i][column] - other[part][i][column])))
     }
 
-    /// They and their rates at `x` units of time.
+    /// The variations and their rates after `x` units of time.
     pub(in super::super) fn at(&self, x: f64) -> [Variation; 2] {
         let at = |rows: &[Columns; N]| {
             let [mut value, mut rate] = [[[0.0; 6]; 3]; 2];

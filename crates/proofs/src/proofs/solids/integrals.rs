@@ -1,4 +1,4 @@
-//! The integrals that the moments of solids are held to.
+//! The integrals with which the moments of solids are compared.
 
 use super::{
     along, ball_moments, capsule_moments, cone_moments, cylinder_moments, disk_moments, ellipsoid_moments,
@@ -23,7 +23,8 @@ fn half(p: &Polynomial) -> Polynomial {
     p.exact_quotient(&Polynomial::from(2)).unwrap_or_default()
 }
 
-/// That a body evenly filled with mass `m` has this mass, centre and inertia; and these.
+/// Checks that a body uniformly filled with mass `m` has this mass, centre and inertia, and these further
+/// equalities.
 fn has_moments(solid: &Sums, body: &MassMoments<Fraction>) -> Case {
     let density = &body.mass / &solid.volume;
     same_entries("centre", &body.centre, &solid.first.map(|x| x / solid.volume.clone()))?;
