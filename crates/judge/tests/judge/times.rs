@@ -83,10 +83,9 @@ fn times_rounded_by_nearly_half_of_a_step_are_put_back_to_it() {
         assert_eq!((verdict.outcome, &verdict.file_mistakes[..]), (right.outcome, &[][..]), "{verdict}");
         let said = verdict.to_string();
         let is_sure = verdict.diagnosis.as_ref().unwrap().confidence.names_a_rule();
-        assert!(
-            !said.contains("too short") && (is_sure || said.contains("write all their digits")),
-            "{said}"
-        );
+        // Beside a rule that is not identified, engines would be taken for the record's.
+        let is_open = said.contains("write all their digits") && !said.contains("Used by");
+        assert!(!said.contains("too short") && (is_sure || is_open), "{said}");
     }
 }
 
