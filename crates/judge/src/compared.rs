@@ -1,4 +1,4 @@
-//! Whether several records are one motion: one object, described to its engine in several ways.
+//! Compares records of one object that was described to its engine in several ways.
 //!
 //! The turn since the start and the spin are compared in world axes, so that it does not matter how the axes
 //! of a description lie in the body; of the positions, that they are of two points of one body.
@@ -71,7 +71,7 @@ impl Motion {
             let row = reading.state(&raw, moments);
             let length = row.attitude.map_or(0.0, |q| q.norm());
             if length == 0.0 || !length.is_finite() {
-                let problem = "records are compared by their attitudes: there is none here".into();
+                let problem = "records are compared by their attitudes, but there is none here".into();
                 return Err(Error::Line { line: raw.line, problem });
             }
             let attitude = row.start() / length;
@@ -129,7 +129,7 @@ impl Motion {
         all
     }
 
-    /// What its spins say of the moments, with the axes in the world at the start.
+    /// The moments that its spins fit, with the axes in the world at the start.
     fn inertia(&self) -> Option<FittedInertia> {
         let rows: Vec<_> = self.rows.iter().map(|row| (row.t, row.spin[0])).collect();
         let fitted = fit_inertia(&rows, None).ok().filter(|_| self.has[0])?;
@@ -158,15 +158,15 @@ fn positions(common: &[(&Instant, &Instant)]) -> (Vector3<f64>, Vec<f64>) {
     (best.fixed_rows::<3>(3).into(), left.collect())
 }
 
-/// How far two motions are apart: of the spin as a share of the fastest, of the attitude in rad, of the
-/// position as a share of the greatest distance from the start.
+/// The difference of two motions: spin as a share of the fastest, attitude in rad, position as a share of the
+/// greatest distance from the start.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Off {
-    /// At most.
+    /// The largest.
     pub most: f64,
-    /// Up to which they are alike.
+    /// The largest allowed.
     pub limit: f64,
-    /// When it is first more than that, s.
+    /// When it first exceeds that, s.
     pub since: Option<f64>,
 }
 
@@ -179,7 +179,7 @@ impl Off {
     }
 }
 
-/// What parts two records.
+/// The differences of two records.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Apart {
     /// Spin, attitude and position.
@@ -196,15 +196,15 @@ impl Apart {
     }
 }
 
-/// What became of records that should be one motion.
+/// The result of comparing records that should show one motion.
 #[derive(Debug, Clone)]
 pub struct Comparison {
     names: Vec<String>,
-    /// That to which the others are compared: of those that are alike the first.
+    /// The index of the record that the others are compared with: the first of those alike.
     pub reference: usize,
-    /// Those that are one motion, the most there are, and how far each is from the reference.
+    /// The largest group that shows one motion, and each record's difference from the reference.
     pub alike: Vec<(usize, Apart)>,
-    /// Each of the others, and how far it is from that motion.
+    /// The other records, and their differences from that motion.
     pub others: Vec<(usize, Apart)>,
     inertia: Vec<Option<FittedInertia>>,
     start: f64,
@@ -301,14 +301,14 @@ impl Comparison {
         let turns = spin.or(attitude);
         let words = match (turns, position) {
             (Some(t), _) if t == self.start => {
-                "It starts otherwise: compare the first rows, and judge the file alone for a mistake in it."
+                "It starts differently: compare the first rows, and judge the file alone to find a mistake in it."
             }
             (Some(_), _) => {
-                "It starts alike: look at the tensor, its axes, the parts that make it up, and the engine's settings."
+                "It starts the same: check the tensor, its axes, the parts that make it up, and the engine's settings."
             }
             (None, Some(_)) => {
-                "It turns alike: look at the centre of mass and at the velocity at the start. A step of first order errs by \
-                 itself where the origin is off the centre."
+                "It turns the same: check the centre of mass and the velocity at the start. A first-order step has an error \
+                 of its own if the origin is off the centre."
             }
             _ => "",
         };
@@ -326,7 +326,7 @@ impl Comparison {
         let degrees = turn_of_axes(&a.axes, &b.axes).to_degrees();
         let turned =
             a.alike.or(b.alike).map_or(format!(", about axes turned by {degrees:.1}°"), |_| String::new());
-        Some(format!("Its spins are those of moments {}{turned}; the others' of {}.", ratio(&b), ratio(&a)))
+        Some(format!("Its spins fit moments {}{turned}; those of the others fit {}.", ratio(&b), ratio(&a)))
     }
 }
 
@@ -352,9 +352,9 @@ impl fmt::Display for Comparison {
                 let [spin, attitude] = [most(0), most(1)].map(plain_number);
                 writeln!(
                     f,
-                    "{grade}: {alike} are one motion, to {spin} of the spin and {attitude} rad, at {rows} times in common."
+                    "{grade}: {alike} are one motion, within {spin} of the spin and {attitude} rad, at {rows} common times."
                 )?;
-                writeln!(f, "Whether that motion is right, one of these files alone shows.")?;
+                writeln!(f, "To see whether that motion is right, judge one of these files alone.")?;
             }
         }
         for (k, apart) in &self.alike {
@@ -364,7 +364,7 @@ impl fmt::Display for Comparison {
                 let left = plain_number(apart.off[2].most);
                 writeln!(
                     f,
-                    "{}: its origin is at {x}, {y}, {z} in the axes of {}, to {left} of the greatest distance from the start.",
+                    "{}: its origin is at {x}, {y}, {z} in the axes of {}, within {left} of the greatest distance from the start.",
                     name(*k),
                     name(self.reference)
                 )?;

@@ -1,4 +1,4 @@
-//! What can be wrong with a record, each with its place.
+//! Errors in a record, with their places.
 
 use crate::law::LawName;
 use std::fmt;
@@ -11,16 +11,16 @@ pub enum Error {
     Read {
         /// The line that was being read, from 1; 0 where it could not be opened.
         line: usize,
-        /// What the system says.
+        /// The system's error.
         source: std::io::Error,
     },
-    /// Not a single line that is not a comment.
+    /// No line except comments.
     Empty,
     /// No row.
     NoRows,
-    /// A start, and nothing to hold against it.
+    /// One row: nothing to compare it with.
     OneRow,
-    /// A field does not do.
+    /// A field that cannot be used.
     Field {
         /// Its line, from 1.
         line: usize,
@@ -31,27 +31,27 @@ pub enum Error {
         /// What is wrong with it.
         problem: String,
     },
-    /// A row in memory does not do.
+    /// A row in memory that cannot be used.
     Row {
         /// The row, from 1.
         row: usize,
         /// What is wrong with it.
         problem: String,
     },
-    /// A line does not do as a whole.
+    /// A line that cannot be used as a whole.
     Line {
         /// The line, from 1.
         line: usize,
         /// What is wrong with it.
         problem: String,
     },
-    /// The body or its motion is none that the library takes.
+    /// The library does not accept the body or its motion.
     Body(tumbling::Error),
-    /// The engine takes no such step: it puts the body back to its start.
+    /// The engine resets the body to its start instead of taking the step.
     StartsAnew {
         /// A component of the spin or of its rate, rad/s or rad/s².
         value: f64,
-        /// The most that the engine goes on with.
+        /// The largest value that the engine accepts.
         most: f64,
     },
     /// Neither a header nor the caller gives the moments.
@@ -90,9 +90,9 @@ impl fmt::Display for Error {
         match self {
             Self::Read { line: 0, source } => write!(f, "{source}"),
             Self::Read { line, source } => write!(f, "line {line}: {source}"),
-            Self::Empty => f.write_str("the file is empty: it takes a line of column names, then rows of numbers"),
-            Self::NoRows => f.write_str("there are no rows: a motion takes two at least"),
-            Self::OneRow => f.write_str("there is one row: a motion takes two at least"),
+            Self::Empty => f.write_str("the file is empty: it needs a line of column names, then rows of numbers"),
+            Self::NoRows => f.write_str("there are no rows: a motion needs at least two"),
+            Self::OneRow => f.write_str("there is one row: a motion needs at least two"),
             Self::Line { line, problem } => write!(f, "line {line}: {problem}"),
             Self::Row { row, problem } => write!(f, "row {row}: {problem}"),
             Self::Compared { problem } => f.write_str(problem),
@@ -101,7 +101,7 @@ impl fmt::Display for Error {
             }
             Self::Body(error) => write!(f, "{error}"),
             Self::StartsAnew { value, most } => {
-                write!(f, "the engine starts anew: the spin or its rate is {value:e}, and must be at most {most:e}")
+                write!(f, "the engine resets the body: the spin or its rate is {value:e}, and must be at most {most:e}")
             }
             Self::Threshold { law, value } => {
                 let law = law.map_or("every law", LawName::words);
@@ -109,7 +109,7 @@ impl fmt::Display for Error {
             }
             Self::Fit { rows, problem } => write!(f, "a fit over the first {rows} rows: {problem}"),
             Self::NoMoments => f.write_str(
-                "the principal moments are not known: give them with the record, or in it, by a comment line `# inertia: A B C`: about the body's x, y and z, which must be its principal axes",
+                "the principal moments are not known: write them into the record as a comment line `# inertia: A B C`, or give them with it. They are about the body's x, y and z, which must be its principal axes",
             ),
         }
     }

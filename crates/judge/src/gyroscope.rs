@@ -8,10 +8,10 @@ use nalgebra::{Matrix3, SVector, UnitQuaternion, Vector3};
 use tumbling::exact::FreeMotion;
 use tumbling::{Body, Inertia};
 
-/// What the spins of a free body say of its inertia.
+/// The inertia of a free body, as its spins determine it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FittedInertia {
-    /// The principal moments, smallest first, of sum 1: a free motion determines them up to a factor alone.
+    /// The principal moments, smallest first, with sum 1: a free motion determines only their ratios.
     pub moments: Vector3<f64>,
     /// The principal axes in the sensor's, as columns.
     pub axes: Matrix3<f64>,
@@ -20,12 +20,12 @@ pub struct FittedInertia {
     pub alike: Option<[usize; 2]>,
     /// The standard errors of the moments.
     pub errors: Vector3<f64>,
-    /// The root of the mean square of what is left of a component of the spins, rad/s.
+    /// The root mean square residual of a component of the spins, rad/s.
     pub residual: f64,
 }
 
-/// The body whose free motion is nearest, in the least squares, to these times (s) and spins (rad/s, in the
-/// sensor's axes). Without a guess it starts from Euler's equations, summed over a turn of about a radian.
+/// Fits, by least squares, the body whose free motion is nearest to these times (s) and spins (rad/s, in the
+/// sensor's axes). Without a guess it starts from Euler's equations, integrated over about a radian.
 ///
 /// ```
 /// use nalgebra::{Rotation3, Vector3};
@@ -55,7 +55,7 @@ pub fn fit_inertia(rows: &[(f64, Vector3<f64>)], guess: Option<&Inertia>) -> Res
     let mean = rows.iter().map(|row| row.1).sum::<Vector3<f64>>() / rows.len() as f64;
     let swing = rms(&rows.iter().map(|row| (row.1 - mean) / speed).collect::<Vec<_>>());
     let steady = |left: f64| {
-        // Of noise alone the mean is the smaller.
+        // For noise alone the mean is the smaller.
         if swing * speed > mean.norm() {
             return none(swing);
         }
@@ -76,7 +76,7 @@ pub fn fit_inertia(rows: &[(f64, Vector3<f64>)], guess: Option<&Inertia>) -> Res
         let inside = |at: SVector<f64, 8>| with_spin(&inside(body(&at)), &at.fixed_rows::<3>(5).into());
         at = least(at, &|at| misses(some, speed, at), &inside, GAIN).unwrap_or(at);
     }
-    // In the principal axes the moments are the numbers themselves, and so are their errors.
+    // In principal axes the fitted numbers are the moments, and their errors those of the moments.
     let principal = Inertia::try_from(tensor(&inside(body(&at))))?.principal();
     let (moments, axes) = (principal.moments(), principal.frame());
     let turned: Vec<_> = rows.iter().map(|(t, spin)| (*t, axes.tr_mul(spin))).collect();
@@ -108,18 +108,18 @@ pub fn fit_inertia(rows: &[(f64, Vector3<f64>)], guess: Option<&Inertia>) -> Res
 
 fn is_steady(swing: f64, left: f64) -> String {
     format!(
-        "the spin is steady, which does not determine the moments: it is {swing:.2e} rad/s from its mean, and must be \
-         more than {STEADY} times what is left, {left:.2e}"
+        "the spin is steady, which does not determine the moments: it differs by {swing:.2e} rad/s from its mean, and must by \
+         more than {STEADY} times the residual, {left:.2e}"
     )
 }
 
 fn no_motion(left: f64, speed: f64) -> String {
-    format!("no free motion comes near to these rows: {left:.2e} rad/s are left of {speed:.2e}")
+    format!("no free motion comes near to these rows: the residual is {left:.2e} rad/s of {speed:.2e}")
 }
 
 fn check(rows: &[(f64, Vector3<f64>)]) -> Result<(), Error> {
     if rows.len() < 4 {
-        return Err(Error::Fit { rows: rows.len(), problem: "it takes four rows at least".into() });
+        return Err(Error::Fit { rows: rows.len(), problem: "it needs at least four rows".into() });
     }
     let mut last = f64::NEG_INFINITY;
     for (i, (t, spin)) in rows.iter().enumerate() {

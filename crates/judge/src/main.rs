@@ -8,18 +8,18 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use tumbling_judge::{Error, LawName, Motion, Options, Outcome, compare, judge};
 
-/// Judges an engine by its record of a free body
+/// Judges how an engine turns a free body, by a record of its motion
 #[derive(Debug, Parser)]
 #[command(version, after_help = include_str!("about.txt"))]
 struct Arguments {
     /// The record, comma-separated values; - for the standard input
     file: PathBuf,
-    /// More records of the same object, described otherwise: are all one motion?
+    /// More records of the same object in other descriptions, to be compared with the first
     others: Vec<PathBuf>,
-    /// Principal moments about the body's x, y and z, kg m2, where the record names none
+    /// Principal moments about the body's x, y and z, kg m2; used in place of the record's
     #[arg(long, value_name = "A,B,C", value_parser = moments, allow_hyphen_values = true)]
     inertia: Option<Vector3<f64>>,
-    /// Largest error allowed, of every law or of LAW (0.01 if not given)
+    /// Largest error allowed in every law, or in LAW (default: 0.01)
     #[arg(long, value_name = "[LAW=]X", value_delimiter = ',', value_parser = limit, allow_hyphen_values = true)]
     threshold: Vec<Limit>,
     /// Print the verdict as one JSON object
@@ -35,7 +35,7 @@ fn moments(text: &str) -> Result<Vector3<f64>, String> {
     let numbers: Result<Vec<f64>, _> = text.split(',').map(|x| x.trim().parse()).collect();
     match numbers.as_deref() {
         Ok(&[a, b, c]) => Ok(Vector3::new(a, b, c)),
-        _ => Err("it takes three numbers, as in 1,2,2.5".into()),
+        _ => Err("give three numbers, as in 1,2,2.5".into()),
     }
 }
 
@@ -51,7 +51,7 @@ fn limit(text: &str) -> Result<Limit, String> {
     });
     match number.trim().parse() {
         Ok(value) if value > 0.0 && f64::is_finite(value) => Ok((law.transpose()?, value)),
-        _ => Err("it takes a number above zero".into()),
+        _ => Err("give a number above zero".into()),
     }
 }
 
@@ -81,7 +81,7 @@ impl Arguments {
             all.push((name.clone(), read.map_err(|wrong| format!("{name}: {}", mended(&wrong)))?));
         }
         if self.threshold.iter().any(|limit| limit.0.is_some()) {
-            return Err("records are compared by one --threshold X, not by laws".into());
+            return Err("records are compared with one --threshold X, not with one for each law".into());
         }
         let threshold = self.threshold.last().map(|limit| limit.1);
         let comparison = compare(&all, threshold).map_err(|wrong| wrong.to_string())?;
@@ -103,7 +103,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// With the option that mends it, where there is one.
+/// With the option that corrects it, where there is one.
 fn mended(wrong: &Error) -> String {
     format!("{wrong}{}", if matches!(wrong, Error::NoMoments) { " (--inertia A,B,C)" } else { "" })
 }

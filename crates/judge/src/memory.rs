@@ -12,7 +12,7 @@ mod sealed {
     pub trait Sealed {}
 }
 
-/// A number that an engine counts in: `f64` or `f32`, and no other.
+/// The precision of an engine's numbers: `f64` or `f32`, and no other.
 ///
 /// ```compile_fail
 /// impl tumbling_judge::Precision for i32 {
@@ -48,14 +48,14 @@ pub struct Row<T> {
     pub time: f64,
     /// The attitude as a quaternion w, x, y, z, body to world; `None` where the engine gives none.
     pub attitude: Option<[T; 4]>,
-    /// The spin in body axes, rad/s; or what else the [`Description`] says of the record.
+    /// The spin in body axes, rad/s, unless the [`Description`] names another vector.
     pub spin: [T; 3],
 }
 
-/// What is known of rows in memory besides their numbers, as a file's header and names of columns say it.
+/// A description of rows in memory, in place of a file's header and column names.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Description {
-    /// What the three numbers of a row are; of attitudes alone they are not read.
+    /// The meaning of a row's three numbers; not read if the record has attitudes alone.
     pub kind: Kind,
     /// The engine's name.
     pub engine: Option<String>,
@@ -67,8 +67,8 @@ pub struct Description {
 
 /// Judges rows in memory, of a body with these principal moments (kg m², about its axes x, y and z).
 ///
-/// [`Options::inertia`] takes precedence over the moments. In what the verdict says, a line is a row, counted
-/// from 1.
+/// [`Options::inertia`] takes precedence over the moments. The verdict counts rows from 1 and calls them
+/// lines.
 ///
 /// ```
 /// use tumbling_judge::{Options, Outcome, Row, judge_in_memory};
@@ -91,7 +91,7 @@ pub fn judge_in_memory<T: Precision>(
     judge_described(moments, Description::default(), rows, options)
 }
 
-/// Judges rows in memory of which more is known, as [`judge_in_memory`].
+/// Judges rows in memory with a description, as [`judge_in_memory`] does without one.
 ///
 /// ```
 /// use tumbling_judge::{Description, Kind, Options, Row, judge_described};
@@ -117,7 +117,7 @@ pub fn judge_described<T: Precision>(
     let Description { kind, engine, step, torque } = description;
     let attitudes = first.attitude.is_some();
     if !attitudes && (kind.in_world() || kind == Kind::Attitude) {
-        let problem = "without an attitude a vector in world axes says nothing of the body".into();
+        let problem = "a vector in world axes cannot be used without an attitude".into();
         return Err(Error::Row { row: 1, problem });
     }
     let moments = options.inertia.or_else(|| Some(moments.into()));
@@ -153,7 +153,7 @@ impl<T: Precision, I: Iterator<Item = Row<T>>> Source for Memory<I> {
             Quaternion::new(w, x, y, z)
         });
         if attitude.is_some() != self.attitudes {
-            return Err(wrong("some rows have an attitude, and others have none".into()));
+            return Err(wrong("some rows have an attitude, but others have none".into()));
         }
         let numbers = || spin.iter().chain(attitude.iter().flat_map(|q| q.coords.iter())).copied();
         let bad = numbers().chain([row.time]).find(|x| !x.is_finite()).map(|bad| format!("a value is {bad}"));

@@ -1,10 +1,10 @@
-//! How a record keeps a law: by how much it is off, how that grows, and the flips counted.
+//! How well a record keeps a law: the error, its growth, and the flips counted.
 
 use crate::law::LawName;
 use crate::thresholds::KEPT;
 use serde::Serialize;
 
-/// How an error grows in the time of a record, best first.
+/// How an error grows with time, best first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Growth {
@@ -82,10 +82,13 @@ pub struct Law {
 }
 
 impl Law {
-    /// How its error grew, in a word or three; what only few digits excuse is not said to be kept.
+    /// How its error grew, in a few words; an error that only few digits excuse is not called rounding.
     pub(crate) fn how(&self) -> &'static str {
-        let is_open = self.growth == Growth::Rounding && self.most > KEPT;
-        if is_open { "within what its digits leave open" } else { self.growth.name() }
+        match self.growth {
+            Growth::Rounding if self.most > KEPT => "within the error of few digits",
+            Growth::Rounding => "within rounding error",
+            other => other.name(),
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::read::comment::{per_second, spin_unit};
 
-/// What the numbers of a row stand for: at which place each stands among the fields.
+/// The meaning of a row's numbers: the index of each among the fields.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Columns {
     pub names: Vec<String>,
@@ -16,9 +16,9 @@ pub(crate) struct Columns {
     /// Of the body's origin in the world, where positions are asked for.
     pub position: Option<[usize; 3]>,
     pub kind: Kind,
-    /// What a spin is to be multiplied by for rad/s, by the unit in its names.
+    /// The factor from the unit in the spin's names to rad/s.
     pub unit: f64,
-    /// How many of the unit of the time column are a second.
+    /// The number of the time column's units in a second.
     pub per_second: f64,
 }
 
@@ -28,7 +28,7 @@ pub(crate) enum Separator {
     Blanks,
 }
 
-/// What the time of a row is read from.
+/// The source of a row's time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum TimeColumn {
     /// Seconds.
@@ -49,7 +49,7 @@ impl TimeColumn {
     }
 }
 
-/// What the three numbers of a row are.
+/// The meaning of a row's three numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Kind {
     /// The spin in body axes, rad/s.
@@ -300,14 +300,13 @@ impl Columns {
             Some((kind, places)) => (kind, Some(places)),
             None if attitude.is_some() => (Kind::Attitude, None),
             None => {
-                let why = format!("neither spin nor momentum nor attitude is there to be judged; {KNOWN}");
+                let why = format!("there is neither spin nor momentum nor attitude to judge; {KNOWN}");
                 return Err(names.wrong(why));
             }
         };
         if kind.in_world() && attitude.is_none() {
             return Err(names.wrong(
-                "a vector in world axes says nothing of the body without its attitude: qw,qx,qy,qz are missing"
-                    .into(),
+                "a vector in world axes cannot be used without its attitude: qw,qx,qy,qz are missing".into(),
             ));
         }
         let unit = vector.map_or(Ok(1.0), |places| names.unit_of(kind, &places))?;

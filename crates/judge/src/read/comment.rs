@@ -1,4 +1,4 @@
-//! What the comment lines of a record say; and units.
+//! Reads the comment lines of a record, and units.
 
 use crate::error::Error;
 use crate::read::{Note, last_place};
@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use std::f64::consts::{PI, TAU};
 use tumbling::PrincipalMoments;
 
-/// What the comments before the first row say.
+/// The information in the comments before the first row.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Header {
     /// Who made the record.
@@ -24,7 +24,7 @@ pub struct Header {
     pub step: Option<f64>,
     /// A torque constant in the world, N m.
     pub torque: Option<Vector3<f64>>,
-    /// What was not understood, and what was made of what was.
+    /// Notes on comments: not understood, or interpreted.
     pub notes: Vec<Note>,
 }
 
@@ -34,11 +34,11 @@ const BETWEEN: [&str; 6] = ["size", "length", "is", "of", "tensor", "principal"]
 const DIAGONAL: [&str; 3] = ["ixx", "iyy", "izz"];
 const OFF_DIAGONAL: [&str; 6] = ["ixy", "iyx", "ixz", "izx", "iyz", "izy"];
 
-/// Words before a name that say that there is none of it.
+/// Words before a name that deny it.
 const NONE: [&str; 3] = ["no", "without", "zero"];
 
-/// Whatever comes after the whole word `word` and a colon, an equals sign or blanks; not where the word
-/// before it says that there is none.
+/// The text after the whole word `word` and a colon, an equals sign or blanks; none if the word before it
+/// denies it ("no torque").
 fn after<'a>(text: &'a str, word: &str) -> Option<&'a str> {
     let lower = text.to_ascii_lowercase();
     let (at, _) = lower.match_indices(word).find(|(at, _)| {
@@ -187,11 +187,11 @@ fn torque(before: &str, text: &str) -> Result<Option<Vector3<f64>>, String> {
     match all[..] {
         [_, ..] if all.iter().all(|x| *x == 0.0) => Ok(Some(Vector3::zeros())),
         _ if (is_said || !all.is_empty()) && is_in_body(before, text) => {
-            Err("the torque seems to be one in axes that turn with the body: known is one that is constant in the world, as in `torque: 0 0 0.1`".into())
+            Err("the torque seems to be in axes that turn with the body: only a torque constant in the world is supported, as in `torque: 0 0 0.1`".into())
         }
         [x, y, z] => Ok(Some(Vector3::new(x, y, z))),
         _ if all.len() > 3 || is_said => {
-            Err(format!("a torque has three numbers behind its name, as in `torque: 0 0 0.1`, and {} can be read here", all.len()))
+            Err(format!("a torque has three numbers after its name, as in `torque: 0 0 0.1`, but {} can be read here", all.len()))
         }
         _ => Ok(None),
     }
@@ -221,8 +221,8 @@ fn head(text: &str) -> String {
 }
 
 impl Header {
-    /// Reads one more comment line. What it does not understand it takes for prose, and says so where it
-    /// seems to say something.
+    /// Reads one more comment line. A line that it does not understand is taken for prose, with a note if it
+    /// seems to give a number.
     pub(crate) fn read(&mut self, comment: &str, line: usize) -> Result<(), Error> {
         if self.engine.is_none() && comment.to_ascii_lowercase().contains("engine:") {
             self.engine = after(comment, "engine").map(head);
@@ -272,11 +272,11 @@ impl Header {
         Ok(())
     }
 
-    /// A moment that a line names: that which another line has named, if it has.
+    /// Stores a moment from a line; it must equal the one that an earlier line gave.
     fn take(&mut self, i: usize, (moment, open): (f64, f64), line: usize) {
         let (before, _, first) = *self.named[i].get_or_insert((moment, open, line));
         if (before - moment).abs() > PRODUCTS * before.abs() {
-            let problem = format!("the moments differ from those in line {first}: name them once");
+            let problem = format!("the moments differ from those in line {first}: give them once");
             self.wrong.get_or_insert((line, problem));
         }
     }
@@ -313,7 +313,7 @@ impl Header {
         if !(missing > 0.0 && rounded && named.min() > 0.0) {
             let line = x.2.max(y.2).max(z.2);
             let wrong =
-                |wrong| Error::Line { line, problem: format!("{wrong}. Look at the numbers and their unit") };
+                |wrong| Error::Line { line, problem: format!("{wrong}. Check the numbers and their unit") };
             return PrincipalMoments::try_from(named).map(|_| Some(named)).map_err(wrong);
         }
         let mut moments = named;

@@ -1,7 +1,7 @@
-//! How the numbers of a file are meant: mistakes of the file, distinguished from mistakes of the engine.
+//! Finds the meaning of a file's numbers: distinguishes mistakes in the file from mistakes of the engine.
 //!
-//! A spin and the turn from one row to the next say the same thing. Where they do not, and would if the
-//! numbers were read another way, the file is what is wrong.
+//! The spin determines the turn from one row to the next. If they disagree, but would agree if the numbers
+//! were read another way, the mistake is in the file.
 
 use crate::read::pace::{by_how_much, in_whole_numbers, to_four_places};
 use crate::read::{Kind, Pair, Raw, Row, angle_between, median};
@@ -10,10 +10,10 @@ use nalgebra::{Quaternion, Vector3};
 use std::f64::consts::{PI, TAU};
 use tumbling::{attitude, dynamics::euler};
 
-/// What is wrong, and what to do, of each mistake without a number.
+/// The words of each mistake without a number: what is wrong, and what to do.
 macro_rules! mistakes {
     ($($(#[$meta:meta])* $name:ident: $words:literal;)+) => {
-        /// A mistake of a file: what its numbers seem to be, against what its names say.
+        /// A mistake in a file: its numbers do not have the meaning that its names give.
         #[derive(Debug, Clone, Copy, PartialEq)]
         #[non_exhaustive]
         pub enum FileMistake {
@@ -44,8 +44,8 @@ macro_rules! mistakes {
 
 mistakes! {
     /// What is named in body axes is in the world's, or the other way round.
-    Frame: "the vector is not in the axes that it is said to be in: a spin in world axes where body axes are named, or the other \
-         way round. In a file the columns are `wxw,wyw,wzw` for the world, `wx,wy,wz` for the body; in a program name the frame";
+    Frame: "the vector is not in the axes that its names give: world axes instead of body axes, or the reverse. In a file, name the \
+         columns `wxw,wyw,wzw` for world axes, `wx,wy,wz` for body axes; in a program, set the frame";
     /// The attitude is x, y, z, w; of attitudes alone this cannot be distinguished from
     /// [`ScalarFirst`](Self::ScalarFirst).
     Order: "the quaternion is x, y, z, w under the names w, x, y, z: put the names in the order of the numbers";
@@ -54,7 +54,7 @@ mistakes! {
     /// The attitude takes the world to the body.
     Inverse: "the attitude is the inverse one, world to body: write its conjugate, (w, -x, -y, -z)";
     /// What is named a spin is the momentum.
-    Momentum: "what is named a spin is the momentum: in a file its columns are `lx,ly,lz` in body axes, `lxw,lyw,lzw` in the world's";
+    Momentum: "the columns named as a spin hold the momentum: in a file, name them `lx,ly,lz` in body axes, `lxw,lyw,lzw` in world axes";
     /// Spins are in degrees a second.
     Degrees: "the spin is in degrees a second: write radians, or name the unit in a file, as in `wx [deg/s]`";
     /// Spins are in revolutions a minute.
@@ -69,11 +69,11 @@ mistakes! {
     Nanoseconds: "the time is in nanoseconds: write seconds";
     /// Time is in minutes.
     Minutes: "the time is in minutes: write seconds";
-    /// The spin turns by the left hand, the attitude (if there is one) by the right.
-    LeftHandedSpin: "the spin turns by the left hand (left-handed axes): write it with the opposite sign";
+    /// The spin follows the left-hand rule, the attitude (if there is one) the right-hand rule.
+    LeftHandedSpin: "the spin follows the left-hand rule (left-handed axes): write it with the opposite sign";
     /// All of it is mirrored along an axis.
-    LeftHanded: "the axes are left-handed, one component of attitude and spin mirrored: give that component, of both, the \
-         opposite sign";
+    LeftHanded: "the axes are left-handed: one component of attitude and spin is mirrored. Give that component the opposite \
+         sign in both";
 }
 
 fn wrong_times(times: f64) -> String {
@@ -81,7 +81,7 @@ fn wrong_times(times: f64) -> String {
     let times = to_four_places(times);
     format!(
         "the times are {size} times too {way}: from row to row the attitude turns, and the spin changes, {times} times as far \
-         as they say. Look for rows left out, a step taken more than once, or another step than the one named (spins written \
+         as they say. Look for missing rows, a step taken more than once, or another step than the one given (spins written \
          {size} times too {small} would look the same)"
     )
 }
@@ -102,7 +102,7 @@ const TIMES: [(FileMistake, f64); 4] = [
 /// A row, the one after it, and the step between them as the file has it.
 pub(super) type Step = (Raw, Raw, f64);
 
-/// A way to take the numbers.
+/// A way to read the numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Reading {
     kind: Kind,
@@ -148,7 +148,7 @@ impl Reading {
         self.time
     }
 
-    /// What it takes for wrong.
+    /// The mistakes that it assumes.
     pub(crate) fn mistakes(&self) -> Vec<FileMistake> {
         let orders = [(Order::Last, FileMistake::Order), (Order::First, FileMistake::ScalarFirst)];
         let mut all: Vec<_> = orders.iter().filter(|of| of.0 == self.order).map(|of| of.1).collect();
@@ -188,16 +188,16 @@ impl Reading {
         Row { line: raw.line, t: raw.t * self.time, attitude, omega, ahead: None }
     }
 
-    /// The way of reading that makes sense of `pairs` (rows and the step as the file has them) if the plain
-    /// one does not.
+    /// The way of reading under which `pairs` (rows, and the step as the file has it) are consistent, if the
+    /// plain one is not.
     pub(crate) fn of(kind: Kind, free: bool, pairs: &[Step], moments: &Vector3<f64>) -> Self {
         let plain = Self::plain(kind);
         let with_attitude = pairs.first().is_some_and(|pair| pair.0.attitude.is_some());
         if with_attitude { plain.by_turns(free, pairs, moments) } else { plain.by_law(pairs, moments) }
     }
 
-    /// Of attitudes alone the law determines the order and the sense: three rows, each a step after the
-    /// other, have two turns, whose change is the gyroscopic one.
+    /// For attitudes alone Euler's equations determine the order and the sense: three successive rows give
+    /// two turns, whose difference is the gyroscopic change.
     pub(crate) fn of_attitudes(triples: &[([Raw; 3], f64)], moments: &Vector3<f64>) -> Self {
         let plain = Self::plain(Kind::Attitude);
         let alike = |reading: &Self| {
@@ -282,7 +282,7 @@ impl Reading {
         if free && on_other_side || is_own { self } else { best }
     }
 
-    /// Whether spins lead to the attitudes, of turns that are too long to be compared with them.
+    /// Whether the spins lead to the attitudes, where turns are too long to be compared with them.
     fn leads_to_the_ends(self, pairs: &[Step], moments: &Vector3<f64>) -> bool {
         let all = self.pairs(pairs, moments);
         let mut off = all.iter().filter_map(|Pair { from, to, h }| {
@@ -317,8 +317,8 @@ impl Reading {
         found.map_or(self, |(spin, time)| Self { spin, time, ..self })
     }
 
-    /// Without an attitude, the law alone decides: a spin of another unit changes too fast or too slow, one
-    /// of the other hand backward.
+    /// Without an attitude, Euler's equations alone decide: a spin in another unit changes too fast or too
+    /// slowly, and one of the other hand in reverse.
     fn by_law(self, pairs: &[Step], moments: &Vector3<f64>) -> Self {
         let (alike, size) = law(&self.pairs(pairs, moments), moments);
         if alike.abs() < LAW_DECIDES {
@@ -334,7 +334,7 @@ impl Reading {
     }
 }
 
-/// How far the middle one of turns is from what the spins say.
+/// The median difference between the turns and the spins.
 fn middle(pairs: &[Pair]) -> f64 {
     median(&mut pairs.iter().filter_map(Pair::inconsistency))
 }

@@ -43,19 +43,19 @@ pub(crate) struct Raw {
     pub exact: [Exact; 2],
 }
 
-/// How exact numbers are, as they are written.
+/// The precision of numbers, as they are written.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Exact {
-    /// The most significant digits of any.
+    /// The largest number of significant digits.
     pub digits: u32,
-    /// The most significant bits of any; 24 fit single precision, 11 half precision.
+    /// The largest number of significant bits; 24 fit single precision, 11 half precision.
     pub bits: u32,
-    /// What a one is worth in the last place of the one that is written most finely.
+    /// The smallest unit in the last place of any.
     pub place: f64,
 }
 
 impl Raw {
-    /// The spin in body axes of a vector that is in the world's or not, and a momentum or not.
+    /// The spin in body axes, from a spin or a momentum in either frame.
     pub(crate) fn omega(&self, in_world: bool, momentum: bool, moments: &Vector3<f64>) -> Vector3<f64> {
         let turned = |attitude: Quaternion<f64>| {
             let rotation = tumbling::attitude::rotation_matrix(&attitude);
@@ -75,7 +75,7 @@ pub(crate) struct Rows<R> {
     last: Option<f64>,
     fields: Vec<f64>,
     rows: u64,
-    /// Where a number is none any more, with the rows before it in order; nothing is read from there on.
+    /// The first value that is not a number, after sound rows; nothing is read from there on.
     pub ended: Option<Error>,
 }
 
@@ -92,7 +92,7 @@ impl<R: BufRead> Rows<R> {
             } else if !text.is_empty() {
                 let columns = Columns::of(text, line, header.step.is_some())?;
                 if matches!(columns.clock, TimeColumn::Steps(_)) && header.step.is_none() {
-                    let problem = "steps are counted, and their length is not given: a comment line `# dt: 0.01`, or a \
+                    let problem = "steps are counted, but their length is not given: a comment line `# dt: 0.01`, or a \
                          column `t`, is missing";
                     return Err(Error::Line { line, problem: problem.into() });
                 }
@@ -144,7 +144,7 @@ impl Exact {
         self.digits = self.digits.max(significant(field));
         let place = last_place(field);
         self.place = self.place.min(place);
-        // As it stands, or as decimals of it that lead back to it.
+        // Single precision, either exactly or as decimals that round back to it.
         let off = (f64::from(value as f32) - value).abs();
         let decimals = significant(field) <= MOST_DIGITS_OF_SINGLE;
         let is_single = decimals && off <= 0.5000001 * place;
@@ -161,7 +161,7 @@ impl Printed {
     }
 }
 
-/// What programs in C print for what is no number.
+/// What programs in C print for values that are not numbers.
 const C_HAS_NONE: [&str; 5] = ["nan(", "#ind", "#qnan", "#snan", "#inf"];
 
 /// The numbers of a row, one for each column; zero where none is read. Where one is not finite the numbers

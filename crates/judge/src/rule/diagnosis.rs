@@ -1,5 +1,5 @@
-//! Which rule made a record: each candidate takes each row one step further, and is held against the next
-//! row.
+//! Finds the rule that made a record: each candidate takes each row one step further, and its result is
+//! compared with the next row.
 
 use crate::law::LawName;
 use crate::read::{Floor, Known, Pair, Row, angle_between, rounded};
@@ -14,7 +14,7 @@ use crate::rule::{
 use crate::thresholds::*;
 use nalgebra::{Vector2, Vector3};
 
-/// A rule, and how far its steps are from the record's.
+/// A rule, and the distance of its steps from the record's.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Explanation {
     /// The rule.
@@ -33,47 +33,46 @@ impl Explanation {
         within(floor.limits()) && (self.rule != Rule::EXACT || within(of_exact))
     }
 
-    /// By how much another is farther from the record: in the median, or in the 95th percentile.
+    /// The ratio of another rule's distance to this one's, in the median or in the 95th percentile.
     pub(super) fn relative_to(&self, other: &Self) -> f64 {
         let ratio = |a: f64, b: f64| a.max(f64::EPSILON) / b.max(f64::EPSILON);
         ratio(other.median, self.median).max(ratio(other.percentile_95, self.percentile_95))
     }
 }
 
-/// What made the record.
+/// The rules that may have made the record.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Diagnosis {
-    /// The rule that explains it best; of several that do so alike the simplest.
+    /// The rule that fits best; of several that fit equally well, the simplest.
     pub best: Explanation,
-    /// Others that explain it as well.
+    /// Other rules that fit equally well.
     pub alike: Vec<Rule>,
-    /// The best of those that do not.
+    /// The best of the rules that fit less well.
     pub second: Option<Explanation>,
-    /// How sure.
+    /// How certain it is.
     pub confidence: Confidence,
     /// The number of steps tried.
     pub steps: usize,
     /// The share of the pairs of rows that are one step apart.
     pub share: f64,
-    /// The rules named first: the best, and with a rule named those that make the same steps here and that an
-    /// engine goes by.
+    /// The rules named first: the best and, if a rule is named, those with the same steps in this record that
+    /// an engine uses.
     pub leading: Vec<Rule>,
     /// The engines' own settings, where the record fails and they have one for it.
     pub settings: Vec<String>,
-    /// Engines known to go by one of them; where the record names one that goes by a rule that fits, this one
-    /// first.
+    /// Engines known to use one of them; an engine that the record names comes first, if it uses a rule that
+    /// fits.
     pub engines: Vec<String>,
-    /// Of an accurate rule that is not known the error of a step, as a share of what the gyroscopic term
-    /// changes of the spin in it; of rows that scatter by how much, relative to the spin.
+    /// For an unknown accurate rule, the error of a step as a share of the change of spin by the gyroscopic
+    /// term; for rows that scatter, the scatter relative to the spin.
     pub error: Option<f64>,
-    /// The steps that are not the rule's, where they are few.
+    /// The steps that do not follow the rule, if they are few.
     pub jumps: Vec<Jump>,
-    /// How many times as much as by the gyroscopic term the spin changes, where no rule fits and that is far
-    /// from one.
+    /// The ratio of the change of spin to that by the gyroscopic term, if no rule fits and it is far from 1.
     pub(crate) term: Option<f64>,
     /// Whether a faster spin would distinguish the rules that explain the record alike.
     pub(crate) open: bool,
-    /// What to do, for each fault that is seen.
+    /// The advice, one for each fault found.
     pub advice: Vec<Advice>,
     /// Whether the numbers are of single precision.
     pub single: bool,
@@ -85,15 +84,15 @@ pub struct Diagnosis {
     pub(crate) fails: bool,
 }
 
-/// What the whole record shows, against which a rule of its single steps is held.
+/// Evidence from the whole record, with which a rule found from single steps is compared.
 pub(crate) struct Whole {
     /// The laws that it breaks.
     pub broken: Vec<LawName>,
-    /// Those that it does not keep to rounding.
+    /// The laws that it does not keep to rounding.
     pub unkept: Vec<LawName>,
     /// Whether it fails, whatever its rule.
     pub fails: bool,
-    /// Whether it fails by its columns, by resets or by where its numbers end alone, and not by a rule.
+    /// Whether it fails only by its columns, by resets or by an early end of its numbers, not by a rule.
     pub fails_otherwise: bool,
     /// Whether all is kept to rounding.
     pub kept: bool,
@@ -116,8 +115,8 @@ impl Diagnosis {
         self.confidence == Confidence::ToRounding && self.best.rule == Rule::EXACT
     }
 
-    /// Whether nothing is known of the rule of a record that fails: that the exact motion is the nearest of
-    /// those known says nothing for it.
+    /// Whether the rule of a record that fails is unknown: that the exact motion is the nearest known rule is
+    /// no evidence for it.
     pub(crate) fn is_open(&self) -> bool {
         use Confidence::{Altered, Interpolated, Repeated, Scattered};
         let of_rate = matches!(self.best.rule.alteration, Some(Alteration::TermOrTimes(_)));
@@ -128,7 +127,7 @@ impl Diagnosis {
         of_rows || self.fails && nearest && unnamed
     }
 
-    /// What would decide between the rules that explain the record alike.
+    /// What to record to distinguish between the rules that fit equally well.
     #[must_use]
     pub fn would_decide(&self) -> Option<&'static str> {
         let named = self.confidence.names_a_rule() || self.confidence == Confidence::FewDigits;
@@ -137,14 +136,14 @@ impl Diagnosis {
         (named && (self.open || self.is_exact())).then_some(words)
     }
 
-    /// By how much the next rule is farther from the record than the best.
+    /// The ratio of the next rule's distance from the record to the best one's.
     #[must_use]
     pub fn ratio(&self) -> Option<f64> {
         self.second.map(|second| self.best.relative_to(&second))
     }
 }
 
-/// The rules that explain a record: the best, others that do so alike, and the next.
+/// The rules that fit a record: the best, those that fit equally well, and the next.
 pub(super) struct Ranked {
     pub best: Explanation,
     pub alike: Vec<Rule>,
@@ -167,7 +166,7 @@ impl Ranked {
             seen.push(*rule);
             new
         };
-        // Where even the best is farther off than its own rounding would put it, whatever fits may be it.
+        // If even the best is off by more than its own rounding, any rule that fits is possible.
         let [rounding, _] = floor.closely();
         let alike_of = |x: &Explanation| alike_of(x) || least > rounding && x.fits(floor);
         let alike = found.iter().filter(|x| alike_of(x)).map(|x| x.rule).filter(&mut is_new).collect();
@@ -191,10 +190,10 @@ impl Ranked {
     }
 }
 
-/// Rules that fit every step, held against what the whole record shows.
+/// Compares rules that fit every step with the whole record.
 fn settled(subject: &Subject, all: &[Pair], ranked: &mut Ranked, whole: &Whole, floor: Floor) -> Confidence {
     let few = floor.single || floor.few;
-    // Of few digits the exact motion may fit each step of a record that fails.
+    // With few digits the exact motion may fit each step of a record that fails.
     let astray = |rule: &Rule| few && whole.fails && *rule == Rule::EXACT;
     let is_one = |rule: &Rule| !astray(rule) && !is_biased(subject, all, rule, floor);
     ranked.alike.retain(is_one);
@@ -206,7 +205,7 @@ fn settled(subject: &Subject, all: &[Pair], ranked: &mut Ranked, whole: &Whole, 
         return Confidence::FewDigits;
     }
     let sought = all.iter().any(|pair| pair.to.ahead.is_some());
-    // What such a rule does to energy and momentum is below the rounding of few digits: others do less.
+    // With few digits, the errors of such a rule in energy and momentum are below rounding, like others'.
     let base = best.base.spin().or(best.method()).filter(|_| !best.base.is_still());
     let first = base.is_some_and(|base| base.0.info().order == 1);
     // Some rules of first order differ by what they do to these alone.
@@ -216,8 +215,8 @@ fn settled(subject: &Subject, all: &[Pair], ranked: &mut Ranked, whole: &Whole, 
     };
     // A rule that keeps a law does not make every step of a record that breaks it.
     let kept = |law: &LawName| best == Rule::EXACT || best.keeps(*law);
-    // Rules that keep the laws go along the exact motion's curve at rates of their own, and with wrong times
-    // at any: a number that is not round is no name.
+    // Rules that keep the laws follow the exact motion's curve at their own rate, and with wrong times at any
+    // rate: a number that is not round identifies none.
     let near = NEAR_A_TERM[0].max(FITS_EXACT[0] * floor.size);
     let own = best.alteration.filter(|_| best.base == Base::Exact);
     let is_round = |x: f64| rounded(x).is_some_and(|round| (x / round - 1.0).abs() <= near);
@@ -233,7 +232,7 @@ fn settled(subject: &Subject, all: &[Pair], ranked: &mut Ranked, whole: &Whole, 
     }
 }
 
-/// Rules that fit every step between jumps, held against what these steps show together.
+/// Compares rules that fit every step between jumps with the sum of these steps.
 fn between_jumps(subject: &Subject, own: &[Pair], ranked: &mut Ranked, floor: Floor) -> Confidence {
     ranked.alike.retain(|rule| !is_biased(subject, own, rule, floor));
     match is_biased(subject, own, &ranked.best.rule, floor) {
@@ -243,9 +242,9 @@ fn between_jumps(subject: &Subject, own: &[Pair], ranked: &mut Ranked, floor: Fl
     }
 }
 
-/// Whether the steps of a rule, all of which fit, change energy or momentum otherwise in their sum than the
-/// record's do: rounding is much less in a sum. Nor does a record keep what a rule changes step by step, or
-/// what the rule without its damping does.
+/// Whether the steps of a rule, each of which fits, change energy or momentum in sum by another amount than
+/// the record's: rounding matters less in a sum. Also whether the record keeps what the rule, or the rule
+/// without its damping, changes in each step.
 fn is_biased(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> bool {
     let undamped = rule.is_damped().then(|| Rule::plain(rule.base));
     let [count, root] = [pairs.len() as f64, (pairs.len() as f64).sqrt()];
@@ -290,8 +289,8 @@ fn changes(subject: &Subject, pairs: &[Pair], rule: &Rule) -> [Vector2<f64>; 2] 
     steps.fold([Vector2::zeros(); 2], |[own, seen], [from, end, to]| [own + end - from, seen + to - from])
 }
 
-/// Whether a record drifts otherwise than a rule that comes near to it: what is left of a rule without fitted
-/// numbers is random, and what it keeps is kept.
+/// Whether a record drifts differently from a rule that is near: if the rule has no fitted numbers, the
+/// remainder must be random, and the laws of the rule must hold.
 fn drifts_from(subject: &Subject, pairs: &[Pair], best: &Explanation, whole: &Whole) -> bool {
     let rule = best.rule;
     let is_plain = rule.alteration.is_none() && !matches!(rule.base, Base::MomentumForSpin(_));
@@ -303,7 +302,7 @@ fn drifts_from(subject: &Subject, pairs: &[Pair], best: &Explanation, whole: &Wh
 /// Tries every candidate on the sample.
 pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &Whole) -> Option<Diagnosis> {
     let floor = known.floor;
-    // Of attitudes alone each rule's spin has to be found first, step by step: fewer steps do.
+    // From attitudes alone, each rule's spin must be solved for in each step: fewer steps are tried.
     let sought = all.iter().any(|pair| pair.to.ahead.is_some());
     let pairs = &*if sought { some(all, TRIED_TURNS) } else { all.to_vec() };
     let found = tried(subject, pairs, known, sought);
@@ -313,7 +312,7 @@ pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &W
     if confidence == Confidence::Near && drifts_from(subject, pairs, &ranked.best, whole) {
         confidence = Confidence::NoneFits;
     }
-    // Friction that overshoots at rest turns the spin right round in each step, and is no scatter.
+    // Friction that overshoots at rest reverses the spin in each step, which is not scatter.
     let is_back =
         |x: &Pair| x.from.omega.dot(&x.to.omega) <= RIGHT_ROUND * x.from.omega.norm() * x.to.omega.norm();
     let going: Vec<_> = pairs.iter().filter(|x| !is_back(x)).copied().collect();

@@ -1,4 +1,4 @@
-//! Candidates with numbers in them, each fitted to the record before it is held against it.
+//! Candidates with parameters, each fitted to the record before it is compared with it.
 
 use crate::law::LawName;
 use crate::read::{Pair, is_limited, law, least, median, normal, ordered, simplest, slopes, times_the_turn};
@@ -9,11 +9,11 @@ use tumbling::PrincipalMoments;
 use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::step::Method;
 
-/// The number that takes the momentum to the turn.
+/// The number by which the momentum is divided to give the turn.
 pub(crate) fn momentum_for_spin(subject: &Subject, pairs: &[Pair]) -> Option<Rule> {
     let mass = median(&mut pairs.iter().filter_map(|pair| {
         let turn = pair.turn()?.norm();
-        // A turn of the size of its rounding is none.
+        // A turn no larger than its rounding does not count.
         let mass = subject.system.momentum(&pair.from.omega).norm() * pair.h / turn;
         (turn > TURN_ROUNDINGS * f64::EPSILON).then_some(mass)
     }));
@@ -36,7 +36,7 @@ fn misses(subject: &Subject, pairs: &[Pair], rule: &Rule) -> Option<Vec<Vector3<
     pairs.iter().map(miss).collect()
 }
 
-/// The number of a rule that misses the spins least, without the steps that are far off: pushes.
+/// The parameter of a rule that fits the spins best, without the steps that are far off (pushes).
 fn number(subject: &Subject, pairs: &[Pair], start: f64, rule: &dyn Fn(f64) -> Rule) -> Option<f64> {
     let fit = |pairs: &[Pair], start: f64| {
         least([start].into(), &|x| misses(subject, pairs, &rule(x.x)), &|x| x, RULE_GAIN).map(|x| x.x)
@@ -88,7 +88,7 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
     all
 }
 
-/// How many times as large as it should be the gyroscopic term is beside a drag, by least squares.
+/// The ratio of the gyroscopic term to its right size under drag, by least squares.
 fn term_under_drag(pairs: &[Pair], moments: &Vector3<f64>) -> f64 {
     let (mut own, mut both) = (Matrix2::zeros(), Vector2::zeros());
     for Pair { from, to, h } in pairs {
@@ -103,8 +103,8 @@ fn term_under_drag(pairs: &[Pair], moments: &Vector3<f64>) -> f64 {
     own.lu().solve(&both).map_or(f64::NAN, |numbers| numbers.x)
 }
 
-/// Where damping may be: spins alone do not show whether before or after the turn, nor turns alone on which
-/// side of the row.
+/// The places in a step where damping may act: spins alone do not show whether before or after the turn,
+/// and turns alone do not show on which side of the row.
 const fn places(with_attitude: bool, of_spin: bool) -> &'static [&'static [When]] {
     match (with_attitude, of_spin) {
         (true, true) => &[&[When::Before], &[When::Beside], &[When::After, When::Turned]],
@@ -113,7 +113,7 @@ const fn places(with_attitude: bool, of_spin: bool) -> &'static [&'static [When]
     }
 }
 
-/// Damping in each of several steps from row to row, of the number that the header names if it does.
+/// Damping in each of several steps per row, as many as the header gives, if it does.
 pub(super) fn in_steps(subject: &Subject, pairs: &[Pair], rounding: f64, per_row: Option<u32>) -> Vec<Rule> {
     let few = &*some(pairs, TRIED_IN_PARTS[0]);
     let with_attitude = pairs.first().is_some_and(|pair| pair.from.attitude.is_some());
@@ -129,7 +129,7 @@ pub(super) fn in_steps(subject: &Subject, pairs: &[Pair], rounding: f64, per_row
     all
 }
 
-/// Another gyroscopic term, or other times, with which a base makes the spins.
+/// Another gyroscopic term, or other times, with which a base fits the spins.
 fn of_term(subject: &Subject, few: &[Pair], base: Base, term: f64, turned: Option<f64>) -> Vec<Rule> {
     // A rule that keeps the laws goes along the exact motion's curve, at any rate that a number gives; an
     // accurate one nearly so. With attitudes both would have to be off by one factor.
@@ -162,7 +162,7 @@ fn of_term(subject: &Subject, few: &[Pair], base: Base, term: f64, turned: Optio
     multiples(times, turned).filter(is_seen).map(|how| base.but(how)).collect()
 }
 
-/// Other times of a spin that stays, which the turns alone show.
+/// Other times for a constant spin, which only the turns show.
 fn of_still(few: &[Pair], base: Base, turned: Option<f64>) -> Vec<Rule> {
     let Some(ratio) = turned.filter(|ratio| !is_limited(*ratio, few)) else {
         return Vec::new();
@@ -177,7 +177,7 @@ fn of_still(few: &[Pair], base: Base, turned: Option<f64>) -> Vec<Rule> {
     all.map(|base| base.but(Alteration::Times(times))).collect()
 }
 
-/// Turns in the wrong place or by the wrong spin.
+/// Turns on the wrong side, repeated, or by the wrong spin.
 fn of_turns() -> Vec<Rule> {
     let (mut all, turned) = (Vec::new(), |base: Base, turn| base.but(Alteration::Turned(turn)));
     for base in distinct(Base::all().into_iter().chain(Base::every()).collect()) {
@@ -191,7 +191,7 @@ fn of_turns() -> Vec<Rule> {
     all
 }
 
-/// What a multiple of the gyroscopic term may be, by how many times as far as the spin says the attitude
+/// What a multiple of the gyroscopic term may mean, given how many times as far as the spin the attitude
 /// turns, if there is one.
 fn multiples(times: f64, turned: Option<f64>) -> impl Iterator<Item = Alteration> {
     let of_times = turned.is_some_and(|turned| (turned - 1.0).abs() > (times - 1.0).abs() / 2.0);
@@ -209,7 +209,7 @@ fn multiples(times: f64, turned: Option<f64>) -> impl Iterator<Item = Alteration
 /// The body with which each base makes the spins of the record: a tensor of the same trace as that named.
 pub(crate) fn other_bodies(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<Rule> {
     let few = some(pairs, FITTED_STEPS);
-    // A spin that stays is right for each body that has a principal axis there.
+    // A constant spin is right for each body that has a principal axis there.
     let moves =
         |pair: &Pair| (pair.to.omega - pair.from.omega).norm() > STILL * rounding * pair.from.omega.norm();
     if !few.iter().any(moves) {
@@ -290,8 +290,8 @@ pub(crate) fn inside(numbers: SVector<f64, 5>) -> SVector<f64, 5> {
     [all[(0, 0)], all[(1, 1)], all[(1, 2)], all[(2, 0)], all[(0, 1)]].into()
 }
 
-/// A base whose spin is lessened in each of its steps from row to row by the factor that fits best, in groups
-/// of places that the spins do not tell apart.
+/// A base with damping in each of its steps per row by the factor that fits best, in groups of places that
+/// the spins do not distinguish.
 fn damped(
     subject: &Subject,
     pairs: &[Pair],
@@ -312,7 +312,7 @@ fn damped(
     all
 }
 
-/// What is lost a second, 1/s: of the ways in which engines damp the one with a round number, if there is
+/// The damping rate, 1/s: of the formulas that engines use, the one that gives a round number, if there is
 /// one.
 fn rate(factor: f64, h: f64) -> f64 {
     let ways = [(1.0 - factor) / h, (1.0 / factor - 1.0) / h, -factor.ln() / h];

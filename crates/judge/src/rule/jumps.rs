@@ -1,18 +1,18 @@
-//! Steps that are not the rule's, among steps that are: pushes.
+//! Jumps: steps that do not follow the rule, among steps that do.
 
 use crate::read::{Floor, Pair};
 use crate::rule::{Explanation, Rule, Subject};
 use crate::thresholds::*;
 use serde::Serialize;
 
-/// A step that is not the rule's, among steps that are.
+/// A step that does not follow the rule, among steps that do.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Jump {
-    /// The line in which it ends.
+    /// The line of its end.
     pub line: usize,
     /// Its end, s.
     pub time: f64,
-    /// How far it is from the rule's: of the spin relative to its length, of the attitude in rad.
+    /// Its distance from the rule's step: spin relative to its length, or attitude in rad.
     pub size: f64,
 }
 
@@ -22,15 +22,15 @@ pub(super) fn without(pairs: &[Pair], jumps: &[Jump]) -> Vec<Pair> {
     pairs.iter().filter(is_own).copied().collect()
 }
 
-/// The steps that are as far from the motion as no step of a rule that is not known: pushes.
+/// The steps that are farther from the exact motion than any step of an unknown rule: pushes.
 pub(super) fn pushes(subject: &Subject, pairs: &[Pair], found: &[Explanation], floor: Floor) -> Vec<Jump> {
     let exact = found.iter().find(|x| x.rule == Rule::EXACT).filter(|x| x.percentile_95 < NEAR);
     let most = exact.map(|x| JUMP_IN_LIMITS * x.percentile_95.max(floor.limits()[1]));
     most.and_then(|most| jumps(subject, pairs, &Rule::EXACT, most, JUMP_EVERY[1])).unwrap_or_default()
 }
 
-/// The steps that are not the rule's: a push is rare, far larger than the errors of the steps, and not the
-/// end of another; all other steps are the rule's. `None` where that is not so.
+/// The steps that do not follow the rule; `None` if they do not look like pushes: rare, far larger than the
+/// errors of the other steps, and apart from each other.
 pub(super) fn jumps(
     subject: &Subject,
     all: &[Pair],

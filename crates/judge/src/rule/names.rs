@@ -1,4 +1,4 @@
-//! What a rule is called, and who goes by it.
+//! The names of rules, and the engines that use them.
 
 use crate::read::{by_how_much, to_four_places};
 use crate::rule::{Alteration, Base, Limits, PHYSICS_ENGINES, PhysicsEngine, Rule, Turn, When};
@@ -20,7 +20,7 @@ pub(crate) fn significant(x: f64) -> String {
     format!("{x:.decimals$}")
 }
 
-/// A number as it stands, in powers of ten where it is very small or large.
+/// A number with all its digits, with a power of ten where it is very small or large.
 pub(crate) fn readable(x: f64) -> String {
     if x == 0.0 || (1e-5..1e15).contains(&x.abs()) { x.to_string() } else { format!("{x:e}") }
 }
@@ -30,7 +30,7 @@ fn in_parts(name: &str, parts: u32) -> String {
 }
 
 impl Base {
-    /// What it is called.
+    /// Its name.
     #[must_use]
     pub fn name(&self) -> String {
         match self {
@@ -46,10 +46,10 @@ impl Base {
                 format!("momentum taken for spin (divided by {})", significant(*mass))
             }
             Self::Straight(Method::ConstantSpin, parts) => {
-                in_parts("no gyroscopic term, and the attitude stepped straight (q + h/2 q w)", *parts)
+                in_parts("no gyroscopic term, linear update of the attitude (q + h/2 q w)", *parts)
             }
             Self::Straight(_, parts) => in_parts(
-                "explicit gyroscopic step (w + h w'), and the attitude stepped straight by the new spin (q + h/2 q w)",
+                "explicit gyroscopic step (w + h w'), linear update of the attitude by the new spin (q + h/2 q w)",
                 *parts,
             ),
         }
@@ -71,7 +71,7 @@ impl Alteration {
                 let (lost, rate) = (1.0 - factor, readable(*rate));
                 let when = match when {
                     When::Before => ", before the gyroscopic term",
-                    When::Beside => ", beside the gyroscopic term (of the spin before the step)",
+                    When::Beside => ", with the gyroscopic term (both of the spin before the step)",
                     When::After => ", after the gyroscopic term",
                     When::Turned => ", after the turn",
                     When::Open => "",
@@ -98,8 +98,8 @@ impl Alteration {
                 Turn::BodyInWorld => "the attitude turned on the wrong side (dq * q by a spin in body axes)",
                 Turn::WorldInBody => "the attitude turned on the wrong side (q * dq by a spin in world axes)",
                 Turn::TwiceBefore | Turn::TwiceAfter => "the attitude turned twice a step",
-                Turn::Own => "the attitude turned by the new spin in the world, and not with it",
-                Turn::Otherwise => "the attitude turned otherwise than by this rule",
+                Turn::Own => "the attitude turned by the new spin in the world, not by its own turn",
+                Turn::Otherwise => "the spin alone (not the attitude) by this rule",
             }
             .into(),
             Self::Capped(most) => format!("a cap on the spin ({} rad/s)", significant(*most)),
@@ -107,7 +107,7 @@ impl Alteration {
     }
 }
 
-/// Multiples of the gyroscopic term that are mistakes one makes.
+/// Multiples of the gyroscopic term that are common mistakes.
 pub(crate) const TERMS: [(f64, &str); 3] = [
     (0.5, "half of the gyroscopic term"),
     (-1.0, "the gyroscopic term with the wrong sign"),
@@ -128,14 +128,14 @@ impl Rule {
         }
     }
 
-    /// Physics engines known to go by it, with their settings, and the number of their steps in one of the
-    /// record's where that is not one.
+    /// Physics engines known to use it, with their settings, and with the number of their steps per row where
+    /// that is not one.
     #[must_use]
     pub fn engines(&self) -> Vec<String> {
         PHYSICS_ENGINES.iter().filter_map(|engine| Some(named(engine, self.steps_of(engine)?))).collect()
     }
 
-    /// The number of an engine's steps that one step of this rule is, if it is the engine's rule.
+    /// The number of the engine's steps in one step of this rule, if the engine uses this rule.
     pub(crate) fn steps_of(&self, engine: &PhysicsEngine) -> Option<u32> {
         let has = |method| engine.method == method;
         match (self.base, self.alteration) {
@@ -155,10 +155,10 @@ impl Rule {
     }
 }
 
-/// An engine, and its steps from row to row.
+/// An engine, and its steps per row.
 type Steps = (&'static PhysicsEngine, u32);
 
-/// The engines that a record names and that go by one of these rules.
+/// The engines that the record names and that use one of these rules.
 pub(crate) fn engines<'a>(header: &str, rules: impl Iterator<Item = &'a Rule> + Clone) -> Vec<Steps> {
     let words = header.split(|c: char| !c.is_alphanumeric());
     let called = |engine: &&PhysicsEngine| words.clone().any(|word| engine.is_called(word));
@@ -166,8 +166,8 @@ pub(crate) fn engines<'a>(header: &str, rules: impl Iterator<Item = &'a Rule> + 
     PHYSICS_ENGINES.iter().filter(called).filter_map(fitting).collect()
 }
 
-/// The rules named first: the best, and of those that make the same steps those that an engine goes by; the
-/// rule of the record's own engine before all.
+/// The rules named first: the best, and those with the same steps that an engine uses; the rule of the
+/// record's own engine is the first of all.
 pub(crate) fn first_named(best: &Rule, alike: &[Rule], own: Option<&PhysicsEngine>) -> Vec<Rule> {
     let known = alike.iter().filter(|rule| !rule.engines().is_empty());
     let mut rules: Vec<Rule> = std::iter::once(best).chain(known).copied().collect();
@@ -176,8 +176,8 @@ pub(crate) fn first_named(best: &Rule, alike: &[Rule], own: Option<&PhysicsEngin
     rules
 }
 
-/// The engines named: the record's own, or those that go by the rules named first; where these are several,
-/// both.
+/// The engines named: the record's own, or those that use the rules named first; both, if there are several
+/// such rules.
 pub(crate) fn engine_names(own: &[Steps], leading: &[Rule]) -> Vec<String> {
     let mut names: Vec<String> = own.iter().map(|&(engine, steps)| named(engine, steps)).collect();
     if names.is_empty() || leading.len() > 1 {
@@ -190,7 +190,7 @@ pub(crate) fn engine_names(own: &[Steps], leading: &[Rule]) -> Vec<String> {
     names
 }
 
-/// What to set in these engines, or else in those that go by these rules.
+/// The settings to use in these engines, or, without any, in those that use these rules.
 pub(crate) fn settings(own: &[Steps], rules: &[Rule]) -> Vec<String> {
     let goes = |engine: &PhysicsEngine| rules.iter().any(|rule| rule.steps_of(engine).is_some());
     let is_own = |engine: &PhysicsEngine| own.iter().any(|(other, _)| *other == engine);
@@ -208,19 +208,19 @@ impl PhysicsEngine {
     }
 }
 
-/// An engine with its version and setting, and its steps from row to row where they are several.
+/// An engine with its version and setting, and its steps per row where they are several.
 pub(crate) fn named(engine: &PhysicsEngine, steps: u32) -> String {
     let version = engine.version.map_or(String::new(), |version| format!(" {version}"));
-    let steps = if steps == 1 { String::new() } else { format!(", {steps} steps from row to row") };
+    let steps = if steps == 1 { String::new() } else { format!(", {steps} steps per row") };
     format!("{}{version}, {}{steps}", engine.name, engine.setting)
 }
 
 fn limits(limits: &Limits) -> String {
     let [turn, spin] = [limits.turn, limits.spin].map(|angle| angle.map(f64::to_degrees));
-    let turn = turn.map(|angle| format!("a step beyond {angle:.0} degrees turns too little"));
+    let turn = turn.map(|angle| format!("a turn of more than {angle:.0} degrees a step is too small"));
     let cut = |most| format!("spin is cut at {} rad/s along each axis of the world", significant(most));
     let spin = spin.map(|angle| format!("spin is slowed to {angle:.0} degrees a step"));
-    let rate = limits.rate.map(|most| format!("put back beyond {most:e} rad/s2"));
+    let rate = limits.rate.map(|most| format!("the body is reset beyond {most:e} rad/s or rad/s2"));
     let all = [turn, limits.component.map(cut), spin, rate];
     all.into_iter().flatten().collect::<Vec<_>>().join("; ")
 }

@@ -1,4 +1,4 @@
-//! Rules that may have made a record: a base, and what is altered of it.
+//! Rules that may have made a record: a base, and an alteration of it.
 
 use crate::law::LawName;
 use crate::read::Pair;
@@ -11,13 +11,13 @@ use tumbling::step::Method;
 /// A rule, as a diagnosis names it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rule {
-    /// What makes the step.
+    /// The method of the step.
     pub base: Base,
-    /// What is altered of it.
+    /// The alteration, if any.
     pub alteration: Option<Alteration>,
 }
 
-/// What makes a step.
+/// The method of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Base {
@@ -38,13 +38,13 @@ pub enum Base {
     Straight(Method, u32),
 }
 
-/// What is altered of a step.
+/// An alteration of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Alteration {
     /// The body has other moments than the record says, about axes turned so from the record's.
     OtherMoments(Vector3<f64>, UnitQuaternion<f64>),
-    /// The spin is lessened by this factor in each step.
+    /// The spin is multiplied by this factor in each step.
     Damped {
         /// What is left of the spin.
         factor: f64,
@@ -66,11 +66,11 @@ pub enum Alteration {
     Times(f64),
     /// The spin is the rule's, and the attitude does not turn by it.
     Turned(Turn),
-    /// There is no spin beyond this, rad/s.
+    /// The spin is limited to this, rad/s.
     Capped(f64),
 }
 
-/// How an attitude turns that does not turn by its rule.
+/// How the attitude turns, if not by its rule.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Turn {
     /// By the spin before the step.
@@ -94,20 +94,20 @@ pub enum Turn {
 }
 
 impl Turn {
-    /// Those of a turn in the wrong place or by the wrong spin, as they are tried.
+    /// The turns on the wrong side, repeated, or by the wrong spin, in the order of trial.
     pub(crate) const OTHERS: [Self; 5] =
         [Self::BodyInWorld, Self::WorldInBody, Self::TwiceBefore, Self::TwiceAfter, Self::Own];
 
-    /// Whether row and row are of different instants, of a rule that may be right.
+    /// Whether spin and attitude of a row belong to different times, of a rule that may be right.
     pub(crate) const fn is_of_rows(self) -> bool {
         matches!(self, Self::Old | Self::Late | Self::Early | Self::Otherwise)
     }
 }
 
-/// Of what order the frozen tensor's spin is stepped.
+/// The method that steps the spin with a frozen tensor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Steps {
-    /// Straight ahead.
+    /// Explicit Euler.
     First,
     /// By Runge and Kutta, as [`Engine::Frozen`](tumbling::step::Engine) is.
     Fourth,
@@ -118,7 +118,7 @@ pub enum Steps {
 pub enum When {
     /// Before the gyroscopic term.
     Before,
-    /// Beside it: by a share of the spin before the step.
+    /// Together with it: by a share of the spin before the step.
     Beside,
     /// After it, and before the turn.
     After,
@@ -138,7 +138,7 @@ impl Rule {
         Self { base, alteration: None }
     }
 
-    /// The method that it is, and in how many parts it cuts a step, if it is one and no more than limited.
+    /// Its method and its number of parts per step, if it is a plain method or an engine's.
     #[must_use]
     pub const fn method(&self) -> Option<(Method, u32)> {
         match (self.base, self.alteration) {
@@ -167,7 +167,7 @@ impl Rule {
         }
     }
 
-    /// What it is without the numbers that are fitted to a record.
+    /// The rule without the numbers that are fitted to a record.
     pub(crate) fn neutral(&self) -> Vec<Self> {
         let with = |alteration| Self { alteration: Some(alteration), ..*self };
         match self.alteration {
@@ -186,7 +186,7 @@ impl Rule {
         }
     }
 
-    /// Whether shorter steps do not lead to the motion of the body.
+    /// Whether it does not converge to the motion of the body with shorter steps.
     pub(crate) const fn is_wrong(&self) -> bool {
         let base = match self.base {
             Base::Exact | Base::PositionStage(_) => false,
@@ -206,7 +206,7 @@ impl Rule {
         matches!(self.alteration, Some(Alteration::Damped { .. }))
     }
 
-    /// Whether it says nothing of the attitude.
+    /// Whether it does not determine the attitude.
     pub(crate) const fn is_of_spin(&self) -> bool {
         matches!(
             self.alteration,
@@ -227,7 +227,7 @@ impl Rule {
 }
 
 impl Base {
-    /// In how many parts it cuts a step.
+    /// The number of parts of its step.
     pub(crate) const fn parts(&self) -> u32 {
         match self {
             Self::Method(_, parts) | Self::PositionStage(parts) | Self::Straight(_, parts) => *parts,
@@ -241,7 +241,7 @@ impl Base {
         matches!(self, Self::Method(Method::ConstantSpin, _) | Self::Straight(Method::ConstantSpin, _))
     }
 
-    /// The method that makes its spin, and in how many parts.
+    /// The method that steps its spin, and its number of parts.
     pub(crate) const fn spin(&self) -> Option<(Method, u32)> {
         match *self {
             Self::Method(Method::ExplicitEuler, parts) => Some((Method::SemiImplicitEuler, parts)),
@@ -261,14 +261,14 @@ impl Base {
         }
     }
 
-    /// Every rule that a step can be cut into parts of.
+    /// Every rule whose step can be divided into parts.
     pub(crate) fn every() -> impl Iterator<Item = Self> {
         let methods = Method::ALL.iter().map(|&method| Self::Method(method, 1));
         let straight = [Method::SemiImplicitEuler, Method::ConstantSpin].map(|x| Self::Straight(x, 1));
         methods.chain([Self::PositionStage(1)]).chain(straight)
     }
 
-    /// The exact motion, the rules that engines go by, and those that are put into engines.
+    /// The exact motion, the rules that engines use, and those recommended to engines.
     pub(crate) fn all() -> Vec<Self> {
         let mut all = vec![Self::Exact];
         for engine in PHYSICS_ENGINES {
@@ -286,7 +286,7 @@ impl Base {
     }
 }
 
-/// Plain rules, in the order in which they are preferred where several explain a record alike.
+/// Plain rules, in the order of preference if several fit a record equally well.
 pub(crate) fn plain(free: bool, pairs: &[Pair]) -> Vec<Rule> {
     let possible = |base: &Base| free || matches!(base, Base::Method(..));
     let mut all: Vec<Base> = Base::all().into_iter().filter(possible).collect();
@@ -307,7 +307,7 @@ pub(crate) fn plain(free: bool, pairs: &[Pair]) -> Vec<Rule> {
     distinct(all).into_iter().map(Rule::plain).collect()
 }
 
-/// Rules in parts of a row, as of an engine whose rows are not written at every step; those of the header's
+/// Rules with several steps per row, for an engine that does not write every step; those with the header's
 /// number first.
 pub(crate) fn in_parts(per_row: Option<u32>, all: bool) -> Vec<Rule> {
     let mut found = Vec::new();

@@ -1,4 +1,4 @@
-//! What is said of a record that no rule fits.
+//! The diagnosis of a record that no rule fits.
 
 use crate::read::{Floor, Pair, law, median, unit};
 use crate::rule::diagnosis::Ranked;
@@ -7,8 +7,8 @@ use crate::rule::{Alteration, Base, Confidence, Explanation, Rule, Subject, When
 use crate::thresholds::*;
 use nalgebra::Vector3;
 
-/// The exact motion with a number altered, if that explains nearly all of its error; an accurate rule, and
-/// the error of its steps; rows that scatter, and by how much; or none.
+/// One of: the exact motion with one number altered, if that explains nearly all of its error; an accurate
+/// rule, with the error of its steps; rows that scatter, and by how much; none.
 pub(super) fn unnamed(
     subject: &Subject,
     pairs: &[Pair],
@@ -24,7 +24,7 @@ pub(super) fn unnamed(
     let (altered, times) = altered(subject, pairs, found);
     if let Some(altered) = altered.filter(|x| times > ALTERED[1] && x.median < NEAR) {
         let mut altered = alone(altered);
-        // Where in the step of a rule that is not known it is damped, the exact motion does not show.
+        // The exact motion does not show where in an unknown rule's step the damping acts.
         if let Some(Alteration::Damped { when, .. }) = &mut altered.best.rule.alteration {
             *when = When::Open;
         }
@@ -39,8 +39,8 @@ pub(super) fn unnamed(
     (ranked, if scatter.is_some() { Confidence::Scattered } else { Confidence::NoneFits }, scatter)
 }
 
-/// Whether the attitudes scatter about what a rule makes of the rows, by more than the rounding of the digits
-/// that are printed: numbers that had fewer before, as those of a matrix may.
+/// Whether the attitudes scatter about a rule's results by more than the rounding of the printed digits:
+/// numbers that had fewer digits before, as those from a matrix may.
 pub(super) fn attitudes_scatter(subject: &Subject, pairs: &[Pair], base: Base, floor: Floor) -> bool {
     // In the world, where the next step takes back the very vector.
     let off = |pair: &Pair| {
@@ -50,8 +50,8 @@ pub(super) fn attitudes_scatter(subject: &Subject, pairs: &[Pair], base: Base, f
     scatter(pairs, off).is_some_and(|off| off > floor.limits()[1])
 }
 
-/// By how much rows scatter about a smooth motion, if that is most of what their steps are off by: what one
-/// row is off by, the next step takes back, while the errors of a rule go on.
+/// The scatter of rows about a smooth motion, if it is most of the error of their steps: the next step
+/// reverses a row's scatter, while the errors of a rule accumulate.
 fn scatter(pairs: &[Pair], off: impl Fn(&Pair) -> Option<Vector3<f64>>) -> Option<f64> {
     let both =
         |two: &[Pair]| Some([off(&two[0])?, off(&two[1])?]).filter(|_| two[0].to.line == two[1].from.line);
@@ -61,7 +61,7 @@ fn scatter(pairs: &[Pair], off: impl Fn(&Pair) -> Option<Vector3<f64>>) -> Optio
         next += first.dot(&second);
         count += 1.0;
     }
-    // Of noise alone it is half.
+    // For noise alone it is half.
     (next < -TAKEN_BACK * own && count >= SCATTERED_ROWS).then(|| (own / (6.0 * count)).sqrt())
 }
 
@@ -86,8 +86,8 @@ fn altered<'a>(
     (best, best.map_or(0.0, times))
 }
 
-/// Whether some of the rows lie on a straight line between those before and after, next to a plain bend: no
-/// smooth motion has that.
+/// Whether some rows lie on a straight line between their neighbours, next to a clear bend: no smooth motion
+/// does that.
 pub(super) fn are_interpolated(subject: &Subject, pairs: &[Pair], floor: Floor) -> bool {
     // The attitudes between two others turn about one axis, however the spin changes there.
     let is_between = |[first, second]: [&Pair; 2]| match (first.turn(), second.turn()) {
@@ -107,13 +107,13 @@ pub(super) fn are_interpolated(subject: &Subject, pairs: &[Pair], floor: Floor) 
     let bends: Vec<f64> = bends.collect();
     let is_knot = |two: &&[f64]| two[0].min(two[1]) <= 1.0 && two[0].max(two[1]) > ABOVE_ROUNDING;
     let many = bends.windows(2).filter(is_knot).count() as f64 > STRAIGHT[1] * bends.len() as f64;
-    // Spins alone that are pushed do not go by the law.
+    // Spins alone that are pushed do not follow Euler's equations.
     many && (pairs[0].from.attitude.is_some() || law(pairs, &subject.moments).0 > LAW_AGREES)
 }
 
-/// The error of the middle step, as a share of what the gyroscopic term changes of the spin in the middle
-/// step; of an accurate rule alone. A share of the spin would praise each rule whose steps are short, even
-/// where there is no gyroscopic term in them.
+/// The median error of a step as a share of the median change of spin by the gyroscopic term; only for an
+/// accurate rule. A share of the spin itself would call every rule with short steps accurate, even one
+/// without a gyroscopic term.
 fn accuracy(subject: &Subject, pairs: &[Pair], exact: &Explanation, floor: f64) -> Option<f64> {
     let change = median(&mut pairs.iter().filter_map(|pair| {
         let end = subject.spin_after(&Rule::EXACT, pair)?;
@@ -123,8 +123,8 @@ fn accuracy(subject: &Subject, pairs: &[Pair], exact: &Explanation, floor: f64) 
     (change.is_finite() && change > ABOVE_ROUNDING * floor && share <= ACCURATE).then_some(share)
 }
 
-/// How many times as much as by the gyroscopic term the spin changes where no rule fits, if that is far from
-/// one.
+/// The ratio of the change of spin to that by the gyroscopic term, if no rule fits and the ratio is far
+/// from 1.
 pub(super) fn times_the_term(subject: &Subject, pairs: &[Pair]) -> Option<f64> {
     let (alike, times) = law(pairs, &subject.moments);
     // A torque changes the spin too.

@@ -1,4 +1,4 @@
-//! The end of a trial: what its laws and steps come to, as one verdict.
+//! The end of a trial: one verdict from its laws and steps.
 
 use crate::law::LawName;
 use crate::laws::{FlipCount, Law, Trial};
@@ -10,14 +10,14 @@ use crate::verdict::{Complaint, Outcome, Recording, Seen, Verdict};
 use nalgebra::{Matrix3, Vector3};
 use std::f64::consts::TAU;
 
-/// A trial that is over, and what it is held to.
+/// A finished trial, and the limits that it is judged by.
 struct End<'a> {
     trial: &'a Trial,
     subject: &'a Subject,
     options: &'a Options,
     laws: &'a [Law],
     flips: Option<&'a FlipCount>,
-    /// Whether there is nothing that the body should do.
+    /// Whether the motion should be constant, and is.
     still: bool,
 }
 
@@ -39,7 +39,7 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, options: &Options) -> Ver
     let short = diagnosis.as_mut().filter(|_| outcome == Outcome::TooShort);
     short.into_iter().for_each(|found| found.advice = vec![Advice::LONGER]);
     if let Some(named) = diagnosis.as_ref().filter(|found| found.confidence.names_a_rule()) {
-        // What the rule does not keep is no rounding where it is more than that of the numbers.
+        // An error in a law that the rule breaks is no rounding error, if it exceeds that of the numbers.
         let graded = trial.laws.kept(|_| Some(0.0));
         let of_rule = |name| is_length(name) && !named.best.rule.keeps(name);
         for law in laws.iter_mut().filter(|law| of_rule(law.name) && law.most > LAW_ROUNDINGS[0] * floor) {
@@ -79,7 +79,7 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, options: &Options) -> Ver
     }
 }
 
-/// Whether there is nothing that the body should do, nor does it.
+/// Whether the motion should be constant, and is.
 fn is_still(trial: &Trial, subject: &Subject) -> bool {
     let (laws, floor) = (&trial.laws, trial.known.floor.size);
     laws.seen.constant
@@ -97,14 +97,14 @@ impl End<'_> {
         self.laws.iter().filter(|law| !self.options.allows(law))
     }
 
-    /// By how much the attitude turns otherwise than the spin says, if by more than is allowed.
+    /// By how much the turn of the attitude differs from the spin, if by more than is allowed.
     fn otherwise(&self) -> Option<f64> {
         let allowed = self.options.allowed(LawName::Consistency).unwrap_or(self.options.threshold);
         let law = self.laws.iter().find(|law| law.name == LawName::Consistency && law.most > allowed);
         law.map(|law| law.most)
     }
 
-    /// What the whole record shows, besides its single steps.
+    /// Evidence from the whole record, as opposed to its single steps.
     fn whole(&self, complaints: &[Complaint]) -> Whole {
         let Trial { known, steps, pairs, resets, ended, .. } = self.trial;
         let sound = known.reading.mistakes().is_empty() && resets.is_empty() && ended.is_none();
@@ -131,7 +131,7 @@ impl End<'_> {
         }
     }
 
-    /// What is wrong besides the laws and the rule.
+    /// Faults other than broken laws and a wrong rule.
     fn complaints(&self) -> Vec<Complaint> {
         let Trial { known, laws, steps, stopped, ended, rows, .. } = self.trial;
         let mut all = Vec::new();
@@ -161,7 +161,7 @@ impl End<'_> {
 
     fn outcome(&self, no_complaint: bool) -> Outcome {
         let Trial { known, laws, resets, ended, .. } = self.trial;
-        // Of equal moments a constant spin is all of the motion, and not a start along an axis.
+        // With equal moments the spin is constant in every motion, whatever the start.
         let uniform = laws.has_equal_moments() && self.trial.first.attitude.is_some();
         let broken = self.broken().next().is_some();
         if !known.reading.mistakes().is_empty() || !resets.is_empty() || ended.is_some() {
@@ -171,7 +171,7 @@ impl End<'_> {
         } else if broken || !no_complaint {
             Outcome::Failed
         } else if laws.untraceable() {
-            // What is right here is not known.
+            // The exact motion is not known here.
             Outcome::NothingToJudge
         } else if self.trial.rows < ENOUGH_ROWS || laws.seen.turned < TAU && laws.seen.moved < ENOUGH_CHANGE {
             Outcome::TooShort
@@ -181,7 +181,7 @@ impl End<'_> {
     }
 }
 
-/// How the attitude turns where most steps do not turn it by the spin.
+/// How the attitude turns, if most steps do not turn it by the spin.
 fn turned(pairs: &[Pair]) -> Option<Seen> {
     let middle = |of: &dyn Fn(Vector3<f64>, Vector3<f64>, Matrix3<f64>) -> f64| {
         median(&mut pairs.iter().filter_map(|pair| {
@@ -208,7 +208,7 @@ const fn is_length(name: LawName) -> bool {
     matches!(name, LawName::Energy | LawName::Momentum)
 }
 
-/// What a record without attitudes, or of attitudes alone, has nothing of.
+/// The laws that cannot be judged without attitudes, or from attitudes alone.
 fn missing(attitude: bool, kind: Kind) -> Vec<LawName> {
     match (attitude, kind) {
         (false, _) => vec![LawName::Direction, LawName::Unit, LawName::Consistency],
@@ -217,7 +217,7 @@ fn missing(attitude: bool, kind: Kind) -> Vec<LawName> {
     }
 }
 
-/// If digits show it, a spin that turns over, or flips where it never should, or never where it should.
+/// Wrong or missing flips, and a spin that reverses, if the digits are enough to show it.
 fn spin_faults(flips: &FlipCount, [axis, shown]: [bool; 2]) -> impl Iterator<Item = Complaint> + use<> {
     let over = flips.turned_over.filter(|_| axis).map(Complaint::TurnedOver);
     let counted = match (flips.found, flips.exact) {
@@ -228,18 +228,16 @@ fn spin_faults(flips: &FlipCount, [axis, shown]: [bool; 2]) -> impl Iterator<Ite
     over.into_iter().chain(counted)
 }
 
-/// A rule that no body goes by, however small the step; of several that cannot be distinguished all must be
-/// wrong.
+/// A rule that is wrong however small the step; if several fit equally well, all must be wrong.
 fn wrong_rule(diagnosis: &Diagnosis) -> Option<Complaint> {
     let all_wrong = std::iter::once(&diagnosis.best.rule).chain(&diagnosis.alike).all(Rule::is_wrong);
     let wrong = diagnosis.confidence == Confidence::ToRounding && all_wrong;
     wrong.then(|| Complaint::WrongRule(Box::new(diagnosis.best.rule)))
 }
 
-/// A phase that ran away, where the caller has set no limit of its own for it; of that many
-/// periods, the share of which that digits leave open is to be small. So near the separatrix that
-/// 2 E I2 / L² came farther from its first value than that is from 1, and within its limit, any period is
-/// right.
+/// A phase error beyond the default limit, if the caller has set none and the digits leave little of the
+/// phase open. Near the separatrix, where 2 E I2 / L² changed by more than its first distance from 1 but
+/// stayed within its limit, any period is right.
 fn wrong_pace(
     laws: &[Law],
     first: Option<f64>,

@@ -39,9 +39,9 @@ impl Verdict {
         let shown = self.diagnosis.as_ref().filter(|found| !short || found.confidence.names_a_rule());
         let mut head = shown.map(Diagnosis::head).unwrap_or_default();
         let mistakes = self.mistakes();
-        // The rule is that of the numbers as they are meant.
+        // The rule is that of the corrected numbers.
         let named = head.first_mut().filter(|_| !mistakes.is_empty());
-        named.into_iter().for_each(|line| line.insert_str(0, "With the file read so: "));
+        named.into_iter().for_each(|line| line.insert_str(0, "With the file so corrected: "));
         if let Some(seen) = self.seen().filter(|_| !head.is_empty()) {
             head.insert(1, sentence(&seen));
         }
@@ -57,48 +57,48 @@ impl Verdict {
         all
     }
 
-    /// What is seen of the laws that are broken by a rule that is not known.
+    /// How the laws are broken, where the rule is unknown.
     fn seen(&self) -> Option<String> {
         let found = self.diagnosis.as_ref().filter(|found| !found.confidence.names_a_rule())?;
         if let ([first, ..], true) = (&found.jumps[..], found.fails) {
             let (from, count, steps) = (first.time, times(found.jumps.len() as u64), found.steps);
-            let words = format!("from t = {from:.4} s on the body jumps {count} in {steps} steps tried");
-            return Some(format!("what is seen: {words}"));
+            let words = format!("the body jumps {count} in {steps} steps tried, first at t = {from:.4} s");
+            return Some(format!("observed: {words}"));
         }
-        let each = self.broken().map(|law| format!("{}, {}", law.name.words(), law.plain()));
+        let each = self.broken().map(|law| format!("{} ({})", law.name.words(), law.plain()));
         let turned =
             self.complaints.iter().filter(|x| matches!(x, Complaint::Otherwise { seen: Some(_), .. }));
-        let by = |x| format!("the spin changes {} times as much as by the gyroscopic term", plain_number(x));
+        let by = |x| format!("the change of spin is {} times that of the gyroscopic term", plain_number(x));
         let all = each.chain(turned.map(ToString::to_string)).chain(found.term.map(by));
         let all = all.collect::<Vec<_>>().join("; ");
-        (!all.is_empty() && found.confidence == Confidence::NoneFits).then(|| format!("what is seen: {all}"))
+        (!all.is_empty() && found.confidence == Confidence::NoneFits).then(|| format!("observed: {all}"))
     }
 
     /// The mistakes of the file in words.
     pub(crate) fn mistakes(&self) -> Vec<String> {
-        // The tensor frozen at the identity, in the other axes, is the body's turned on the wrong side.
+        // A tensor frozen at the identity looks, in the other axes, like a turn on the wrong side.
         let is_frozen = |found: &Diagnosis| matches!(found.best.rule.base, Base::FrozenTensor(..));
         let frozen = self.diagnosis.as_ref().is_some_and(is_frozen);
         let words = |mistake: &FileMistake| match (mistake, self.record.has_attitude) {
             (FileMistake::LeftHandedSpin, false) => {
                 format!(
-                    "{}; or the step has the gyroscopic term with the wrong sign, or is of a body with other moments: spins alone do not distinguish these",
+                    "{}; or the engine's gyroscopic term has the wrong sign, or its body has other moments: spins alone do not distinguish these",
                     mistake.words()
                 )
             }
             (FileMistake::Times(times), _) => {
-                // What stands in the record, and what was put in its place.
-                let steps = |step| format!(" (rows dt = {:.6} s, put right {step:.6} s)", step / times);
+                // The step in the record, and the corrected one.
+                let steps = |step| format!(" (rows dt = {:.6} s, corrected {step:.6} s)", step / times);
                 let steps = self.record.step.map(steps);
                 mistake.words().replacen(':', &(steps.unwrap_or_default() + ":"), 1)
             }
             (FileMistake::Frame, _) if frozen => {
-                format!("{}; or the turn of a step stands on the wrong side of the attitude", mistake.words())
+                format!("{}; or a step multiplies the attitude on the wrong side", mistake.words())
             }
             _ => mistake.words(),
         };
         let all: Vec<String> = self.file_mistakes.iter().map(words).collect();
-        // The law by which attitudes alone were read otherwise may be what the step has wrong.
+        // Attitudes alone are corrected by the gyroscopic term, which the engine itself may have wrong.
         let alone = self.record.has_attitude && self.record.missing.contains(&LawName::Consistency);
         let near = |found: &Diagnosis| matches!(found.confidence, Confidence::NoneFits | Confidence::Near);
         let fits = !self.diagnosis.as_ref().is_some_and(near);
@@ -107,8 +107,8 @@ impl Verdict {
         }
         let file = all.join("; and ");
         vec![format!(
-            "no known rule fits these attitudes, which alone do not tell a mistake of the file from one of the step. Perhaps \
-             {file}; or perhaps the step has the gyroscopic term with the wrong sign"
+            "no known rule fits these attitudes, which alone do not show whether the file or the engine is wrong. Perhaps \
+             {file}; or perhaps the engine has the gyroscopic term with the wrong sign"
         )]
     }
 
@@ -119,10 +119,10 @@ impl Verdict {
         match self.outcome {
             Outcome::Failed => {
                 if !self.file_mistakes.is_empty() {
-                    reasons.push("read as its names say, the file is no motion of this body".into());
+                    reasons.push("with its columns read as named, the record is not a motion of this body".into());
                 }
                 if !self.resets.is_empty() {
-                    reasons.push("the motion starts anew on the way".into());
+                    reasons.push("the motion is interrupted by a reset or a jump".into());
                 }
                 reasons.extend(self.broken().map(|law| {
                     let (most, allowed) = (plain_number(law.most), self.options.allowed(law.name));
@@ -134,8 +134,8 @@ impl Verdict {
             Outcome::NothingToJudge => reasons.push(self.why_not().into()),
             Outcome::TooShort => reasons.push(
                 format!(
-                    "no law is broken, and too little is seen to say more: it takes {ENOUGH_ROWS} rows or more, in which \
-                     the body turns once round or its spin should change by a tenth. Record {} s or more of this body",
+                    "no law is broken, but the record is too short to pass: it needs {ENOUGH_ROWS} rows or more, in which \
+                     the body makes one turn or its spin should change by a tenth. Record {} s or more of this body",
                     plain_number(self.enough())
                 ),
             ),
@@ -144,29 +144,29 @@ impl Verdict {
         reasons
     }
 
-    /// How long a record of this body must be, s: once round, in rows enough.
+    /// How long a record of this body must be, s: one turn, in enough rows.
     fn enough(&self) -> f64 {
         let once = self.curve.first().map_or(0.0, |first| TAU / first.spin.norm());
         once.max(self.record.step.unwrap_or(0.0) * (ENOUGH_ROWS - 1) as f64)
     }
 
-    /// Why nothing is to be judged.
+    /// Why there is nothing to judge.
     fn why_not(&self) -> &'static str {
         if self.torque.is_some() {
-            "a torque acts: the laws judged here are those of a free body, and damping and wrong terms are tried on \
-             free bodies alone"
+            "a torque acts: the laws judged here hold for free bodies only, and damping and wrong gyroscopic terms are \
+             tested on free bodies only"
         } else if self.untraceable {
-            "the body turns so far from row to row that no number of double precision says where it should be. \
-             Record it with shorter steps, and look at the units"
+            "the body turns so far that double precision cannot determine where it should be. \
+             Record it with shorter steps, and check the units"
         } else if STILL * self.record.rounding > ENOUGH_CHANGE {
             "the numbers have too few digits to say whether the spin changes. Record more digits"
         } else {
-            "the spin is constant, as it is right for this start. Push the body off its principal axis"
+            "the spin is constant, which is correct for this start. Start with a spin off the principal axis"
         }
     }
 
-    /// What every law that the record shows is kept within, and which are beyond it by what the digits leave
-    /// open.
+    /// The limit within which every law that the record shows is kept, and the laws beyond it whose errors
+    /// the digits leave open.
     fn within(&self) -> String {
         let own = self.options.own().map(|(law, most)| format!(", {} within {most}", law.words()));
         let own: String = own.collect();
@@ -206,10 +206,8 @@ impl Verdict {
             all.push(section("Separatrix", [line]));
         }
         if let Some(flips) = &self.flips {
-            let mut line = format!(
-                "The spin along the middle axis changes sign {} times (exact: {})",
-                flips.found, flips.exact
-            );
+            let (found, exact) = (times(flips.found), flips.exact);
+            let mut line = format!("The spin along the middle axis changes sign {found} (exact: {exact})");
             if let (Some(first), Some(exact)) = (flips.first, flips.first_exact) {
                 let apart = plain_number(flips.apart);
                 line +=
@@ -221,7 +219,7 @@ impl Verdict {
         all
     }
 
-    /// What the record is of, and how it was read.
+    /// The body, and how the record was read.
     fn of_record(&self) -> Vec<Section> {
         let three = |vector: nalgebra::Vector3<f64>| {
             let [x, y, z] = vector.map(readable).into();
@@ -239,7 +237,7 @@ impl Verdict {
         all
     }
 
-    /// What is seen of the file besides its numbers.
+    /// Facts about the file besides its numbers.
     fn of_file(&self) -> Vec<Section> {
         let record = &self.record;
         let mut all: Vec<(&str, String)> = Vec::new();
@@ -248,10 +246,7 @@ impl Verdict {
         }
         all.extend(record.notes.iter().map(|note| ("Note", note.to_string())));
         if !self.file_mistakes.is_empty() {
-            all.push((
-                "File",
-                "what is judged is the file as the first lines read it, not as its names say".into(),
-            ));
+            all.push(("File", "it is judged with these corrections, which its first rows suggest".into()));
         }
         all.extend(self.resets.iter().map(|reset| {
             let Reset { line, time, .. } = reset;
@@ -266,7 +261,7 @@ impl Verdict {
         if !record.missing.is_empty() {
             let names: Vec<&str> = record.missing.iter().map(|law| law.words()).collect();
             let why = match record.has_attitude {
-                true => "no spin: it is made from the turns between the attitudes, by the exact motion",
+                true => "no spin: it is computed from the attitudes, with the exact motion",
                 false => "no attitude",
             };
             all.push(("Missing", format!("nothing is known of {} (the record has {why})", names.join(", "))));

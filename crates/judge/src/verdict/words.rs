@@ -1,5 +1,5 @@
-//! Complaints, and their sentences and those of notes and resets: one for each, on a page, in a program or on
-//! a terminal; numbers, and how an error grows, for a reader who has no need of logarithms.
+//! Sentences for complaints, notes and resets, the same on a page, in a program and on a terminal; numbers
+//! and growth of errors without logarithms.
 
 use crate::law::LawName;
 use crate::laws::{FlipCount, Growth, Law, Reset};
@@ -8,13 +8,13 @@ use crate::rule::Rule;
 use crate::thresholds::*;
 use std::fmt;
 
-/// What fails a record and is no law.
+/// A reason to fail a record that is not a broken law.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Complaint {
-    /// The numbers end before the file does: where, and with what.
+    /// The numbers end before the file does: the place and the reason.
     Ended(String),
-    /// The spin turns over about the axis that it should circle for ever: when first, s from the start.
+    /// The spin along the axis that it should circle for ever changes sign: when first, s from the start.
     TurnedOver(f64),
     /// The spin along the middle axis never changes sign in the record, and should: how often it should.
     NeverFlips(u64),
@@ -69,54 +69,52 @@ impl fmt::Display for Complaint {
         match self {
             Self::Ended(at) => write!(f, "the numbers end at {at}. Judged up to there"),
             Self::TurnedOver(time) => {
-                write!(f, "the spin turns over at {time:.4} s about the axis that it should circle for ever")
+                write!(f, "the spin along the axis that it should circle changes sign at {time:.4} s")
             }
             Self::NeverFlips(exact) => {
                 let n = times(*exact);
-                write!(f, "the recorded spin along the middle axis never changes sign, and should do so {n}")
+                write!(f, "the recorded spin along the middle axis never changes sign, but should do so {n}")
             }
             Self::Flips(found) => {
                 let found = times(*found);
-                write!(f, "the spin along the middle axis changes sign {found}, and should never do so")
+                write!(f, "the spin along the middle axis changes sign {found}, but should never do so")
             }
             Self::Constant(moved) => {
                 let moved = 100.0 * moved;
-                write!(f, "the spin stays as it is at the start, and should change by {moved:.0} % of it")
+                write!(f, "the spin stays constant, but should change by {moved:.0} %")
             }
             Self::TooFar(line, turn) => write!(f, "line {line}: {}. Judged up to there", too_far(*turn)),
             Self::Repeats(rows, line, time) => write!(
                 f,
                 "rows at the end repeat the row before them ({rows}, from line {line} on): the run may have ended at t = {time:.4} s"
             ),
-            Self::NoSteps => f.write_str("no two rows are one step apart: no rule can be tried"),
+            Self::NoSteps => f.write_str("no two rows are one step apart: no rule can be tested"),
             Self::Otherwise { off, seen } => {
                 let how = match seen {
                     None => String::new(),
-                    Some(Seen::BodyInWorld) => ": it turns about a spin in body axes as if that were in the world's (dq * q, not q * \
-                         dq)".into(),
-                    Some(Seen::WorldInBody) => ": it turns about a spin in world axes as if that were in the body's (q * dq, not dq * \
-                         q)".into(),
-                    Some(Seen::Times(times)) => format!(": it turns about the spin's axis, and {times:.3} times as far"),
-                    Some(Seen::OtherAxis) => ": it turns about another axis".into(),
+                    Some(Seen::BodyInWorld) => "; body spin used as world spin (dq * q, not q * dq)".into(),
+                    Some(Seen::WorldInBody) => "; world spin used as body spin (q * dq, not dq * q)".into(),
+                    Some(Seen::Times(by)) => format!("; about the spin's axis, and {by:.3} times as far"),
+                    Some(Seen::OtherAxis) => "; about another axis".into(),
                 };
                 let off = 100.0 * off;
-                write!(f, "the attitude does not turn as the spin says, by up to {off:.1} % of it{how}")
+                write!(f, "the attitude does not turn by the spin: off by up to {off:.1} % of it{how}")
             }
-            Self::WrongRule(rule) => write!(f, "every step tried fits a rule that is wrong: {}", rule.name()),
+            Self::WrongRule(rule) => write!(f, "every step tried follows a wrong rule: {}", rule.name()),
             Self::WrongPace { off, periods, allowed } => write!(
                 f,
-                "the phase of the spin is off by {off:.2} periods after {periods:.2} periods of the exact motion (allowed: \
-                 {allowed:.2}, unless a limit for phase says otherwise)"
+                "the phase of the spin is off by {off:.2} periods after {periods:.2} periods of the exact motion (allowed by \
+                 default: {allowed:.2})"
             ),
         }
     }
 }
 
-/// What is wrong where attitudes are too far apart, by an angle in rad.
+/// The sentence on attitudes that are too far apart, by an angle in rad.
 pub(crate) fn too_far(turn: f64) -> String {
     format!(
-        "the attitude turns by {turn:.2} rad or more in one step, and attitudes alone do not distinguish a turn from one \
-         that goes the other way round. Record the spin, or shorter steps"
+        "the attitude turns by {turn:.2} rad or more in one step, so attitudes alone do not show which way \
+         it turns. Record the spin, or shorter steps"
     )
 }
 
@@ -124,7 +122,7 @@ impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Unread(line, word) => {
-                write!(f, "line {line} speaks of `{word}`, and no number is read from it")
+                write!(f, "line {line} mentions `{word}`, but no number was read from it")
             }
             Self::Story(name) => write!(f, "the record is of the kit's story {name}"),
             Self::Rest(line) => {
@@ -135,37 +133,37 @@ impl fmt::Display for Note {
             }
             Self::Flat { printed, missing, moments } => write!(
                 f,
-                "the largest moment is printed as {printed}, {missing:.1e} more than the others together, which no body \
-                 has; its printed digits leave that open, and a flat body of {}, {}, {} kg m2 is judged",
+                "the largest moment is printed as {printed}, {missing:.1e} more than the sum of the others, which is \
+                 impossible, but within its rounding; a flat body of {}, {}, {} kg m2 is judged",
                 moments.x, moments.y, moments.z
             ),
             Self::EvenSteps(named, step) => {
-                let which = if *named { "that the header names" } else { "that they have in the mean" };
+                let which = if *named { "in the header" } else { "that is their mean" };
                 write!(
                     f,
-                    "the times are printed with few digits, and are taken as multiples of the step {which}, {step:.9} s as \
-                     the file counts"
+                    "the times have few digits, and are read as multiples of the step {which}, {step:.9} s in the file's \
+                     time"
                 )
             }
             Self::StepsPerRow(named, steps) => {
-                write!(f, "the header names a step of {named:.9} s: from row to row are {steps} such steps")
+                write!(f, "the header gives a step of {named:.9} s: rows are {steps} such steps apart")
             }
             Self::OtherStep(named, row) => write!(
                 f,
-                "the header names a step of {named:.9} s, and the rows are {row:.9} s apart, no whole number of such steps: \
-                 it is not used"
+                "the header gives a step of {named:.9} s, but the rows are {row:.9} s apart, which is not a whole number of \
+                 such steps: it is not used"
             ),
         }
     }
 }
 
 impl Reset {
-    /// What the body does there.
+    /// What happens to the body there.
     #[must_use]
     pub const fn words(&self) -> &'static str {
         match (self.to_rest, self.to_start) {
             (true, _) => {
-                "is put to rest (a reset, or put to sleep; of attitudes alone also a last row that repeats)"
+                "is put to rest (a reset or sleep; of attitudes alone, also a last row that repeats)"
             }
             (false, true) => "is put back to its start",
             (false, false) => "jumps to another motion (a reset, a push or a collision)",
@@ -174,7 +172,7 @@ impl Reset {
 }
 
 impl FlipCount {
-    /// By how much they are late, if by a number, a share of the time, or both.
+    /// How late they are, if by a constant, a share of the time, or both.
     pub(crate) fn lateness(&self) -> String {
         let Some(([shift, share], end)) = self.late.zip(self.times.last()) else { return String::new() };
         let parts = [(shift, shift, " s"), (share * end, 100.0 * share, " % of the time since the start")];
@@ -194,7 +192,7 @@ pub(super) fn times(count: u64) -> String {
 impl Law {
     /// How it is kept, with what a second makes of it: `exponential: shrinks by a factor of 4.85 a second`.
     ///
-    /// Energy and `|L|` are given as what happens to themselves, the other laws as what happens to the error.
+    /// Energy and `|L|` are described by their own change, the other laws by the change of the error.
     pub(crate) fn plain(&self) -> String {
         let name = self.how();
         let (rate, how) = match self.growth {
@@ -212,7 +210,7 @@ impl Law {
         if rate.is_finite() { format!("{name}: {how}") } else { format!("{name}: {}", plain_number(rate)) }
     }
 
-    /// What a number of this law counts.
+    /// The unit of this law's numbers.
     const fn unit(&self) -> &'static str {
         match self.name {
             LawName::Energy | LawName::Momentum => " of itself",

@@ -80,7 +80,7 @@ fn a_tensor_about_wrong_axes_is_found_with_the_angle() {
     let [spin, attitude, position] = apart.off;
     assert!(spin.since.is_some() && attitude.since.is_some() && position.since.is_some(), "{found}");
     let text = found.to_string();
-    assert!(text.contains("It starts alike") && text.contains("turned by 1.1°"), "{text}"); // 0.02 rad
+    assert!(text.contains("It starts the same") && text.contains("turned by 1.1°"), "{text}"); // 0.02 rad
 }
 
 /// About no principal axis each axis turns by less than the whole.
@@ -110,7 +110,7 @@ fn a_centre_of_mass_elsewhere_and_a_start_otherwise_are_distinguished() {
     let (_, apart) = found.others[0];
     let [spin, attitude, position] = apart.off;
     assert!(spin.since.is_none() && attitude.since.is_none() && position.since.is_some(), "{found}");
-    assert!(found.to_string().contains("It turns alike"), "{found}");
+    assert!(found.to_string().contains("It turns the same"), "{found}");
 }
 
 /// An origin that leaves its place after five seconds is said to do so then.

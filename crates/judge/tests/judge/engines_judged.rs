@@ -26,14 +26,14 @@ fn of_two_engines_with_the_same_steps_both_are_named_first() {
         let words = judge(format!("{header}{text}").as_bytes(), &Options::default()).unwrap().to_string();
         words.lines().skip(1).take(3).map(|line| line.trim().to_string()).collect::<Vec<_>>()
     };
-    let (bullet, mujoco) = ("in Bullet 3.2.7 (pybullet), rigid body", "in MuJoCo 4.0.0, implicitfast");
+    let (bullet, mujoco) = ("Bullet 3.2.7 (pybullet), rigid body", "MuJoCo 4.0.0, implicitfast");
     let order = |line: &str| line.find(bullet).zip(line.find(mujoco)).unwrap();
     let lines = of_header("");
     let ends = |lines: &[String], words: &str| assert!(lines[0].ends_with(words), "{lines:?}");
-    ends(&lines, "with: one Newton step; or, with the same steps here: linearised implicit.");
+    ends(&lines, "with: one Newton step; or, with the same steps in this record: linearised implicit.");
     assert!(order(&lines[1]).0 < order(&lines[1]).1, "{lines:?}");
     let lines = of_header("# engine: MuJoCo, built by us\n");
-    ends(&lines, "with: linearised implicit; or, with the same steps here: one Newton step.");
+    ends(&lines, "with: linearised implicit; or, with the same steps in this record: one Newton step.");
     assert!(order(&lines[1]).0 > order(&lines[1]).1 && lines[2].contains("three exact turns"), "{lines:?}");
 }
 
@@ -103,7 +103,7 @@ fn by_hand(name: &str) -> [f64; 3] {
 fn an_engine_that_turns_a_fast_body_by_less_than_its_spin_is_named() {
     for (name, verdict) in records() {
         let mut all = verdict.complaints.iter().map(ToString::to_string);
-        let named = all.any(|complaint| complaint.contains("does not turn as the spin says"));
+        let named = all.any(|complaint| complaint.contains("does not turn by the spin"));
         // 60 rad/s at 60 Hz are one radian a step. Bullet turns by 2 atan(4 tan(pi/8) / pi), 3 in 100 less.
         let less = name.starts_with("bullet") && name.ends_with("--fast");
         assert!(named || !less, "{name}: {:?}", verdict.complaints);

@@ -139,10 +139,10 @@ fn a_tensor_may_be_written_in_six_or_nine_numbers_and_a_step_in_place_of_times()
         ("torque: 0,5 0 0|torque: [0,5; 0; 0] N m", "line 1: a number has a decimal comma"),
         (
             "torque: 1 2 3 4",
-            "line 1: a torque has three numbers behind its name, as in `torque: 0 0 0.1`, and 4",
+            "line 1: a torque has three numbers after its name, as in `torque: 0 0 0.1`, but 4",
         ),
-        (GIVEN, "line 1: a torque has three numbers behind its name, as in `torque: 0 0 0.1`, and 0"),
-        (IN_BODY, "line 1: the torque seems to be one in axes that turn with the body"),
+        (GIVEN, "line 1: a torque has three numbers after its name, as in `torque: 0 0 0.1`, but 0"),
+        (IN_BODY, "line 1: the torque seems to be in axes that turn with the body"),
     ] {
         for said in all.split('|') {
             let text = untimed.replacen("2.5 kg m2", &format!("2.5; {said}"), 1);

@@ -99,7 +99,7 @@ fn times_of_few_digits_are_taken_for_the_steps_that_they_are_rounded_from() {
     }
     // A step that does not explain the times is not used.
     let verdict = judged(&fixed(3, "# dt: 1/50 s"));
-    assert!(verdict.to_string().contains("that they have in the mean"), "{verdict}");
+    assert!(verdict.to_string().contains("that is their mean"), "{verdict}");
 }
 
 #[test]
@@ -115,7 +115,7 @@ fn a_comment_that_denies_a_torque_makes_none_and_one_that_is_not_understood_is_n
     }
     assert_eq!(with("tau: 1 2 3").torque, Some(Vector3::new(1.0, 2.0, 3.0)));
     for said in " unknown|: off (body since 2024)|: none since t=0|: so, v2| 2 on the rigid body".split('|') {
-        assert!(with(&format!("torque{said}")).record.notes[0].to_string().contains("speaks of `torque`"));
+        assert!(with(&format!("torque{said}")).record.notes[0].to_string().contains("mentions `torque`"));
     }
     let steps = csv(&good()).lines().enumerate().fold(
         String::from("# step size 1/60\n"),

@@ -83,10 +83,9 @@ fn times_rounded_by_nearly_half_of_a_step_are_put_back_to_it() {
         assert_eq!((verdict.outcome, &verdict.file_mistakes[..]), (right.outcome, &[][..]), "{verdict}");
         let said = verdict.to_string();
         let is_sure = verdict.diagnosis.as_ref().unwrap().confidence.names_a_rule();
-        assert!(
-            !said.contains("too short") && (is_sure || said.contains("write all their digits")),
-            "{said}"
-        );
+        // Beside a rule that is not identified, engines would be taken for the record's.
+        let is_open = said.contains("write all their digits") && !said.contains("Used by");
+        assert!(!said.contains("too short") && (is_sure || is_open), "{said}");
     }
 }
 
@@ -207,10 +206,10 @@ fn an_attitude_that_is_turned_on_the_wrong_side_or_twice_is_named_with_its_remed
             let said = judged(&timed(BODIES[0], &rows, 1, 0.5)).to_string();
             let either = "either twice the gyroscopic term, or times that are 2 times too short";
             assert!(said.contains(either), "{said}");
-            assert!(said.contains("stands on the wrong side of the attitude"), "{said}");
-            assert!(said.contains("first mend how the attitude turns"), "{said}");
+            assert!(said.contains("multiplies the attitude on the wrong side"), "{said}");
+            assert!(said.contains("first correct how the attitude turns"), "{said}");
         }
-        let remedy = if name.contains("side") { "q * dq where" } else { "own update" };
+        let remedy = if name.contains("side") { "q * dq if" } else { "own update" };
         assert!(found.advice[0].words.contains(remedy), "{verdict}");
     }
 }
@@ -259,7 +258,7 @@ fn noise_scatters_and_the_roundings_of_a_fine_run_turned_on_the_wrong_side_do_no
     );
     let said = judged(&text).to_string();
     assert!(!said.contains("scatter") && said.contains("(dq * q, not q * dq)"), "{said}");
-    assert!(said.contains("stands on the wrong side") && !said.contains("Compare the engine"), "{said}");
+    assert!(said.contains("attitude on the wrong side") && !said.contains("Compare the engine"), "{said}");
 }
 
 #[test]
