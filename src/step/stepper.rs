@@ -223,8 +223,8 @@ impl Stepper {
         })
     }
 
-    /// The time since the start, s: the sum of the steps. A step of 1/60 s in `f32` is longer by 9e-10 s, 6
-    /// us in two minutes.
+    /// The time since the start, s: the sum of the steps. A step of 1/60 s that was rounded to `f32` is
+    /// longer by 9e-10 s, which adds up to 6 us in two minutes.
     #[must_use]
     pub fn time(&self) -> f64 {
         self.time

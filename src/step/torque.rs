@@ -114,8 +114,10 @@ impl<T: nalgebra::Scalar> Torque<T> {
     /// has order two, and is reversible if the function does not depend on the spin.
     ///
     /// The time is rounded, at 1e9 s to 1e-7 s. An adaptive run takes that for an error if the torque changes
-    /// fast: it makes short steps, or refuses. Of a [`Periodic`](Self::Periodic) torque and of an orbit it
-    /// keeps the phase to its last digits.
+    /// fast: it makes short steps, or refuses. For a [`Periodic`](Self::Periodic) torque and for an orbit a
+    /// run by series rounds only the time since it began, or since the last start or end of a
+    /// [`During`](Self::During); beside a function, and under damping far faster than the motion, it rounds
+    /// the whole time.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};

@@ -1,8 +1,8 @@
 //! The law of motion as polynomials: the data of a body and its torques for the recurrences of the series.
 
-use super::largest;
 use super::sums::{Lanes, lanes};
-use crate::number::{DoubleDouble, functions::sin_cos};
+use super::{largest, ratio};
+use crate::number::{DoubleDouble, exponent, functions::sin_cos, times_power_of_two};
 use crate::step::system::System;
 use crate::step::torques::{Gradient, Periodic, WorldVector};
 use alloc::vec::Vec;
@@ -197,23 +197,20 @@ impl GradientLaw {
     fn new(gradient: &Gradient<f64>, coupling: [f64; 3], unit: f64, start: f64) -> Self {
         let Gradient { direction, orbit, strength } = gradient;
         let acceleration = lanes(coupling.map(|x| x * (*strength * unit * unit)));
-        let in_units = orbit.map(|x| x * unit);
-        let largest = orbit[orbit.map(|x| x.abs()).imax()];
-        let (along, across) = (*direction, [Vector3::zeros(); 2]);
-        let fixed = Self { acceleration, orbit: in_units, rate: largest, along, across };
-        if largest == 0.0 {
-            return fixed;
-        }
-        // Divided by the largest component, so that no square overflows or underflows.
-        let part = orbit.map(|x| x / largest);
-        let length = part.dot(&part).sqrt();
-        let axis = part.map(|x| x / length);
+        // Divided by a power of two, so that no square overflows or underflows. Late angles need the length in
+        // two numbers.
+        let scale = exponent(largest(orbit.as_slice()));
+        let part = orbit.map(|x| times_power_of_two(x, -scale));
+        let [x, y, z]: [_; 3] = part.map(|x| DoubleDouble::product(x, x)).into();
+        let length = (x + y + z).sqrt();
+        let [rate, rest] = [length.hi(), length.lo()].map(|x| times_power_of_two(x, scale));
+        let axis = part.map(|x| ratio(x, length.hi()));
         let ahead = axis.cross(direction);
         let across = ahead.cross(&axis);
-        let (rate, along) = (largest * length, direction - across);
-        let (sine, cosine) = turned(0.0, rate, start);
+        let (sine, cosine) = turned(rest * start, rate, start);
+        let (along, orbit) = (direction - across, orbit.map(|x| x * unit));
         let across = [across * cosine + ahead * sine, ahead * cosine - across * sine];
-        Self { rate, along, across, ..fixed }
+        Self { acceleration, orbit, rate, along, across }
     }
 
     /// The direction at a time (s after the system's), in world axes.
