@@ -197,8 +197,8 @@ impl GradientLaw {
     fn new(gradient: &Gradient<f64>, coupling: [f64; 3], unit: f64, start: f64) -> Self {
         let Gradient { direction, orbit, strength } = gradient;
         let acceleration = lanes(coupling.map(|x| x * (*strength * unit * unit)));
-        // Divided by a power of two, so that no square overflows or underflows. Late angles need the length in
-        // two numbers.
+        // Divided by a power of two, so that no square overflows or underflows. Late angles need the length
+        // in two numbers.
         let scale = exponent(largest(orbit.as_slice()));
         let part = orbit.map(|x| times_power_of_two(x, -scale));
         let [x, y, z]: [_; 3] = part.map(|x| DoubleDouble::product(x, x)).into();
