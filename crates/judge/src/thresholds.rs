@@ -66,7 +66,7 @@ pub(crate) const FLIP_TIMES: usize = 512;
 /// is apart.
 pub(crate) const LATE_FLIPS: usize = 3;
 pub(crate) const LATE_LEFT: f64 = 0.02;
-/// Share of the most that a flip is apart below which a part of the lateness is not named.
+/// Share of the larger part of the lateness below which the other is not named.
 pub(crate) const LATE_PART: f64 = 0.1;
 /// Resets listed one by one.
 pub(crate) const RESETS: usize = 16;

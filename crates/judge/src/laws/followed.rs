@@ -255,10 +255,12 @@ impl Laws {
         count.first_exact = exact.first().copied();
         let late = exact.iter().zip(&count.times).map(|(exact, found)| (*exact, found - exact));
         let (line, left) = line(late.clone());
-        let seen = count.apart > self.seen.last.t / self.seen.steps.max(1.0);
-        let all = late.len() as u64 == count.found.min(count.exact) && late.len() >= LATE_FLIPS;
-        let is_line = all && left.sqrt() < LATE_LEFT * count.apart;
-        count.late = Some(line).filter(|_| seen && is_line);
+        let most = late.clone().fold(0.0, |most: f64, (_, late)| most.max(late.abs()));
+        let seen = most > end / self.seen.steps.max(1.0);
+        // Beside far more, or far fewer, the exact ones are not those of the same number.
+        let same = count.found.max(count.exact) <= 2 * late.len() as u64;
+        let is_line = late.len() >= LATE_FLIPS && left.sqrt() < LATE_LEFT * most;
+        count.late = Some(line).filter(|_| seen && same && is_line);
         Some(count)
     }
 

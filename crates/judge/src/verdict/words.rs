@@ -176,7 +176,7 @@ impl FlipCount {
     pub(crate) fn lateness(&self) -> String {
         let Some(([shift, share], end)) = self.late.zip(self.times.last()) else { return String::new() };
         let parts = [(shift, shift, " s"), (share * end, 100.0 * share, " % of the time since the start")];
-        let seen = parts.iter().filter(|part| part.0.abs() > LATE_PART * self.apart);
+        let seen = parts.iter().filter(|x| x.0.abs() > LATE_PART * shift.abs().max((share * end).abs()));
         let words = seen.map(|(_, size, unit)| {
             let way = if *size < 0.0 { "earlier" } else { "later" };
             format!("{way} by {}{unit}", plain_number(size.abs()))
