@@ -2,8 +2,7 @@ use super::{Drawing, ink_of};
 use crate::draw::{Canvas, Fill, Ink, Label, P, Pen, polar};
 use nalgebra::Vector3;
 use std::f64::consts::{PI, TAU};
-use tumbling::Axis;
-use tumbling::solid::{Cylinder, Solid};
+use tumbling::{Axis, solid::Cylinder, solid::Solid};
 
 /// A wooden rod: 1 m long, 2 cm thick, 0.2 kg.
 const LENGTH: f64 = 1.0;
