@@ -48,8 +48,8 @@ fn a_page_that_has_fallen_behind_says_where() {
 #[test]
 fn a_label_is_known_as_a_whole_or_by_its_parts() {
     let german = Language::read("de").unwrap();
-    let english = "<text>the book, 1 turn/s, 1.50 % of that across</text><style>spin</style>";
-    let said = "<text>das Buch, 1 Umdrehung/s, 1,50 % davon quer</text><style>spin</style>";
+    let english = "<text>the book, 1 turn/s, a slip of 1.50 %</text><style>spin</style>";
+    let said = "<text>das Buch, 1 Umdrehung/s, Abweichung 1,50 %</text><style>spin</style>";
     assert_eq!(german.markup(english), (said.to_owned(), Vec::new()));
     let (said, wrong) = german.markup("<p aria-label=\"Again\">t = 2.5 s</p><p>spinning</p>");
     assert_eq!(said, "<p aria-label=\"Noch einmal\">t = 2,5 s</p><p>spinning</p>");

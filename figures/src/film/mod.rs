@@ -193,7 +193,7 @@ fn thrown(model: &BodyModel, request: &Request, push: f64) -> Result<Body, Box<d
     Ok(Body::spinning(model.inertia, upwards(&model.inertia.momentum(&omega)), &omega)?)
 }
 
-/// A share of the spin, in percent, about another axis.
+/// The slip as a share of the spin, in percent.
 fn share_in_words(share: f64) -> String {
-    units::number(100.0 * share, 3) + " % of that across"
+    format!("a slip of {} %", units::number(100.0 * share, 3))
 }
