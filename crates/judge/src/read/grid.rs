@@ -58,19 +58,17 @@ impl Grid {
         // Times that are multiples of a step already are exact, unless it is the unit of the last digit.
         let of_least = |step: f64| (step / least - (step / least).round()).abs() <= rounding / least;
         let is_exact = least > 3.0 * half && steps.clone().all(of_least);
-        let found = named.filter(|grid| grid.places(probe).is_some());
-        let open = Self { step: f64::INFINITY, off: 0.0, ..mean };
-        found.or_else(|| {
-            let whole = Some(mean).filter(|grid| grid.places(probe).is_some());
-            (!is_exact).then(|| whole.or_else(with_gaps).unwrap_or(open))
-        })
+        let fits = |grid: &Self| grid.places(probe).is_some();
+        let open = Self { step: f64::INFINITY, off: 2.0 * half / least, ..mean };
+        let other = || Some(mean).filter(fits).or_else(with_gaps).unwrap_or(open);
+        named.filter(fits).or_else(|| (!is_exact).then(other))
     }
 
     /// Of this many steps, more than the rows show, and fitted to all times: of the last one alone the error
     /// would lead to a wrong place.
     fn with_gaps(self, probe: &[Raw], count: f64) -> Option<Self> {
-        let (first, last) = (probe.first()?, probe.last()?);
-        let mut grid = Self { step: (last.t - first.t) / count, ..self };
+        let first = probe.first()?;
+        let mut grid = Self { step: (probe.last()?.t - first.t) / count, ..self };
         let mut places = grid.places(probe)?;
         grid.nearest = true;
         let rows = places.len() as f64;
@@ -87,8 +85,8 @@ impl Grid {
 
     /// The places of the rows, if each is on one of its own.
     fn places(mut self, probe: &[Raw]) -> Option<Vec<f64>> {
-        let place = |raw: &Raw| {
-            let (place, _) = self.time(raw).filter(|(place, _)| *place >= self.next)?;
+        let place = |raw| {
+            let place = self.time(raw).map(|x| x.0).filter(|place| *place >= self.next)?;
             self.next = place + 1.0;
             Some(place)
         };
@@ -113,10 +111,15 @@ impl Grid {
         }
     }
 
+    /// By what share the times from row to row may be wrong: if the step is not known.
+    pub(crate) const fn share(&self) -> f64 {
+        if self.step.is_infinite() { self.off } else { 0.0 }
+    }
+
     /// The rounding that a step so uncertain gives to spins and turns.
     pub(crate) fn floor(&self, probe: &[Raw], reading: &Reading, moments: &Vector3<f64>) -> f64 {
         let speed = probe.iter().map(|raw| reading.state(raw, moments).omega.norm()).fold(0.0, f64::max);
-        self.off * reading.time() * speed
+        if self.step.is_infinite() { 0.0 } else { self.off * reading.time() * speed }
     }
 }
 

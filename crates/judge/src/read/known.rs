@@ -53,7 +53,7 @@ impl Known {
             kind => Reading::of(kind, said.torque.is_none(), &clock.pairs(probe), &moments),
         };
         // Of times that are rounded so, no factor is known.
-        let about_one = is_open && (0.5..=2.0).contains(&reading.time());
+        let about_one = is_open && TIMES_OF_ROUNDING.contains(&reading.time());
         let reading = if about_one { reading.with_time(1.0) } else { reading };
         let (clock, note) = clock.read(reading.time(), said.step);
         said.notes.extend(note);
