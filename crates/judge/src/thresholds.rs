@@ -127,6 +127,10 @@ pub(crate) const EVEN_TIMES: f64 = 64.0;
 /// Half units of the last digit printed by which a time may miss its step: one for each of two times, and
 /// some rounding.
 pub(crate) const PRINTED_HALVES: f64 = 2.01;
+/// The greatest share of rows that may be missing where the step is found from times of few digits.
+pub(crate) const MISSING_ROWS: f64 = 0.1;
+/// By what factor such times may be wrong because they are rounded.
+pub(crate) const TIMES_OF_ROUNDING: std::ops::RangeInclusive<f64> = 0.6..=1.6;
 
 // How the numbers are meant.
 

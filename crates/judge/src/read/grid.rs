@@ -8,6 +8,7 @@ use nalgebra::Vector3;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Grid {
     start: f64,
+    /// Infinite where no step explains the times, which then stay as they are.
     pub step: f64,
     /// How far the step may be off, s.
     off: f64,
@@ -16,6 +17,8 @@ pub(crate) struct Grid {
     /// The most significant digits that they have.
     digits: i32,
     pub named: bool,
+    /// Whether a row is looked for at the nearest place before the next.
+    nearest: bool,
     /// The place that the next row has, if none is missing.
     next: f64,
 }
@@ -31,7 +34,7 @@ impl Grid {
         let digits = i32::try_from(digits).unwrap_or(i32::MAX);
         let steps = probe.windows(2).map(|rows| rows[1].t - rows[0].t);
         let least = steps.clone().fold(f64::INFINITY, f64::min);
-        let most = steps.fold(0.0, f64::max);
+        let most = steps.clone().fold(0.0, f64::max);
         let rounding = EVEN_TIMES * f64::EPSILON * last.t.abs().max(first.t.abs());
         // Even ones, and those with missing rows, are taken as they are.
         let even = most - least <= rounding && named.is_none_or(|named| (most - named).abs() <= rounding);
@@ -46,19 +49,48 @@ impl Grid {
             half,
             digits,
             named: false,
+            nearest: false,
             next: 0.0,
         };
-        let named = named.map(|step| Self { step, off: 0.0, named: true, ..mean });
-        named.into_iter().chain([mean]).find(|grid| grid.explains(probe))
+        let named = named.map(|step| Self { step, off: 0.0, named: true, nearest: true, ..mean });
+        let most = (count * MISSING_ROWS) as u32;
+        let with_gaps = || (1..=most).find_map(|missing| mean.with_gaps(probe, count + f64::from(missing)));
+        // Times that are multiples of a step already are exact, unless it is the unit of the last digit.
+        let of_least = |step: f64| (step / least - (step / least).round()).abs() <= rounding / least;
+        let is_exact = least > 3.0 * half && steps.clone().all(of_least);
+        let fits = |grid: &Self| grid.places(probe).is_some();
+        let open = Self { step: f64::INFINITY, off: 2.0 * half / least, ..mean };
+        let other = || Some(mean).filter(fits).or_else(with_gaps).unwrap_or(open);
+        named.filter(fits).or_else(|| (!is_exact).then(other))
     }
 
-    fn explains(mut self, probe: &[Raw]) -> bool {
-        probe.iter().all(|raw| {
-            let next = self.next;
-            let found = self.time(raw);
-            self.next = found.map_or(next, |(place, _)| place + 1.0);
-            self.next > next
-        })
+    /// Of this many steps, more than the rows show, and fitted to all times: of the last one alone the error
+    /// would lead to a wrong place.
+    fn with_gaps(self, probe: &[Raw], count: f64) -> Option<Self> {
+        let first = probe.first()?;
+        let mut grid = Self { step: (probe.last()?.t - first.t) / count, ..self };
+        let mut places = grid.places(probe)?;
+        grid.nearest = true;
+        let rows = places.len() as f64;
+        let mean = probe.iter().map(|raw| raw.t - first.t).sum::<f64>() / rows;
+        for _ in 0..3 {
+            let centre = places.iter().sum::<f64>() / rows;
+            let along = places.iter().zip(probe).map(|(place, raw)| (place - centre) * (raw.t - first.t));
+            grid.step = along.sum::<f64>() / places.iter().map(|place| (place - centre).powi(2)).sum::<f64>();
+            grid.start = first.t + mean - grid.step * centre;
+            places = probe.iter().map(|raw| ((raw.t - grid.start) / grid.step).round()).collect();
+        }
+        grid.places(probe).map(|_| grid)
+    }
+
+    /// The places of the rows, if each is on one of its own.
+    fn places(mut self, probe: &[Raw]) -> Option<Vec<f64>> {
+        let place = |raw| {
+            let place = self.time(raw).map(|x| x.0).filter(|place| *place >= self.next)?;
+            self.next = place + 1.0;
+            Some(place)
+        };
+        probe.iter().map(place).collect()
     }
 
     /// The place of a row, and the time from which its own is rounded, if it is. Where the step is the mean
@@ -66,7 +98,7 @@ impl Grid {
     fn time(&self, raw: &Raw) -> Option<(f64, f64)> {
         let half = half_of(raw, self.half, self.digits);
         let nearest = ((raw.t - self.start) / self.step).round();
-        let places = [if self.named { nearest } else { self.next }, nearest];
+        let places = [if self.nearest { nearest } else { self.next }, nearest];
         let times = places.map(|place| (place, self.start + place * self.step));
         times.into_iter().find(|(_, time)| (time - raw.t).abs() <= PRINTED_HALVES * half)
     }
@@ -79,10 +111,15 @@ impl Grid {
         }
     }
 
+    /// By what share the times from row to row may be wrong: if the step is not known.
+    pub(crate) const fn share(&self) -> f64 {
+        if self.step.is_infinite() { self.off } else { 0.0 }
+    }
+
     /// The rounding that a step so uncertain gives to spins and turns.
     pub(crate) fn floor(&self, probe: &[Raw], reading: &Reading, moments: &Vector3<f64>) -> f64 {
         let speed = probe.iter().map(|raw| reading.state(raw, moments).omega.norm()).fold(0.0, f64::max);
-        self.off * reading.time() * speed
+        if self.step.is_infinite() { 0.0 } else { self.off * reading.time() * speed }
     }
 }
 

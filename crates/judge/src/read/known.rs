@@ -42,7 +42,8 @@ impl Known {
     /// From the first rows, whose times are put to the grid that they are rounded from.
     pub(crate) fn of(probe: &mut [Raw], mut said: Said, moments: Vector3<f64>) -> Self {
         let mut grid = Grid::of(probe, said.step);
-        if let Some(grid) = &mut grid {
+        let is_open = grid.is_some_and(|grid| grid.step.is_infinite());
+        if let Some(grid) = grid.as_mut().filter(|_| !is_open) {
             said.notes.push(Note::EvenSteps(grid.named, grid.step));
             probe.iter_mut().for_each(|raw| grid.put(raw));
         }
@@ -51,6 +52,9 @@ impl Known {
             Kind::Attitude => Reading::of_attitudes(&clock.triples(probe), &moments),
             kind => Reading::of(kind, said.torque.is_none(), &clock.pairs(probe), &moments),
         };
+        // Of times that are rounded so, no factor is known.
+        let about_one = is_open && TIMES_OF_ROUNDING.contains(&reading.time());
+        let reading = if about_one { reading.with_time(1.0) } else { reading };
         let (clock, note) = clock.read(reading.time(), said.step);
         said.notes.extend(note);
         let of_numbers = rounding(probe, said.kind.in_world());

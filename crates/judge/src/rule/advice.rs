@@ -121,6 +121,7 @@ impl Advice {
             Confidence::NoneFits | Confidence::Altered if whole.on_wrong_side => Self::SIDE,
             Confidence::NoneFits | Confidence::Accurate if scatter => Self::TAKEN_BACK,
             Confidence::Interpolated => Self::RESAMPLED,
+            Confidence::Scattered | Confidence::NoneFits if whole.of_few_times => Self::TIMES_DIGITS,
             Confidence::NoneFits if !floor.few => Self::COMPARE,
             Confidence::Accurate => Self::DRIFTS_ON,
             Confidence::Repeated | Confidence::FewSteps => Self::EACH_STEP,

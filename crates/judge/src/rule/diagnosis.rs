@@ -175,6 +175,19 @@ impl Ranked {
         Some(Self { best, alike, second })
     }
 
+    /// Without factors of times that rounding of these may explain: it is the rows that scatter.
+    fn timed(mut self, whole: &Whole, confidence: &mut Confidence) -> Self {
+        let of_rounding = |rule: &Rule| match rule.alteration {
+            Some(Alteration::Times(x) | Alteration::TermOrTimes(x)) => TIMES_OF_ROUNDING.contains(&x),
+            _ => false,
+        };
+        if whole.of_few_times {
+            self.alike.retain(|rule| !of_rounding(rule));
+            *confidence = if of_rounding(&self.best.rule) { Confidence::Scattered } else { *confidence };
+        }
+        self
+    }
+
     /// Without the place in the step where damping acts, if it might be another.
     fn placed(mut self, found: &[Explanation], floor: Floor) -> Self {
         let best = self.best.rule;
@@ -331,7 +344,7 @@ pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &W
         confidence = between_jumps(subject, &without(pairs, &jumps), &mut ranked, floor);
         jumps.retain(|_| confidence != Confidence::NoneFits);
     }
-    let Ranked { best, alike, second } = ranked.placed(&found, floor);
+    let Ranked { best, alike, second } = ranked.placed(&found, floor).timed(whole, &mut confidence);
     let turns = pairs.iter().any(|pair| pair.from.attitude.is_some());
     let scatter = !sought && attitudes_scatter(subject, pairs, best.rule.base, floor);
     let header = known.said.engine.as_deref().unwrap_or_default();

@@ -100,6 +100,7 @@ impl End<'_> {
     /// By how much the turn of the attitude differs from the spin, if by more than is allowed.
     fn otherwise(&self) -> Option<f64> {
         let allowed = self.options.allowed(LawName::Consistency).unwrap_or(self.options.threshold);
+        let allowed = self.trial.known.grid.map_or(allowed, |grid| allowed.max(grid.share()));
         let law = self.laws.iter().find(|law| law.name == LawName::Consistency && law.most > allowed);
         law.map(|law| law.most)
     }

@@ -90,6 +90,25 @@ fn times_rounded_by_nearly_half_of_a_step_are_put_back_to_it() {
 }
 
 #[test]
+fn rows_missing_among_times_of_few_digits_are_no_wrong_clock() {
+    let rows = run(BODIES[0], SPINS[3].into(), None);
+    for (rate, digits, every) in [(0.6, 3, 200), (0.6, 2, 200), (0.9, 2, 290), (0.6, 3, 6), (0.9, 2, 6)] {
+        // Nearly every sixth row leaves the step open.
+        let is_there = |i: &usize| *i == 0 || i % every != 0 || i % 7 == 0;
+        let row = |i: usize| (rows[i].0 / rate, rows[i].1, rows[i].2 * rate);
+        let left: Vec<Row> = (0..rows.len()).filter(is_there).map(row).collect();
+        let text = written("# inertia: 1 2 2.5", &left, |t| format!("{t:.digits$}"), |x| format!("{x:?}"));
+        let (verdict, said) = (judged(&text), judged(&text).to_string());
+        assert_eq!((verdict.outcome, &verdict.file_mistakes[..]), (Outcome::Passed, &[][..]), "{said}");
+        assert!(!said.contains("too long") && !said.contains("too short"), "{said}");
+        match verdict.record.step {
+            Some(step) if every > 6 => assert!((step * rate / H - 1.0).abs() < 2e-4, "{said}"),
+            _ => assert!(every == 6 && said.contains("write all their digits"), "{said}"),
+        }
+    }
+}
+
+#[test]
 fn of_spins_alone_wrong_times_and_a_wrong_term_are_both_said() {
     for (moments, spin) in BODIES.into_iter().zip([SPINS[0], SPINS[1], SPINS[3]]) {
         for method in [None, Some(Method::SemiImplicitEuler), Some(Method::LinearisedImplicit)] {
