@@ -44,8 +44,8 @@ pub(crate) const TRIED_IN_PARTS: [usize; 2] = [12, 128];
 pub(crate) const PARTS: [u32; 15] = [2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16];
 /// More of them for rules of order four or less, whose errors show in these too.
 pub(crate) const MORE_PARTS: [u32; 10] = [17, 20, 24, 25, 32, 33, 40, 48, 50, 64];
-/// Steps that rules are compared on, and by how many times as far as the best on these one is no more looked
-/// at.
+/// The number of steps on which rules are compared first, and the error there, in errors of the best rule,
+/// beyond which a rule is dropped.
 pub(crate) const COMPARED: (usize, f64) = (16, 16.0);
 /// Error of a rule in a step, in that of the record, below which it is as good as exact.
 pub(crate) const AS_EXACT: f64 = 0.01;
@@ -62,8 +62,8 @@ pub(crate) const STRETCHES: usize = 512;
 pub(crate) const POINTS: usize = 256;
 /// Flips whose times are kept.
 pub(crate) const FLIP_TIMES: usize = 512;
-/// Flips from which on it is said how late they are, and what that may leave, as a share of the most that one
-/// is apart.
+/// The least number of flips for a statement on their lateness, and the largest residual of the fitted line,
+/// as a share of the largest lateness.
 pub(crate) const LATE_FLIPS: usize = 3;
 pub(crate) const LATE_LEFT: f64 = 0.02;
 /// Share of the larger part of the lateness below which the other is not named.
@@ -129,7 +129,7 @@ pub(crate) const EVEN_TIMES: f64 = 64.0;
 pub(crate) const PRINTED_HALVES: f64 = 2.01;
 /// The greatest share of rows that may be missing where the step is found from times of few digits.
 pub(crate) const MISSING_ROWS: f64 = 0.1;
-/// By what factor such times may be wrong because they are rounded.
+/// Factors between recorded and true times that the rounding of such times alone can cause.
 pub(crate) const TIMES_OF_ROUNDING: std::ops::RangeInclusive<f64> = 0.6..=1.6;
 
 // How the numbers are meant.
@@ -368,8 +368,8 @@ pub(crate) const JOLT: f64 = 1e-6;
 pub(crate) const FIT_SHARES: [f64; 4] = [1.0, 0.5, 0.1, 0.01];
 /// Gain, as a share, below which a fit has converged.
 pub(crate) const GAIN: f64 = 1e-12;
-/// And that of a rule's numbers: of the rule that made the steps each round gains nearly all, down to
-/// rounding.
+/// The same for the parameters of a rule. For the rule that made the steps, each iteration removes nearly all
+/// of the error, down to rounding.
 pub(crate) const RULE_GAIN: f64 = 1e-3;
 /// What may be left of the spins, as a share: more is another motion.
 pub(crate) const FIT_LEFT: f64 = 0.1;

@@ -257,7 +257,7 @@ impl Laws {
         let (line, left) = line(late.clone());
         let most = late.clone().fold(0.0, |most: f64, (_, late)| most.max(late.abs()));
         let seen = most > end / self.seen.steps.max(1.0);
-        // Beside far more, or far fewer, the exact ones are not those of the same number.
+        // If the counts differ much, flips of equal index do not correspond.
         let same = count.found.max(count.exact) <= 2 * late.len() as u64;
         let is_line = late.len() >= LATE_FLIPS && left.sqrt() < LATE_LEFT * most;
         count.late = Some(line).filter(|_| seen && same && is_line);

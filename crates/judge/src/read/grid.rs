@@ -17,7 +17,7 @@ pub(crate) struct Grid {
     /// The most significant digits that they have.
     digits: i32,
     pub named: bool,
-    /// Whether a row is looked for at the nearest place before the next.
+    /// Whether the nearest place is tried before the place after the last row.
     nearest: bool,
     /// The place that the next row has, if none is missing.
     next: f64,
@@ -64,8 +64,8 @@ impl Grid {
         named.filter(fits).or_else(|| (!is_exact).then(other))
     }
 
-    /// Of this many steps, more than the rows show, and fitted to all times: of the last one alone the error
-    /// would lead to a wrong place.
+    /// A grid of this many steps, more than there are rows. The step is fitted to all times, because the
+    /// rounding of the last time alone could shift a row to a wrong place.
     fn with_gaps(self, probe: &[Raw], count: f64) -> Option<Self> {
         let first = probe.first()?;
         let mut grid = Self { step: (probe.last()?.t - first.t) / count, ..self };
@@ -93,8 +93,9 @@ impl Grid {
         probe.iter().map(place).collect()
     }
 
-    /// The place of a row, and the time from which its own is rounded, if it is. Where the step is the mean
-    /// of the rows it is the next place: rounding may be near to half a step, and lead to another.
+    /// The place of a row and its unrounded time, if the recorded time is that time rounded. If the step is
+    /// the mean of the rows, the place after the last row is tried first: where rounding is nearly half a
+    /// step, the nearest place can be wrong.
     fn time(&self, raw: &Raw) -> Option<(f64, f64)> {
         let half = half_of(raw, self.half, self.digits);
         let nearest = ((raw.t - self.start) / self.step).round();

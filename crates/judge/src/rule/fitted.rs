@@ -95,7 +95,7 @@ fn term_under_drag(pairs: &[Pair], moments: &Vector3<f64>) -> f64 {
         let mean = (from.omega + to.omega) / 2.0;
         let along =
             Matrix3x2::from_columns(&[angular_acceleration(moments, &mean, &Vector3::zeros()), -mean]);
-        // Each as much, however slow.
+        // Equal weight for slow and fast steps.
         let weight = mean.norm_squared().powi(-2);
         own += along.tr_mul(&along) * weight;
         both += along.tr_mul(&((to.omega - from.omega) / *h)) * weight;
