@@ -21,6 +21,9 @@ type Words = BTreeMap<String, String>;
 pub(crate) struct Language {
     #[serde(skip)]
     pub(crate) code: String,
+    /// The file, for the lines of its entries.
+    #[serde(skip)]
+    text: String,
     /// For each English number word, the words of the language, divided by blanks; empty where the word is
     /// not a count.
     numbers: Words,
@@ -45,14 +48,13 @@ impl Language {
     /// # Errors
     /// A file that cannot be read, or a translation that has other numbers or links than the original.
     pub(crate) fn read(code: &str) -> Result<Self, String> {
-        let file = paths::book().join(format!("words.{code}.toml"));
-        let text = files::text(&file).map_err(|_| format!("there is no book/words.{code}.toml"))?;
-        Self::parse(code, &text)
+        let text = files::text(&paths::book().join(format!("words.{code}.toml")));
+        Self::parse(code, &text.map_err(|_| format!("there is no book/words.{code}.toml"))?)
     }
 
     fn parse(code: &str, text: &str) -> Result<Self, String> {
         let found: Self = toml::from_str(text).map_err(|e| format!("book/words.{code}.toml: {e}"))?;
-        let mut found = Self { code: code.to_owned(), ..found };
+        let mut found = Self { code: code.to_owned(), text: text.to_owned(), ..found };
         let all = found.page.values().flatten().chain(&found.words).chain(&found.frame);
         let wrong: Vec<String> = all.filter_map(|(own, said)| found.differs(own, said)).collect();
         found.page.values_mut().flat_map(Words::values_mut).for_each(|said| *said = blanks::kept(said));
@@ -70,22 +72,24 @@ impl Language {
         known.map(|(name, code)| Ok((Self::read(code)?, name))).transpose()
     }
 
-    fn fault(&self, original: &str, what: &str) -> String {
-        format!("book/words.{}.toml: `{original:.70}`: {what}", self.code)
+    /// What is wrong with an entry, with its line; an entry that is not there has no translation and no line.
+    fn fault(&self, original: &str, said: &str, what: &str) -> String {
+        let [own, said] = [original, said].map(|words| serde_json::to_string(words).unwrap_or_default());
+        let entry = format!("{own} = {said}").replace('\u{a0}', " ");
+        let line = self.text.lines().position(|line| line == entry);
+        let line = line.map_or(String::new(), |at| format!(":{}", at + 1));
+        format!("book/words.{}.toml{line}: `{original:.70}`: {what}", self.code)
     }
 
     /// What differs between a translation and its original.
     fn differs(&self, original: &str, said: &str) -> Option<String> {
         let ((text, links), (own, own_links)) = (without_targets(original), without_targets(said));
         let (there, here) = (self.original_numbers(&text), self.own_numbers(&own));
-        let what = if there != here {
-            format!("the numbers {here:?} where the original has {there:?}")
-        } else if links != own_links && !original.starts_with("{{#") {
-            "other links than in the original".into()
-        } else {
-            return None;
-        };
-        Some(self.fault(original, &what))
+        let numbers = || format!("the numbers {here:?} where the original has {there:?}");
+        let other = links != own_links && !original.starts_with("{{#");
+        let links = other.then(|| "other links than in the original".into());
+        let what = (there != here).then(numbers).or(links);
+        what.map(|what| self.fault(original, said, &what))
     }
 
     fn original_numbers(&self, text: &str) -> Vec<String> {
@@ -112,8 +116,7 @@ impl Language {
     /// Each paragraph without a translation, with its line, and each translation without a paragraph.
     pub(crate) fn page(&self, name: &str) -> Result<String, String> {
         let text = files::text(&paths::chapters().join(format!("{name}.md")))?;
-        let none = Words::new();
-        let known = self.page.get(name).unwrap_or(&none);
+        let known = self.page.get(name).cloned().unwrap_or_default();
         let (mut out, mut end, mut used, mut wrong) = (String::new(), 0, BTreeSet::new(), Vec::new());
         for item in items(&text) {
             let lines = text[item.clone()].lines().map(|line| line.trim_start_matches(['>', ' ']));
@@ -122,11 +125,9 @@ impl Language {
                 Some(said) => {
                     let right = |text: &str| Some(text.strip_prefix('*')?.split_once('*')?.0.to_owned());
                     let option = right(&original).and_then(|right| known.get(&right));
-                    if option.is_some_and(|option| right(said).as_ref() != Some(option)) {
-                        wrong.push(
-                            self.fault(&original, "another answer where the original has the right one"),
-                        );
-                    }
+                    let other = option.filter(|option| right(said).as_ref() != Some(*option));
+                    let what = "another answer where the original has the right one";
+                    wrong.extend(other.map(|_| self.fault(&original, said, what)));
                     out.push_str(&text[end..item.start]);
                     out.push_str(said);
                     end = item.end;
@@ -136,12 +137,13 @@ impl Language {
                 None => {
                     let line = 1 + text[..item.start].matches('\n').count();
                     let place = format!("not there; it is in book/chapters/{name}.md:{line}");
-                    wrong.push(self.fault(&original, &place));
+                    wrong.push(self.fault(&original, "", &place));
                 }
             }
         }
-        let unused = known.keys().filter(|key| !used.contains(*key));
-        wrong.extend(unused.map(|key| self.fault(key, &format!("{name}.md says it no more"))));
+        let unused = known.iter().filter(|(key, _)| !used.contains(*key));
+        let what = format!("{name}.md says it no more");
+        wrong.extend(unused.map(|(key, said)| self.fault(key, said, &what)));
         if wrong.is_empty() { Ok(out + &text[end..]) } else { Err(wrong.join("\n")) }
     }
 
@@ -181,7 +183,7 @@ impl Language {
             let (label, unknown) = self.label(text);
             if !unknown.is_empty() {
                 let what = format!("not there, as a label; of it, `{}` is not known", unknown.join(" "));
-                wrong.push(self.fault(text.trim(), &what));
+                wrong.push(self.fault(text.trim(), "", &what));
             }
             label
         };
@@ -219,9 +221,8 @@ impl Language {
                 page.replace(&format!("{before}{original}{after}"), &format!("{before}{said}{after}"))
             };
             let framed = put(&put(&page, [">", "<"]), ["=\"", "\""]);
-            if framed == page {
-                wrong.push(self.fault(original, "the frame of a page says it no more"));
-            }
+            let what = "the frame of a page says it no more";
+            wrong.extend((framed == page).then(|| self.fault(original, said, what)));
             page = framed;
         }
         if wrong.is_empty() { Ok(page) } else { Err(wrong.join("\n")) }

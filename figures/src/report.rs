@@ -26,8 +26,8 @@ pub fn report(body: &BodyModel, engine: bool) -> Result<String, Box<dyn Error>> 
     let name = escaped(&body.name);
     let mut page = format!(
         "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width\">\n<title>How {name} turns</title>\n<style>{}{}</style>\n\
-         </head>\n<body>\n<main>\n<h1>How {name} turns</h1>\n",
+         <meta name=\"viewport\" content=\"width=device-width\">\n<title>How it turns: {name}</title>\n<style>{}{}</style>\n\
+         </head>\n<body>\n<main>\n<h1>How it turns: {name}</h1>\n",
         ink::style_of(":root"),
         style::PAGE
     );
@@ -79,18 +79,18 @@ fn tensor(subject: &Subject<'_>) -> String {
     let matrix = matrix.map(|x| if x.abs() < 1e-15 * matrix.amax() { 0.0 } else { x }); // but rounding
     let (entries, unit) = units::moments(matrix.transpose().as_slice());
     let mut out = format!(
-        "<section><h2>Tensor and axes</h2>\n<table><caption>Inertia tensor in its own axes, {unit}</caption>\n"
+        "<section><h2>Tensor and axes</h2>\n<table><caption>Inertia tensor in its own axes, {unit}</caption>\n\
+         <tr><td></td><th scope=\"col\">x</th><th scope=\"col\">y</th><th scope=\"col\">z</th></tr>\n"
     );
-    out += "<tr><td></td><th scope=\"col\">x</th><th scope=\"col\">y</th><th scope=\"col\">z</th></tr>\n";
     for (axis, entries) in ["x", "y", "z"].into_iter().zip(entries.chunks(3)) {
         out += &row(axis, entries);
     }
     let (written, unit) = units::moments(subject.moments.vector().as_slice());
     let _ = writeln!(
         out,
-        "</table>\n<table><caption>Principal moments, {unit}, and the directions of their axes</caption>"
+        "</table>\n<table><caption>Principal moments, {unit}, and the directions of their axes</caption>\n\
+         <tr><td></td><th scope=\"col\">moment</th><th scope=\"col\">x</th><th scope=\"col\">y</th><th scope=\"col\">z</th></tr>"
     );
-    out += "<tr><td></td><th scope=\"col\">moment</th><th scope=\"col\">x</th><th scope=\"col\">y</th><th scope=\"col\">z</th></tr>\n";
     for k in 0..3 {
         let along = subject.frame.column(k).into_owned();
         let direction = along.iter().map(|x| format!("{x:.3}").replace("-0.000", "0.000").replace('-', "−"));
@@ -150,9 +150,8 @@ fn stability(subject: &Subject<'_>) -> Result<String, Box<dyn Error>> {
 fn flips(subject: &Subject<'_>) -> Result<String, Box<dyn Error>> {
     let mut out = String::from("<section><h2>Time between flips</h2>\n");
     if subject.kind != Kind::Three {
-        return Ok(
-            out + "<p>It never flips: at least two of its principal moments are equal.</p></section>\n"
-        );
+        out += "<p>It never flips: at least two of its principal moments are equal.</p></section>\n";
+        return Ok(out);
     }
     let times: Result<Vec<_>, _> = (1..=9).map(|n| subject.flip_time(10_f64.powi(-n))).collect();
     let times = times?;

@@ -29,8 +29,9 @@ fn a_number_a_sign_a_unit_a_number_word_or_a_link_that_is_altered_is_noticed() {
         ("](../../figures/three-tosses.svg)\"\n\"*", "](../../figures/coin.svg)\"\n\"*"),
     ] {
         let wrong = faults(said, altered);
-        let noticed = [" where the original has ", "other links"];
-        assert!(noticed.iter().any(|words| wrong.contains(words)), "{said}: {wrong}");
+        let noticed = [" where the original has ", "other links"].iter().any(|words| wrong.contains(words));
+        let line = 1 + german().split(said).next().unwrap().matches('\n').count();
+        assert!(noticed && wrong.contains(&format!("words.de.toml:{line}: `")), "{said}: {wrong}");
     }
 }
 

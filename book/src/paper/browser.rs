@@ -18,9 +18,10 @@ const NAMES: [&str; 7] = [
 ];
 
 /// Where they stand on systems that have no PATH for programs with windows.
-const PLACES: [&str; 4] = [
+const PLACES: [&str; 5] = [
     "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
     "/Applications/Chromium.app/Contents/MacOS/Chromium",
+    "/Applications/Microsoft Edge.app/Contents/MacOS/Microsoft Edge",
     r"C:\Program Files\Google\Chrome\Application\chrome.exe",
     r"C:\Program Files (x86)\Microsoft\Edge\Application\msedge.exe",
 ];

@@ -30,7 +30,7 @@ pub(super) fn sheet(paper: &Paper, name: &str, size: Size, fit: Setting) -> Resu
     let notes = if lines == 0 { String::new() } else { notes };
     let body = format!(
         "<div class=\"columns\">\n<header><p>{}</p>\n{}\n</header>\n<div class=\"goals\"><p>{}</p><ul>{goals}</ul></div>\n{story}\n\
-         {sources}\n{notes}</div>\n<footer><p>{} {}: {}, CC BY 4.0{}.</p></footer>",
+         {sources}\n{notes}</div>\n<footer><p>{} {}: {}, CC\u{a0}BY\u{a0}4.0{}.</p></footer>",
         escaped(&say(&format!("{}, chapter {number}", paper.about.title))),
         heading(&page.body),
         say("After this chapter you can"),

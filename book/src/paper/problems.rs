@@ -52,7 +52,7 @@ pub(super) fn sheet(
     };
     let title = format!("{}: {}", page.title, say(class));
     let (from, count) = (say("From the book"), problems.len());
-    let of = escaped(&format!("{from} {}, CC BY 4.0{}.", paper.about.title, home::address()));
+    let of = escaped(&format!("{from} {}, CC\u{a0}BY\u{a0}4.0{}.", paper.about.title, home::address()));
     let head = format!("<h1>{}</h1>\n", escaped(&title));
     let body = if answers {
         let all = list(0, count);

@@ -31,7 +31,8 @@ pub struct BodyModel {
     pub sides: Option<[f64; 3]>,
     /// A question to the user if the input is unlikely to be intended: units, judged by the density; degrees
     /// instead of rad or the reverse; moments or sizes that do not fit the mass; parts that are far away or
-    /// twice in one place; links that fixed joints attach to this one.
+    /// twice in one place; links that fixed joints attach to this one. Or which body one word of its name
+    /// was taken for.
     pub question: Option<String>,
     /// The links of robots that it consists of: how often it has each, and the links with inertia that fixed
     /// joints attach to it.

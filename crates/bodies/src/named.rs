@@ -25,6 +25,9 @@ impl BodyModel {
     /// for called in ["wing-nut", "The wing nut", "wingnut", "nut"] {
     ///     assert_eq!(BodyModel::load(called)?.name, "the wing nut");
     /// }
+    /// // One word alone is enough, so that the body says which one it is.
+    /// assert_eq!(BodyModel::load("control")?.question.unwrap(), "`control`: this is the remote control");
+    /// assert_eq!(BodyModel::load("remote control")?.question, None);
     /// assert!(BodyModel::load("hamer").unwrap_err().to_string().contains("`hammer`"));
     /// # Ok::<(), tumbling_bodies::Error>(())
     /// ```
@@ -36,9 +39,11 @@ impl BodyModel {
     pub(crate) fn load_from(argument: &str, files: &Files<'_>) -> Result<Self, Error> {
         // The name, however its words are joined, or one of them alone.
         let called = argument.to_lowercase().replace("the ", "").replace(['-', ' ', '_'], "");
-        let is = |it: String| it.split('-').any(|one| one == called) || it.replace('-', "") == called;
-        if let Some(body) = NamedBody::ALL.into_iter().find(|&body| is(word(body))) {
-            return Self::named(body);
+        let plain = |body| word(body).replace('-', "");
+        let is = |&body: &NamedBody| word(body).split('-').any(|one| one == called) || plain(body) == called;
+        if let Some(body) = NamedBody::ALL.into_iter().find(is) {
+            let near = (plain(body) != called).then(|| format!("`{argument}`: this is {body}"));
+            return Ok(Self { question: near, ..Self::named(body)? });
         }
         let (path, link) = argument.split_once('#').map_or((argument, None), |(a, b)| (a, Some(b)));
         let path = files.folder.join(path);
@@ -76,8 +81,7 @@ impl BodyModel {
     /// # Errors
     /// There are none: the sizes are constants.
     pub fn named(body: NamedBody) -> Result<Self, Error> {
-        let properties = body.properties()?;
-        let (mut surfaces, mut sides) = (Vec::new(), None);
+        let (properties, mut surfaces, mut sides) = (body.properties()?, Vec::new(), None);
         body.each_part(&mut |part| {
             surfaces.push(bar(&part));
             let long = part.along.norm();
@@ -118,8 +122,7 @@ impl BodyModel {
     /// Refuses an ideal rod, since its momentum does not determine its spin about its own axis.
     pub(crate) fn ready(self) -> Result<Self, Error> {
         self.inertia.inverse()?;
-        self.moments()?;
-        Ok(self)
+        self.moments().map(|_| self)
     }
 }
 

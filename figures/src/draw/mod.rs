@@ -13,6 +13,6 @@ pub(crate) use canvas::Canvas;
 pub(crate) use pen::{Fill, Pen};
 pub(crate) use plot::{Plot, Scale};
 pub(crate) use point::{P, polar};
-pub(crate) use solid::{hull, solid};
+pub(crate) use solid::{exit, hull, solid};
 pub(crate) use space::{Cuboid, View};
 pub(crate) use text::{Label, escaped};

@@ -54,6 +54,19 @@ fn normal(surface: &Surface, face: &[usize]) -> Vector3<f64> {
     fan.sum::<Vector3<f64>>().try_normalize(0.0).unwrap_or_default()
 }
 
+/// Where a ray from the centre of mass leaves these surfaces for the last time, m; zero if it hits none.
+pub(crate) fn exit(surfaces: &[Surface], ray: &Vector3<f64>) -> f64 {
+    let faces = surfaces.iter().flat_map(|surface| surface.faces.iter().map(move |face| (surface, face)));
+    let hits = faces.filter(|(_, face)| face.len() > 2).filter_map(|(surface, face)| {
+        let (out, p) = (normal(surface, face), |i: usize| surface.vertices[face[i % face.len()]]);
+        let at = p(0).dot(&out) / ray.dot(&out);
+        let side = |i: usize| p(i + 1) - p(i);
+        let inside = |i| side(i).cross(&(ray * at - p(i))).dot(&out) >= -1e-9 * side(i).norm_squared();
+        (at.is_finite() && (0..face.len()).all(inside)).then_some(at)
+    });
+    hits.fold(0.0, f64::max)
+}
+
 fn faces_viewer(view: &View, normal: &Vector3<f64>) -> bool {
     normal.dot(&view.toward()) > 1e-9
 }

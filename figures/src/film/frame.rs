@@ -1,7 +1,7 @@
 //! One drawing of a film.
 
 use super::{Camera, Film, share_in_words};
-use crate::draw::{Canvas, Fill, Ink, Label, P, Pen, View, solid};
+use crate::draw::{Canvas, Fill, Ink, Label, P, Pen, View, exit, solid};
 use crate::picture::ink_of;
 use crate::units;
 use nalgebra::Vector3;
@@ -45,8 +45,7 @@ impl Projection {
     /// The drawn position of the tip of this spin (rad/s, in the camera's axes, z up).
     #[must_use]
     pub fn tip(&self, omega: &Vector3<f64>) -> [f64; 2] {
-        let (x, y) = view(BODY, SPIN / self.fastest, AZIMUTH).at(omega);
-        [x, y]
+        view(BODY, SPIN / self.fastest, AZIMUTH).at(omega).into()
     }
 }
 
@@ -93,17 +92,14 @@ impl Film {
         let axis = self.frame.column(self.request.axis as usize).into_owned();
         let (pole, ink) = (rotation * axis, ink_of(self.request.axis));
         let of_body = view(BODY, self.scale, AZIMUTH);
-        // A pin along the axis of the spin: it shows the orientation of the body.
+        // A pin along the axis of the spin: it shows the orientation of the body. Its part inside is hidden.
         let along = self.surfaces.iter().flat_map(|s| &s.vertices).map(|p| p.dot(&axis));
         let surface = along.fold(0.0, f64::max) * self.scale;
         let pin = |from: f64| {
             let [from, to] = [from, surface + PIN].map(|along| arrows.at(&(pole * along)));
             canvas.line(from, to, Pen::new(ink, 5.0));
         };
-        let before = pole.dot(&arrows.toward()) > 0.0;
-        if !before {
-            pin(0.0);
-        }
+        pin(0.0);
         solid(canvas, &of_body, &self.surfaces, rotation.to_rotation_matrix().matrix(), Some((&axis, ink)));
         let whole: Vec<P> = self.trace(0.0, 1.0, 240)?;
         canvas.path(&whole, Pen::new(Ink::Omega, 1.2).opacity(0.4));
@@ -112,14 +108,13 @@ impl Film {
             let from = share + tail * (part / 3.0 - 1.0);
             canvas.path(&self.trace(from, from + tail / 3.0, 8)?, Pen::new(Ink::Omega, 2.6).opacity(opacity));
         }
-        if before {
-            pin(surface);
+        if pole.dot(&arrows.toward()) > 0.0 {
+            pin(exit(&self.surfaces, &axis) * self.scale);
         }
         let attitude = self.motion.attitude(share * self.length.motion)?;
         let momentum = self.seen_from(share, &attitude) * self.momentum.normalize();
         canvas.arrow(BODY, arrows.at(&(momentum * MOMENTUM * self.share)), Pen::new(Ink::Momentum, 3.6));
-        let [x, y] = self.projection().tip(&self.spin_seen(share)?);
-        canvas.arrow(BODY, (x, y), Pen::new(Ink::Omega, 3.2));
+        canvas.arrow(BODY, self.projection().tip(&self.spin_seen(share)?).into(), Pen::new(Ink::Omega, 3.2));
         canvas.disc(BODY, 3.5, Fill::new(Ink::Text), None);
         Ok(())
     }
@@ -140,12 +135,8 @@ impl Film {
 
     /// The path of the spin's tip between two fractions of the film.
     fn trace(&self, from: f64, to: f64, steps: u32) -> Result<Vec<P>, Box<dyn Error>> {
-        let tip = |i: u32| {
-            let [x, y] =
-                self.projection().tip(&self.spin_seen(from + (to - from) * f64::from(i) / f64::from(steps))?);
-            Ok((x, y))
-        };
-        (0..=steps).map(tip).collect()
+        let at = |i: u32| from + (to - from) * f64::from(i) / f64::from(steps);
+        (0..=steps).map(|i| Ok(self.projection().tip(&self.spin_seen(at(i))?).into())).collect()
     }
 
     /// The ellipsoid of equal energy with the path of the spin on it.

@@ -74,7 +74,7 @@ fn page(text: &str) -> String {
 fn the_box_of_the_book_has_the_numbers_of_the_book() {
     let page = page("name = 'a <box>'\nsides = [2, 1, 3]\nmass = 1");
     for held in [
-        "How a &lt;box&gt; turns",
+        "How it turns: a &lt;box&gt;",
         "<td>0.833</td><td>0.000</td><td>0.000</td>",
         "<th scope=\"row\">3 largest</th><td>1.083</td>",
         // sqrt((13 - 10) (10 - 5) / (13 * 5)) of the spin: 0.480, so ln(10) / 0.480 / 2π turns.
