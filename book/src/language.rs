@@ -11,7 +11,7 @@ use crate::guard::{number_words, numerals, with_unit};
 use crate::preprocess::blanks;
 use crate::site::{files, paths};
 use serde::Deserialize;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 type Words = BTreeMap<String, String>;
@@ -73,7 +73,7 @@ impl Language {
     }
 
     /// What is wrong with an entry, with its line; an entry that is not there has no translation and no line.
-    fn fault(&self, original: &str, said: &str, what: &str) -> String {
+    pub(crate) fn fault(&self, original: &str, said: &str, what: &str) -> String {
         let [own, said] = [original, said].map(|words| serde_json::to_string(words).unwrap_or_default());
         let entry = format!("{own} = {said}").replace('\u{a0}', " ");
         let line = self.text.lines().position(|line| line == entry);
@@ -117,10 +117,9 @@ impl Language {
     pub(crate) fn page(&self, name: &str) -> Result<String, String> {
         let text = files::text(&paths::chapters().join(format!("{name}.md")))?;
         let known = self.page.get(name).cloned().unwrap_or_default();
-        let (mut out, mut end, mut used, mut wrong) = (String::new(), 0, BTreeSet::new(), Vec::new());
+        let (mut out, mut end, mut wrong) = (String::new(), 0, self.behind()?);
         for item in items(&text) {
-            let lines = text[item.clone()].lines().map(|line| line.trim_start_matches(['>', ' ']));
-            let original = lines.collect::<Vec<_>>().join(" ");
+            let original = in_one_line(&text[item.clone()]);
             match known.get(&original) {
                 Some(said) => {
                     let right = |text: &str| Some(text.strip_prefix('*')?.split_once('*')?.0.to_owned());
@@ -131,7 +130,6 @@ impl Language {
                     out.push_str(&text[end..item.start]);
                     out.push_str(said);
                     end = item.end;
-                    used.insert(original);
                 }
                 None if original.starts_with("{{#") => {}
                 None => {
@@ -141,10 +139,20 @@ impl Language {
                 }
             }
         }
-        let unused = known.iter().filter(|(key, _)| !used.contains(*key));
-        let what = format!("{name}.md says it no more");
-        wrong.extend(unused.map(|(key, said)| self.fault(key, said, &what)));
         if wrong.is_empty() { Ok(out + &text[end..]) } else { Err(wrong.join("\n")) }
+    }
+
+    /// The translations whose original is not in its chapter.
+    fn behind(&self) -> Result<Vec<String>, String> {
+        let mut wrong = Vec::new();
+        for (page, known) in &self.page {
+            let text = files::text(&paths::chapters().join(format!("{page}.md")))?;
+            let there: Vec<_> = items(&text).into_iter().map(|item| in_one_line(&text[item])).collect();
+            let what = format!("{page}.md says it no more");
+            let lost = known.iter().filter(|(own, _)| !there.contains(*own));
+            wrong.extend(lost.map(|(own, said)| self.fault(own, said, &what)));
+        }
+        Ok(wrong)
     }
 
     /// A label in this language, translated as a whole or part by part; and its words without a translation.
@@ -299,6 +307,10 @@ fn words_of(text: &str) -> impl Iterator<Item = Range<usize>> + '_ {
         end = length.map_or(text.len(), |length| start + length);
         Some(start..end)
     })
+}
+
+fn in_one_line(item: &str) -> String {
+    item.lines().map(|line| line.trim_start_matches(['>', ' '])).collect::<Vec<_>>().join(" ")
 }
 
 /// The texts of a chapter: each paragraph, heading and item, without the marks before it.

@@ -37,6 +37,7 @@ fn a_number_a_sign_a_unit_a_number_word_or_a_link_that_is_altered_is_noticed() {
 
 #[test]
 fn a_page_that_has_fallen_behind_says_where() {
+    assert!(faults("\"A brick\" =", "\"The brick\" =").contains("`The brick`: problems.md says it no more"));
     let wrong = faults("\"A book has three axes.", "\"The book has three axes.");
     assert!(wrong.contains("`A book has three axes. One runs along"), "{wrong}");
     assert!(wrong.contains("it is in book/chapters/toss-a-book.md:6\n"), "{wrong}");

@@ -7,15 +7,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// The names of the programs that can do it.
-const NAMES: [&str; 7] = [
-    "chromium",
-    "chromium-browser",
-    "google-chrome",
-    "google-chrome-stable",
-    "chrome",
-    "microsoft-edge",
-    "msedge",
-];
+const NAMES: &str =
+    "chromium chromium-browser google-chrome google-chrome-stable chrome microsoft-edge msedge";
 
 /// Where they stand on systems that have no PATH for programs with windows.
 const PLACES: [&str; 5] = [
@@ -35,7 +28,7 @@ pub(crate) fn found() -> Option<PathBuf> {
         env::var_os("PATH").map(|path| env::split_paths(&path).collect()).unwrap_or_default();
     let ending = env::consts::EXE_SUFFIX;
     let on_path = NAMES
-        .iter()
+        .split(' ')
         .flat_map(|name| folders.iter().map(move |folder| folder.join(format!("{name}{ending}"))));
     on_path.chain(PLACES.iter().map(PathBuf::from)).find(|file| file.is_file())
 }

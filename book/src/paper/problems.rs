@@ -81,24 +81,21 @@ pub(super) fn sheet(
 
 /// The problems in another language, paragraph by paragraph.
 fn translated(problems: Vec<Problem>, own: &Language) -> Result<Vec<Problem>, String> {
-    let (mut left, mut lost) = (own.page.get(PAGE).cloned().unwrap_or_default(), Vec::new());
+    let (known, mut lost) = (own.page.get(PAGE).cloned().unwrap_or_default(), Vec::new());
     let mut say = |nodes: Vec<Node>| {
         rewritten(nodes, &mut |mut element| {
             if ["p", "h2"].contains(&element.name.as_str()) {
-                let own = element.text().replace('\u{a0}', " ");
-                let said = left.remove(&own);
-                lost.extend(said.is_none().then_some(own));
-                element.children = said.into_iter().map(Node::Text).collect();
+                let text = element.text().replace('\u{a0}', " ");
+                let what = format!("not there; it is in book/chapters/{PAGE}.md");
+                lost.extend((!known.contains_key(&text)).then(|| own.fault(&text, "", &what)));
+                element.children = known.get(&text).cloned().into_iter().map(Node::Text).collect();
             }
             vec![element.into()]
         })
     };
     let problems =
         problems.into_iter().map(|one| Problem { asked: say(one.asked), answer: say(one.answer) }).collect();
-    lost.extend(left.into_keys());
-    let wrong =
-        || format!("book/words.{}.toml and book/chapters/{PAGE}.md differ: {}", own.code, lost.join("; "));
-    if lost.is_empty() { Ok(problems) } else { Err(wrong()) }
+    if lost.is_empty() { Ok(problems) } else { Err(lost.join("\n")) }
 }
 
 /// The problems of this chapter in the page of problems.

@@ -15,7 +15,7 @@ caption{text-align:left;padding-bottom:.15em}
 th{text-align:left;font-weight:500}th[scope=col]{font-weight:600;vertical-align:bottom}
 td,th{padding:.1em .6em .1em 0;border-bottom:1px solid var(--fig-faint)}
 @media(max-width:44rem){.pair{grid-template-columns:1fr}table{display:block;overflow-x:auto}}
-@media print{:root{color-scheme:light}body{font-size:8.4pt;line-height:1.2}main{max-width:none;padding:0;display:flex;flex-direction:column;justify-content:space-between;min-height:276mm}
-h1{font-size:15pt}h2{font-size:10pt;margin:0}p,ul{margin:.6mm 0}.pair{grid-template-columns:1fr 1fr;margin:0;gap:0 3mm}
+@media print{:root{color-scheme:light}body{font-size:8.4pt;line-height:1.2}main{max-width:none;padding:0;display:flex;flex-direction:column;min-height:276mm}
+h1{font-size:15pt}h2{font-size:10pt;margin:0}p,ul{margin:.6mm 0}.pair{grid-template-columns:1fr 1fr;margin:auto 0 0;gap:0 3mm}
 td,th{padding:0 .6em 0 0;white-space:nowrap}figure svg{width:94.5mm;max-width:100%}section,figure{break-inside:avoid}}
 ";

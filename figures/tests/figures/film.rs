@@ -75,8 +75,7 @@ fn arrows_are_projected_from_infinitely_far_with_z_upwards() {
     // Three perpendicular arrows of one length: their shadows' squares add up to twice its square, and
     // right and up are perpendicular and equally long.
     let sum = |i: usize, j: usize| seen.iter().map(|at| at[i] * at[j]).sum::<f64>();
-    assert!((sum(0, 0) / sum(1, 1) - 1.0).abs() < 1e-12);
-    assert!(sum(0, 1).abs() < 1e-12 * sum(0, 0));
+    assert!((sum(0, 0) / sum(1, 1) - 1.0).abs() < 1e-12 && sum(0, 1).abs() < 1e-12 * sum(0, 0));
     assert!(seen[2][0].abs() < 1e-12 && seen[2][1] < 0.0);
 }
 
