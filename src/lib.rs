@@ -41,8 +41,8 @@
 //!   torques.
 //! - [`laws`]: functions that are public only for the proofs.
 //!
-//! `FreeMotion::of` and `Stepper::new` accept a `Body` with any tensor, and return results in the axes of
-//! that body.
+//! `FreeMotion::of` and `Stepper::new` accept a `Body` with products of inertia too, and return results in
+//! the axes of that body.
 //!
 //! # Where to start
 //!
