@@ -10,7 +10,7 @@ pub use crate::number::real::Real;
 pub use crate::number::rounding::Rounding;
 pub use crate::solid::mesh::{mesh_moments, tetrahedron_moments};
 pub use crate::step::position_stage::turn::{change_of_spin, conserving_rate, conserving_turn};
-pub use crate::step::system::altered;
+pub use crate::step::system::{altered, rests_of_gauss};
 
 use crate::number::Ring;
 use nalgebra::{Matrix3, Vector3};

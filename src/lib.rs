@@ -37,12 +37,12 @@
 //!   has ready ones.
 //! - [`dynamics`]: Euler's equations, stability, energy and flips.
 //! - [`exact`]: free motion in closed form: [`exact::FreeMotion`] of one body, [`exact::Batch`] of many.
-//! - [`step`]: stepping through time, right and wrong: a [`step::Stepper`] runs any body by any method, under
-//!   torques.
+//! - [`step`]: stepping through time, right and wrong: a [`step::Stepper`] runs a body by the method of your
+//!   choice, under torques.
 //! - [`laws`]: functions that are public only for the proofs.
 //!
-//! `FreeMotion::of` and `Stepper::new` accept a `Body` with any tensor, and return results in the axes of
-//! that body.
+//! `FreeMotion::of` and `Stepper::new` accept a `Body` with products of inertia too, and return results in
+//! the axes of that body.
 //!
 //! # Where to start
 //!

@@ -68,7 +68,7 @@ impl<T: Ring + ClosedDivAssign> Field for T {}
 
 /// A field with the functions that steppers need besides arithmetic. Implemented for `f64` and `f32`, with
 /// the same bits where these follow IEEE 754; other crates may implement it for their own types. Power series
-/// implement it, which proves the order of a method.
+/// implement it: a step that runs on them shows its order.
 pub trait Analytic: Field {
     /// The square root; where there is none, the type's value for "undefined".
     fn sqrt(&self) -> Self;

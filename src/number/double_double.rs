@@ -253,7 +253,7 @@ pub(crate) fn exact_products(terms: impl Iterator<Item = f64>, factor: f64) -> i
     })
 }
 
-/// `a b - c d` as if computed exactly and rounded once (but for underflow).
+/// `a b - c d`: both products exact (but for underflow), their difference in twice the precision.
 pub(crate) fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> DoubleDouble {
     DoubleDouble::product(a, b) - DoubleDouble::product(c, d)
 }

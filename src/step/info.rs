@@ -1,7 +1,8 @@
 //! The properties of a method: its order and the quantities that it conserves.
 
-/// A method's name, and its order and conserved quantities in free motion. The order is proven (for the
-/// longest splitting, except for the last digits of its decimal weights), and each quantity is tested.
+/// A method's name, and its order and conserved quantities in free motion. The order is proven: for the
+/// longest splitting, except for the last digits of its decimal weights; for Moser and Veselov's orders 8 and
+/// 10, of the equation that the step solves. Each quantity is tested.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct MethodInfo {
     /// Its usual name.
@@ -29,7 +30,7 @@ pub struct Conserved {
     pub direction: bool,
     /// The length of the attitude quaternion.
     pub unit: bool,
-    /// A step backward undoes every successful step, or is refused where the iteration of the midpoint rule
+    /// A step backward undoes a successful step, or is refused where the iteration of the midpoint rule
     /// or of Gauss's stages hardly converges. It is exact to rounding where the step turns the body by at
     /// most a radian. The splittings of order 4 and 6 go forward and backward within a step, which amplifies
     /// rounding in longer steps: after a step of ten radians, the step backward may lead to a different

@@ -90,9 +90,9 @@ methods! {
     /// The implicit midpoint rule, attitude and momentum turned as one.
     ImplicitMidpoint("implicit midpoint", 2, IMPLICIT, ALL, "HLW06") => gauss::midpoint(system, start, h)?;
     /// Gauss's collocation with two stages.
-    Gauss4("Gauss 4", 4, IMPLICIT, SQUARES, "But64") => gauss::gauss_4(system, start, h)?;
+    Gauss4("Gauss 4", 4, IMPLICIT, SQUARES, "But64") => gauss::collocated(system, start, h, &gauss::order_4())?;
     /// Gauss's collocation with three stages.
-    Gauss6("Gauss 6", 6, IMPLICIT, SQUARES, "But64") => gauss::gauss_6(system, start, h)?;
+    Gauss6("Gauss 6", 6, IMPLICIT, SQUARES, "But64") => gauss::collocated(system, start, h, &gauss::order_6())?;
     /// An exact turn about each principal axis, there and back.
     RotationSplitting2("three rotations", 2, EXPLICIT, ALL_BUT_ENERGY, "McL93") => splitting::order_2(system, start, h);
     /// Seven steps of [`RotationSplitting2`](Self::RotationSplitting2) in one. It accepts every needle, but

@@ -1,4 +1,4 @@
-//! A body of any tensor, stepped in its own axes.
+//! A body whose tensor has an inverse, stepped in its own axes.
 
 use super::adaptive::AdaptiveRun;
 use super::fixed_rate::fixed_rate;
@@ -13,8 +13,8 @@ use nalgebra::Vector3;
 
 /// Steps a body through time under any torques: by a method, at a fixed rate, or within a tolerance.
 ///
-/// The body may have any tensor, products of inertia too. All inputs and outputs are along the body's own
-/// axes and the world's. The principal axes are computed once; the internal state is not converted back and
+/// The tensor may have products of inertia. All inputs and outputs are along the body's own axes and the
+/// world's. The principal axes are computed once; the internal state is not converted back and
 /// forth, so that a reversible method stays reversible. A step by a method or at a fixed rate allocates
 /// nothing; an adaptive one allocates the series of its run. In `f32`, use
 /// [`PositionStage`](super::PositionStage) for a free body, and [`Method::step`] or [`fixed_rate`] for a

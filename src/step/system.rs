@@ -7,7 +7,7 @@ use crate::error::{Error, Refusal, Subject, representable};
 use crate::inertia::{PrincipalMoments, ascending};
 use crate::number::{Analytic, Field};
 use crate::step::methods::moser_veselov::Corrections;
-pub use crate::step::methods::moser_veselov::altered;
+pub use crate::step::methods::{gauss::rests_of_gauss, moser_veselov::altered};
 use crate::step::torque::{Instant, Torque};
 use crate::step::torques::Torques;
 use alloc::vec::Vec;

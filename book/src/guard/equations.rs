@@ -1,15 +1,16 @@
-//! The equations of a chapter, passed to the proofs. Each must be a law of the library's own functions, be on
-//! the short list of exemptions, or only assign values.
+//! The equations of a chapter, passed to the proofs. Each must be a law that is expected there, be on the
+//! short list of exemptions, or only assign values.
 
 use super::chapter::Chapter;
 use super::laws;
 use super::offence::Offence;
-use tumbling_proofs::equations::{Equation, Fault, read};
+use tumbling_proofs::Kind;
+use tumbling_proofs::equations::{Equation, Fault, Settled, read};
 
-/// The kinds of evidence for an equation, strongest first: proven from functions of the library, or less.
+/// The kinds of evidence for an equation, strongest first; a lemma says nothing of the library.
 #[rustfmt::skip]
-pub(super) const KINDS: [&str; 6] = ["proven", "proven of a formula written again", "as text, a part of it proven",
-    "exempt", "notation", "values"];
+pub(super) const KINDS: [&str; 8] = ["proven through the library", "proven of a second derivation", "lemma",
+    "as text, a part of it proven", "as text, a part of it a lemma", "exempt", "notation", "values"];
 
 /// The maths of a chapter, as written.
 fn maths(chapter: &Chapter) -> Vec<Equation> {
@@ -31,16 +32,17 @@ fn maths(chapter: &Chapter) -> Vec<Equation> {
 /// The list of exemptions cannot be read.
 pub(crate) fn offences(chapter: &Chapter, held: &mut Vec<String>) -> Result<Vec<Offence>, String> {
     let read = read(&laws::of(&chapter.name)?, &maths(chapter));
-    let (again, proven): (Vec<_>, _) = read.proven.into_iter().partition(|s| s.again);
-    let kinds = [proven, again, read.apart, read.exempt, read.notation, read.values];
+    let of = |kind| move |s: &Settled| s.kind == Some(kind);
+    let (library, rest): (Vec<_>, Vec<_>) = read.proven.into_iter().partition(of(Kind::Library));
+    let [(lemmas, again), (parts, apart)] =
+        [rest, read.apart].map(|all| all.into_iter().partition(of(Kind::Lemma)));
+    let kinds: [Vec<_>; 8] = [library, again, lemmas, apart, parts, read.exempt, read.notation, read.values];
     for (settled, how) in kinds.into_iter().zip(KINDS) {
-        held.extend(settled.iter().map(|s| {
-            let (file, line) = (&chapter.path, s.line);
-            format!("{file}:{line}: `{}`: {how}: {}", s.tex, s.why)
-        }));
+        let line = |s: &Settled| format!("{}:{}: `{}`: {how}: {}", chapter.path, s.line, s.tex, s.why);
+        held.extend(settled.iter().map(line));
     }
     let offence = |Fault { line, tex, problem }| {
-        let expected = format!("an equation that the library's functions prove ({problem})");
+        let expected = format!("an equation that is proven ({problem})");
         chapter.offence(line.unwrap_or(1), format!("`{tex}`"), &expected)
     };
     Ok(read.faults.into_iter().map(offence).collect())

@@ -30,7 +30,13 @@ fn main() {
         count += 1;
         held += usize::from(outcome.is_ok());
         let verdict = outcome.map_or_else(|residue| format!("FAILS: {residue}"), |()| "holds".to_owned());
-        println!("{:>8.3} s  {}: {verdict}. {}", time.as_secs_f64(), proof.name, proof.statement);
+        println!(
+            "{:>8.3} s  {:?}, {}: {verdict}. {}",
+            time.as_secs_f64(),
+            proof.kind,
+            proof.name,
+            proof.statement
+        );
         if with_mutants {
             for mutant in proof.mutants {
                 let left = (mutant.check)()

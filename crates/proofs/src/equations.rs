@@ -1,6 +1,6 @@
 //! Equations in TeX, each proven for the meanings of its names. These are results of the library's functions,
-//! the sums of its closed form among them; for the constants of the closed form, they are formulas that are
-//! written here a second time.
+//! the sums of its closed form among them; or formulas that are written here a second time, and have a
+//! meaning only if the library's laws hold for them; or, of a lemma, mathematics alone.
 //!
 //! [`read`] receives the pieces of maths of a text, and the [laws](Law) that the text is [`Expected`] to
 //! state. Every statement must be one of three. It is one of these laws, and is then proven from its TeX. Or
@@ -28,6 +28,7 @@ pub(crate) use closed::{of_motion, variation};
 pub use laws::{Exemption, Law};
 pub(crate) use motion::{in_order, rates, slant};
 
+use crate::proof::Kind;
 use crate::tex::{Node, Statement, parse};
 use std::fmt;
 
@@ -73,8 +74,8 @@ pub struct Settled {
     pub tex: String,
     /// What it was proven to be; or the reason why it needs no proof.
     pub why: &'static str,
-    /// Whether it was proven to be a formula that is written here a second time.
-    pub again: bool,
+    /// The kind of the proof, of it or of a part of it.
+    pub kind: Option<Kind>,
 }
 
 /// The laws and exemptions that a text must state, each as often as the text must have it.
@@ -205,7 +206,7 @@ pub fn read(expected: &Expected, equations: &[Equation]) -> Found {
     for equation in equations {
         if let Some(notation) = ledger.find_notation(equation) {
             let tex = equation.tex.replace(' ', "");
-            found.notation.push(Settled { line: equation.line, tex, why: notation.reason, again: false });
+            found.notation.push(Settled { line: equation.line, tex, why: notation.reason, kind: None });
             continue;
         }
         match standings(equation, &mut ledger) {
@@ -224,16 +225,16 @@ pub fn read(expected: &Expected, equations: &[Equation]) -> Found {
 impl Found {
     /// Settles one statement of an equation.
     fn take(&mut self, equation: &Equation, statement: &Statement, standing: Option<Standing>) {
-        let settled = |why| Settled { line: equation.line, tex: statement.text.clone(), why, again: false };
+        let settled = |why| Settled { line: equation.line, tex: statement.text.clone(), why, kind: None };
         let problem = match standing {
-            Some(Standing::Exempt(exemption)) => match (exemption.prove(), exemption.proof) {
-                (Ok(()), Some(_)) => return self.apart.push(settled(exemption.reason)),
-                (Ok(()), None) => return self.exempt.push(settled(exemption.reason)),
-                (Err(problem), _) => problem,
+            Some(Standing::Exempt(exemption)) => match exemption.prove() {
+                Ok(None) => return self.exempt.push(settled(exemption.reason)),
+                Ok(kind) => return self.apart.push(Settled { kind, ..settled(exemption.reason) }),
+                Err(problem) => problem,
             },
             Some(Standing::Values) => return self.values.push(settled("only values")),
             Some(Standing::Law(law)) => match law.prove(statement) {
-                Ok(()) => return self.proven.push(Settled { again: law.again, ..settled(law.says) }),
+                Ok(()) => return self.proven.push(Settled { kind: Some(law.kind), ..settled(law.says) }),
                 Err(problem) => problem,
             },
             Some(Standing::Name) => return,

@@ -8,7 +8,8 @@
 
 use crate::number::Fraction;
 use crate::proof::{Outcome, Residue, same};
-use num_traits::Zero;
+use num_traits::{One, Zero};
+use std::ops::RangeInclusive;
 
 /// The signs repeat when twice an index moves by this.
 const PERIOD: i64 = 8;
@@ -35,6 +36,18 @@ impl Theta {
         let there = (twice.rem_euclid(2) == 1) == self.halves;
         let odd = self.alternating && twice.div_euclid(2).rem_euclid(2) == 1;
         i64::from(there) * if odd { -1 } else { 1 }
+    }
+
+    /// The terms of these `2n`, in powers of the nome and of the exponential of `2 i z`; of a sum over halves
+    /// without what its terms share.
+    pub(crate) fn terms(self, twice: RangeInclusive<i64>, nome: &Fraction, wave: &Fraction) -> Fraction {
+        let (first, back) = (i64::from(self.halves), Fraction::one() / wave);
+        twice.fold(Fraction::zero(), |sum, twice| {
+            let n = (twice - first) / 2;
+            let power = if n < 0 { &back } else { wave }.pow(n.unsigned_abs() as u32);
+            let size = nome.pow(((twice * twice - first) / 4) as u32);
+            sum + size * power * Fraction::from(self.sign(twice))
+        })
     }
 
     /// The first coefficient at zero, as a power series in the nome, but for `q^(1/4)` of a sum over halves;

@@ -15,11 +15,12 @@
 //! assert_eq!(omega.dot(&torque_free).to_string(), "0");
 //! ```
 //!
-//! [`proofs()`] lists them all. Two kinds prove less. First, the closed form: the library's own sums run on
+//! [`proofs()`] lists them all, each with its [`Kind`]. Of the closed form the library's own sums run on
 //! symbols, and all of it on intervals; but the formulas of its constants, which contain roots, are written
-//! here a second time, and their results are substituted into the library's laws. Second, the laws that a
-//! stepping method conserves: they are proven for its equations, written here a second time. For its own
-//! step, whose order is proven, they are tested from two starts in exact fractions.
+//! here a second time, and their results are substituted into the library's laws. The laws that a stepping
+//! method conserves are proven for its equations, written here a second time; for its own step, whose order
+//! is proven, they are tested from two starts in exact fractions. Lemmas are mathematics alone and say
+//! nothing of the code.
 //!
 //! A proof is about the formula in exact arithmetic. It does not cover rounding, overflow, or code with
 //! branches and roots; other tests must check these.
@@ -51,5 +52,5 @@ pub use interval::Interval;
 pub use num_bigint::BigInt;
 pub use num_rational::BigRational;
 pub use number::{Circular, Derivation, Fraction, Monomial, Polynomial, Rational, Relations, Series, Symbol};
-pub use proof::{Mutant, Outcome, Proof, Residue};
+pub use proof::{Kind, Mutant, Outcome, Proof, Residue};
 pub use proofs::proofs;

@@ -6,19 +6,33 @@ use crate::tex::{Node, Scope, parse};
 use nalgebra::SMatrix;
 use num_traits::Zero;
 
+/// What a proof, or an equation that is proven, says about the library.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// It runs functions of the library on symbols.
+    Library,
+    /// It puts formulas that are written here a second time into functions of the library, on symbols.
+    Again,
+    /// It runs functions of the library on exact numbers or on intervals.
+    Numbers,
+    /// It is mathematics alone.
+    Lemma,
+}
+
 /// A claim about laws or formulas, proven by running them on symbols.
 #[derive(Debug, Clone, Copy)]
 pub struct Proof {
     /// Short name, with dashes.
     pub name: &'static str,
+    /// What it says about the library.
+    pub kind: Kind,
     /// The part of the library that it is about.
     pub part: &'static str,
     /// What the check checks, and no more, in plain words. Formulas are in TeX between dollar signs, and the
     /// check evaluates them as they are written.
     pub statement: &'static str,
-    /// The check of what holds besides the formulas; it returns what is left over if the claim fails.
-    pub also: fn() -> Outcome,
-    /// The meanings of the names in the formulas, in each case of the check.
+    /// The meanings of the names in the formulas, in each case of the check; or what is left over if the
+    /// claim fails besides its formulas.
     pub cases: fn() -> Result<Vec<Scope>, Residue>,
     /// The claim about an altered law, or an altered claim about the law: each must fail.
     pub mutants: &'static [Mutant],
@@ -38,7 +52,6 @@ impl Proof {
     /// # Errors
     /// As [`check`](Self::check).
     pub fn check_in(&self, cases: &[Scope]) -> Outcome {
-        (self.also)()?;
         formulas(self.statement).try_for_each(|tex| holds_in(cases, tex))
     }
 }
@@ -61,20 +74,16 @@ pub(crate) trait Cases {
 /// What the names of a sentence mean, or what is left over.
 pub(crate) type Case<S = Scope> = Result<S, Residue>;
 
-macro_rules! cases {
-    ($($T:ty: |$found:ident| $all:expr;)*) => {$(
-        impl Cases for $T {
-            fn cases(self) -> Result<Vec<Scope>, Residue> {
-                let $found = self;
-                Ok($all)
-            }
-        }
-    )*};
+impl Cases for Scope {
+    fn cases(self) -> Result<Vec<Scope>, Residue> {
+        Ok(vec![self])
+    }
 }
-cases! {
-    (): |_none| Vec::new();
-    Scope: |one| vec![one];
-    Vec<Scope>: |all| all;
+
+impl Cases for Vec<Scope> {
+    fn cases(self) -> Result<Vec<Scope>, Residue> {
+        Ok(self)
+    }
 }
 
 impl<T: Cases> Cases for Result<T, Residue> {

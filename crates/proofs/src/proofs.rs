@@ -2,16 +2,17 @@
 
 /// The proofs of each part of the library. Each has a name, its check, a sentence that says what the check
 /// shows, and altered laws or claims with which it must fail. If the sentence has formulas, the check returns
-/// the meanings of their names; for an altered law or claim the sentence must not hold.
+/// the meanings of their names; for an altered law or claim the sentence must not hold. Before the name
+/// stands the [`Kind`](crate::proof::Kind) if it is not a proof through the library.
 macro_rules! proofs {
     ($($part:literal {$(
-        $name:literal: $check:expr, $statement:expr; $(but $change:literal: $mutant:expr,)*
+        $([$kind:ident])? $name:literal: $check:expr, $statement:expr; $(but $change:literal: $mutant:expr,)*
     )*})*) => {
         pub(super) const PROOFS: &[$crate::proof::Proof] = &[$($($crate::proof::Proof {
             name: $name,
+            kind: [$($crate::proof::Kind::$kind,)? $crate::proof::Kind::Library][0],
             part: $part,
             statement: $statement,
-            also: || Ok(()),
             cases: || $crate::proof::Cases::cases($check),
             mutants: &[$($crate::proof::Mutant {
                 change: $change,

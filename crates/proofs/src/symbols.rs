@@ -48,12 +48,6 @@ pub fn diagonal(entries: &Vector) -> Matrix {
     Matrix::from_diagonal(entries)
 }
 
-/// The unit matrix times `x`.
-#[must_use]
-pub fn scalar(x: &Fraction) -> Matrix {
-    Matrix::from_diagonal_element(x.clone())
-}
-
 /// The attitude `w + x i + y j + z k`, and the relation that makes it one: length 1.
 #[must_use]
 pub fn attitude() -> (Quaternion<Fraction>, Relations) {

@@ -1,6 +1,6 @@
-//! The implicit midpoint rule in a form that keeps every law, and Gauss's collocation of orders 4 and 6
-//! ([But64](crate::references), [HLW06](crate::references)), solved to rounding by iteration or by Newton's
-//! method.
+//! The implicit midpoint rule in a form that keeps all that [`Conserved`](crate::step::Conserved) lists, and
+//! Gauss's collocation of orders 4 and 6 ([But64](crate::references), [HLW06](crate::references)), solved to
+//! rounding by iteration or by Newton's method.
 //!
 //! Their errors in conserved quantities are a random walk of roundings. This needs equations that conserve
 //! them even with rounded coefficients ([HMR08](crate::references)): if the rounding of a coefficient
@@ -172,29 +172,27 @@ fn newton<T: Analytic>([p, q, r]: &[T; 3], mean: &Vector3<T>, miss: &Vector3<T>)
 
 /// A collocation method with coefficients `b_j (1/2 + off_ij)`. It conserves squares because `off` is
 /// antisymmetric, which it also is as rounded.
-struct Tableau<T, const N: usize> {
+pub(crate) struct Tableau<T, const N: usize> {
     nodes: [T; N],
     /// `b`.
     weights: [T; N],
     off: [[T; N]; N],
 }
 
-pub(crate) fn gauss_4<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
+pub(crate) fn order_4<T: Analytic>() -> Tableau<T, 2> {
     let half = T::one() / T::integer(2);
     let off = T::one() / T::integer(3).sqrt();
-    let apart = off.clone() * half.clone();
-    let tableau = Tableau {
-        nodes: [half.clone() - apart.clone(), half.clone() + apart],
+    Tableau {
+        nodes: [half.clone() - off.clone() * half.clone(), half.clone() + off.clone() * half.clone()],
         weights: [half.clone(), half],
         off: [[T::zero(), -off.clone()], [off, T::zero()]],
-    };
-    collocated(system, start, h, &tableau)
+    }
 }
 
-pub(crate) fn gauss_6<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<State<T>, Error> {
+pub(crate) fn order_6<T: Analytic>() -> Tableau<T, 3> {
     let root = |n: i32, below: u32| T::integer(15).sqrt() * ratio(n, below);
     let (half, near, far) = (ratio::<T>(1, 2), root(3, 20), root(3, 25));
-    let tableau = Tableau {
+    Tableau {
         nodes: [half.clone() - root(1, 10), half.clone(), half + root(1, 10)],
         weights: [ratio(5, 18), ratio(4, 9), ratio(5, 18)],
         off: [
@@ -202,11 +200,16 @@ pub(crate) fn gauss_6<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) 
             [near.clone(), T::zero(), -near.clone()],
             [far, near, T::zero()],
         ],
-    };
-    collocated(system, start, h, &tableau)
+    }
 }
 
-fn collocated<T: Analytic, const N: usize>(
+/// What the coefficients of both, over their weights, differ from a half by.
+pub fn rests_of_gauss<T: Analytic>() -> ([[T; 2]; 2], [[T; 3]; 3]) {
+    (order_4().off, order_6().off)
+}
+
+/// A step by collocation.
+pub(crate) fn collocated<T: Analytic, const N: usize>(
     system: &System<T>,
     start: &State<T>,
     h: &T,

@@ -17,8 +17,8 @@ pub fn change_of_spin<T: Field>((below, [tangents, slip]): &(T, [[T; 3]; 2])) ->
 
 /// The turn of a free body and the change of its spin. They conserve energy and momentum exactly for any
 /// `rate` and any number `b` in `weights`, where the three roots are real and `below` is not zero: this is
-/// proven for this function (`crates/proofs/src/proofs/position_stage.rs`). Both conditions hold for turns up
-/// to half a radian, the longest that one part of a step takes.
+/// proven for this function (`crates/proofs/src/proofs/position_stage.rs`). Both conditions follow from
+/// bounds that a test compares with the longest parts of a step, which are turns of half a radian at most.
 ///
 /// - `coupling`: `(I_j - I_k) / I_i` for the principal moments `I`, so that `omega_i' = coupling_i omega_j
 ///   omega_k`.

@@ -2,7 +2,7 @@
 
 use crate::number::Fraction;
 use crate::symbols::{Matrix, Vector, diagonal, symmetric, variables, vector};
-use crate::tex::{Node, Scope, Statement, Value};
+use crate::tex::{Scope, Value};
 use num_traits::{One, Zero};
 use tumbling::inertia::{omega_world, point_mass};
 use tumbling::solid::{Cuboid, MassMoments, Shape, combined};
@@ -78,31 +78,11 @@ fn momentum(moments: &Vector, omega: &Vector) -> Value {
     )
 }
 
-const SPIN: [&str; 3] = [r"\omega_x", r"\omega_y", r"\omega_z"];
-
-/// Any box with any spin.
+/// Any box with the spin of the example.
 pub(super) fn the_box_spun() -> Scope {
     let [m, a, b, c] = variables(["m", "a", "b", "c"]);
-    let omega = vector("omega");
-    let scope = with_components(the_box(), r"\omega", &omega);
-    scope.with(r"\mathbf{L}", momentum(&Cuboid::moments(&m, [&a, &b, &c]), &omega))
-}
-
-/// The example multiplies each moment by 1, 1 and 0, the components of its spin. Their names replace these
-/// numbers, so that the factors before them must be right even for the component that is 0.
-pub(super) fn for_any_spin(statement: &Statement) -> Result<Statement, String> {
-    let mut general = statement.clone();
-    let Some((_, side)) = general.others.first_mut() else { return Ok(general) };
-    let Node::Tuple(parts) = &mut side.tree else { return Err("three components are expected".to_owned()) };
-    for (i, (part, spin)) in parts.iter_mut().zip([1, 1, 0]).enumerate() {
-        match part {
-            Node::Dot(_, factor) if **factor == Node::Number(spin.into()) => {
-                **factor = Node::Name(SPIN[i].to_owned());
-            }
-            _ => return Err(format!("component {} is to be a moment times the spin's {spin}", i + 1)),
-        }
-    }
-    Ok(general)
+    let omega = Vector::new(Fraction::one(), Fraction::one(), Fraction::zero());
+    the_box().with(r"\mathbf{L}", momentum(&Cuboid::moments(&m, [&a, &b, &c]), &omega))
 }
 
 /// Any body along its principal axes, spun about none of the third.

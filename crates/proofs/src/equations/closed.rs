@@ -1,13 +1,13 @@
-//! The meanings of the names where the book derives the exact motion. The motion is the one whose spin and
-//! attitude are proven to satisfy Euler's equations and `q' = q w/2`; the series are the library's own.
+//! The meanings of the names where the book derives the exact motion. There are none unless the motion's spin
+//! and attitude obey the library's Euler's equations and `q' = q w/2`; the series are the library's own.
 
-use crate::number::{Derivation, Fraction, Polynomial, Relations};
-use crate::proofs::klein::{Change, Motion, motion};
+use crate::number::{Derivation, Fraction, Polynomial, Relations, Series};
+use crate::proofs::klein::{Motion, obeying};
 use crate::symbols::{Vector, changing, variables, vector};
 use crate::tex::Scope;
 use num_traits::{One, Zero};
-use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::laws::{ComplementaryPair, ComplementarySeries, DirectPair, DirectSeries};
+use tumbling::{dynamics::euler::angular_acceleration, number::Analytic};
 
 /// The constants of the motion and the spin, at any instant; without such a motion the names have no meaning.
 pub(super) fn at_any_time() -> Scope {
@@ -25,7 +25,7 @@ pub(super) fn at_the_saddle() -> Scope {
 }
 
 fn at_an_instant(sense: i64, saddle: bool) -> Scope {
-    motion(sense, Change::None).map(|motion| of_motion(motion, sense, saddle)).unwrap_or_default()
+    obeying(sense).map(|motion| of_motion(motion, sense, saddle)).unwrap_or_default()
 }
 
 /// The constants of a motion and its spin, at any instant or at the saddle.
@@ -84,10 +84,6 @@ fn with_errors(scope: Scope) -> Scope {
         (r"\mu", mu),
         (r"\lambda", lambda),
     ])
-}
-
-fn alternating(n: usize) -> Fraction {
-    Fraction::from(if n.is_multiple_of(2) { 1 } else { -1 })
 }
 
 /// Jacobi's theta functions by the sums of the library: the nome is a symbol, `c` the cosine of the doubled
@@ -186,7 +182,7 @@ pub(super) fn complementary_attitude() -> Scope {
 /// The steady rate of the common phase, where the phase of the series is zero and dn is one; `rho` is the
 /// rate of the angle of `a` by that phase.
 pub(super) fn drift() -> Scope {
-    let Ok(motion) = motion(1, Change::None) else { return Scope::default() };
+    let Ok(motion) = obeying(1) else { return Scope::default() };
     let [pi, quarter, rho] = variables(["pi", "K", "rho"]);
     let two = Fraction::from(2);
     let values = [("cn", Fraction::one()), ("sn", Fraction::zero()), ("dn", Fraction::one())];
@@ -225,17 +221,6 @@ pub(super) fn drift_at_the_saddle() -> Scope {
         .under(Relations::new(vec![circle, sense]).unwrap_or_default())
 }
 
-/// Flips: at the time of a flip the argument is zero.
-pub(super) fn flips() -> Scope {
-    let [count, quarter, eta, nu, t] = variables(["N", "K", "eta", "nu", "t"]);
-    let two = Fraction::from(2);
-    let half_period = &two * &quarter / &eta;
-    Scope::default()
-        .with_all([("u_0", &two * &count * &quarter - &eta * &t), ("t_N", t)])
-        .with_all([(r"\upsilon", two * &nu * half_period), ("N", count), ("K", quarter), (r"\eta", eta)])
-        .with(r"\nu", nu)
-}
-
 /// A change of the spin, by the library's equations to first order; the axes counted from this one on.
 pub(crate) fn variation(axis: usize) -> Scope {
     let (moments, omega, change) = (vector("I"), vector("omega"), vector("W"));
@@ -251,24 +236,18 @@ pub(crate) fn variation(axis: usize) -> Scope {
 
 /// Carlson's series for `count` numbers, whose integrand falls with the power `first/2` of their mean: the
 /// inverse root of `1 + E_2 h² - E_3 h³ + ...` with each power of `h` integrated, to the seventh.
-pub(super) fn carlson(count: u32, first: i64) -> Scope {
-    let mut scope = Scope::default();
-    let mut rest = Fraction::zero();
+pub(super) fn carlson(count: usize, first: i64) -> Scope {
+    let (mut scope, mut square) = (Scope::default(), vec![Fraction::one(), Fraction::zero()]);
     for n in 2..=count {
         let sum = Fraction::variable(&format!("B{n}"));
-        rest += &sum * Fraction::variable("h").pow(n) * alternating(n as usize);
-        scope = scope.with(&format!("B_{n}"), sum);
+        scope = scope.with(&format!("B_{n}"), sum.clone());
+        square.push(if n % 2 == 0 { sum } else { -sum });
     }
-    // The binomial series of the power -1/2.
-    let (mut term, mut sum) = (Fraction::one(), Fraction::zero());
-    for k in 0..=3 {
-        sum += term.clone();
-        term *= &rest * Fraction::ratio(-(2 * k + 1), 2 * k + 2);
-    }
-    let parts = sum.numerator().in_powers_of(&"h".into());
-    let below = Fraction::from(sum.denominator().clone());
-    let integrated = (0..).zip(parts).take(8).fold(Fraction::zero(), |sum, (n, part)| {
-        sum + Fraction::from(part) / &below * Fraction::ratio(first, 2 * n + first)
+    square.resize(8, Fraction::zero());
+    let series = Series::one() / Series::new(square, 7).sqrt();
+    let integrated = (0..8_u8).fold(Fraction::zero(), |sum, n| {
+        let power = series.coefficient(n.into()).unwrap_or(Fraction::ratio(1, 0));
+        sum + power * Fraction::ratio(first, 2 * i64::from(n) + first)
     });
     scope.with(if count == 3 { "r_F" } else { "r_D" }, integrated)
 }

@@ -1,13 +1,13 @@
 //! The meanings of the names where the book states a top's motion under its weight in closed form.
 
+use crate::lattice::{THETA_1, THETA_2, THETA_4};
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
 use crate::symbols::{Vector, attitude, diagonal, square, variables, vector};
 use crate::tex::{Scope, Value};
 use nalgebra::Quaternion;
 use num_traits::{One, Zero};
 use tumbling::attitude::{rate, rotation_matrix};
-use tumbling::dynamics::euler::angular_acceleration;
-use tumbling::dynamics::observe::energy;
+use tumbling::dynamics::{euler::angular_acceleration, observe::energy};
 
 fn complex(re: &Fraction, im: &Fraction) -> Quaternion<Fraction> {
     Quaternion::new(re.clone(), im.clone(), Fraction::zero(), Fraction::zero())
@@ -221,26 +221,21 @@ pub(super) fn other_zero() -> Scope {
 
 /// The theta functions' sums, four terms each: at a zero, and in hyperbolic functions.
 pub(super) fn sums() -> Scope {
-    let [q, other, s] = variables(["q", "q'", "s"]);
-    let mut scope = Scope::default();
-    let [mut above, mut below] = [Fraction::zero(), Fraction::zero()];
-    let [mut odd, mut even, mut down] = [Fraction::zero(), Fraction::one(), Fraction::zero()];
-    for m in 0..4_u32 {
-        let frequency = 2 * m + 1;
-        let sign = Fraction::from(if m % 2 == 0 { 1 } else { -1 });
-        let wave = |name: &str, of: u32| Fraction::variable(&format!("{name}{of}"));
-        above += q.pow(m * m + m) * Fraction::from(i64::from(frequency)) * wave("sigma", frequency);
-        below += q.pow(m * m + m) * wave("kappa", frequency);
-        odd += other.pow(m * m + m) * wave("H", frequency) * &sign;
-        down += other.pow(m * m + m) * wave("N", frequency);
-        if m > 0 {
-            even += other.pow(m * m) * wave("G", 2 * m) * sign * Fraction::from(2);
-            scope = scope.with(&format!("G_{}", 2 * m), wave("G", 2 * m));
-        }
-        for (name, symbol) in [(r"\sigma", "sigma"), (r"\kappa", "kappa"), ("H", "H"), ("N", "N")] {
-            scope = scope.with(&format!("{name}_{frequency}"), wave(symbol, frequency));
-        }
+    let ([q, other, s, x], one) = (variables(["q", "q'", "s", "x"]), Fraction::one());
+    let both = |n: u32, sign: i64| (x.pow(n) + (&one / &x).pow(n) * Fraction::from(sign)) / Fraction::from(2);
+    let [odd, even, down] = [THETA_1, THETA_4, THETA_2].map(|f| f.terms(-7..=7, &other, &x.pow(2)));
+    let (mut scope, mut above, mut below) = (Scope::default(), Fraction::zero(), Fraction::zero());
+    for n in [1, 3, 5, 7_u32] {
+        let [sine, cosine] = ["sigma", "kappa"].map(|name| Fraction::variable(&format!("{name}{n}")));
+        let size = q.pow((n * n - 1) / 4);
+        above += &size * &sine * Fraction::from(i64::from(n));
+        below += size * &cosine;
+        scope = scope.with(&format!("H_{n}"), both(n, -1)).with(&format!("N_{n}"), both(n, 1));
+        scope = scope.with(&format!("G_{}", n - 1), both(n - 1, 1));
+        scope = scope.with(&format!(r"\sigma_{n}"), sine).with(&format!(r"\kappa_{n}"), cosine);
     }
-    let scope = scope.with_all([(r"\rho_j", &s * above / below), ("s_j", s), ("q", q), ("q'", other)]);
-    scope.with_all([("A", odd), ("B", even), ("N", down)])
+    let half = &x / Fraction::from(2);
+    scope
+        .with_all([("A", odd * &half), ("B", even), ("N", down * half), (r"\rho_j", &s * above / below)])
+        .with_all([("s_j", s), ("q", q), ("q'", other)])
 }

@@ -9,8 +9,8 @@ use super::motion::{
 };
 use super::steps::{self, explicit, turn};
 use super::tops;
-use crate::proofs::gap::box_gap;
-use crate::proofs::proofs;
+use crate::proof::Kind;
+use crate::proofs::{gap::box_gap, proofs};
 use crate::tex::{Scope, Statement, parse};
 use std::collections::BTreeMap;
 use std::sync::{Mutex, PoisonError};
@@ -28,13 +28,10 @@ pub struct Law {
     pub cases: &'static [fn() -> Scope],
     /// For a bound: meanings in which its two sides are equal, so that a weaker bound fails.
     pub attained: &'static [fn() -> Scope],
-    /// For an example: the general law, or the reason why there is none.
-    pub in_general: fn(&Statement) -> Result<Statement, String>,
     /// For an example with numbers: the values of its variables. Without values, numbers are refused.
     pub example: &'static [(&'static str, i64)],
-    /// Whether its names mean formulas that are written here a second time; they are then substituted into
-    /// the library's laws, where there are such laws.
-    pub again: bool,
+    /// What it says about the library, by the meanings of its names.
+    pub kind: Kind,
     /// Whether it is a bare expression, with its meaning in the sentence around it; then `left` is all of it.
     pub bare: bool,
 }
@@ -70,13 +67,10 @@ impl Law {
             return Err("gives nothing but values where a law is expected".to_owned());
         }
         let mut statement = statement.clone();
-        if !self.example.is_empty() {
-            for case in self.cases {
+        for case in self.cases {
+            if !self.example.is_empty() {
                 statement = statement.prove_example(&known(*case), self.example)?;
             }
-        }
-        let statement = &(self.in_general)(&statement)?;
-        for case in self.cases {
             statement.prove(&known(*case))?;
         }
         let not_attained = |problem| format!("a bound that is not attained: {problem}");
@@ -99,15 +93,15 @@ pub struct Exemption {
 }
 
 impl Exemption {
-    /// Runs its proof.
+    /// Runs its proof, if there is one, and gives the kind of it.
     ///
     /// # Errors
     /// What is left over; that no proof has this name.
-    pub(super) fn prove(&self) -> Result<(), String> {
-        static KNOWN: Mutex<BTreeMap<&str, Result<(), String>>> = Mutex::new(BTreeMap::new());
-        let Some(name) = self.proof else { return Ok(()) };
+    pub(super) fn prove(&self) -> Result<Option<Kind>, String> {
+        static KNOWN: Mutex<BTreeMap<&str, Result<Option<Kind>, String>>> = Mutex::new(BTreeMap::new());
+        let Some(name) = self.proof else { return Ok(None) };
         let prove = || match proofs().iter().find(|proof| proof.name == name) {
-            Some(proof) => proof.check().map_err(|residue| residue.to_string()),
+            Some(proof) => proof.check().map(|()| Some(proof.kind)).map_err(|residue| residue.to_string()),
             None => Err(format!("no proof has the name `{name}`")),
         };
         let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
@@ -116,20 +110,15 @@ impl Exemption {
 }
 
 const fn law(left: &'static str, cases: &'static [fn() -> Scope], says: &'static str) -> Law {
-    Law {
-        left,
-        says,
-        cases,
-        attained: &[],
-        example: &[],
-        in_general: |statement| Ok(statement.clone()),
-        again: false,
-        bare: false,
-    }
+    Law { left, says, cases, attained: &[], example: &[], kind: Kind::Library, bare: false }
 }
 
 const fn again(left: &'static str, cases: &'static [fn() -> Scope], says: &'static str) -> Law {
-    Law { again: true, ..law(left, cases, says) }
+    Law { kind: Kind::Again, ..law(left, cases, says) }
+}
+
+const fn lemma(left: &'static str, cases: &'static [fn() -> Scope], says: &'static str) -> Law {
+    Law { kind: Kind::Lemma, ..law(left, cases, says) }
 }
 
 /// Of the axes across, middle and circled: cyclic and not.
@@ -160,7 +149,7 @@ laws! {
     LINEARISED_B = law(r"I_b\dot{\omega}_b", &[motion::linearised], "euler::angular_acceleration across a spin");
     LINEARISED_TWICE = law(r"\ddot{\omega}_a", &[motion::linearised], "the second rate by euler::angular_acceleration, and stability::rate_squared");
     ENERGY_ELLIPSOID = law("2E", &[motion::conserved], "observe::energy, twice");
-    MOMENTUM_ELLIPSOID = law("L^2", &[motion::conserved], "the square of the momentum");
+    MOMENTUM_ELLIPSOID = law("L^2", &[motion::conserved], "the square of System::momentum");
     SUM_ABOUT_1 = law("I_1", &[body], "the diagonal of inertia::point_mass, of any points");
     SUM_ABOUT_2 = law("I_2", &[body], "the diagonal of inertia::point_mass, of any points");
     SUM_ABOUT_3 = law("I_3", &[body], "the diagonal of inertia::point_mass, of any points");
@@ -168,18 +157,15 @@ laws! {
     THIRD_INEQUALITY = law("I_1+I_2-I_3", &[body], "the diagonal of inertia::point_mass, of any points");
     PARALLEL_AXES = law("I_{zz}", &[bodies::two_parts], "solid::combined of any two parts");
     COIN_1 = law(r"\dot{\omega}_1", &[tops::coin], "euler::angular_acceleration with two equal moments");
-    COIN_2 = law(r"\dot{\omega}_2", &[tops::coin], "euler::angular_acceleration with two equal moments");
+    COIN_2 = lemma(r"\dot{\omega}_2", &[tops::coin], "the rate by which Ω is named");
     COIN_RATE = law(r"\Omega", &[tops::coin], "the rate by euler::angular_acceleration");
     COIN_COSINE = again(r"\omega_1", &[tops::coin_in_time], "a motion along which euler::angular_acceleration holds");
     COIN_SINE = again(r"\omega_2", &[tops::coin_in_time], "a motion along which euler::angular_acceleration holds");
     COIN_SPIN = law(r"\boldsymbol{\omega}", &[tops::coin], "the spin, with the rate by euler::angular_acceleration");
-    COIN_AXIS = law(r"\dot{\mathbf{e}}", &[tops::coin], "the rate of the axis");
-    STEADY_TOP = again("Wh", &[tops::steady_top], "the torque that keeps a precessing momentum going round");
+    COIN_AXIS = lemma(r"\dot{\mathbf{e}}", &[tops::coin], "the rate of the axis");
+    STEADY_TOP = again("Wh", &[tops::steady_top], "the torque that a steady precession needs, by euler::coupling");
     NODDING_TOP = again(r"\lambda^2", &[tops::nodding], "the second rate of the lean, with both momenta constant");
     SLEEPING_TOP = again(r"I_3^2\omega_3^2", &[tops::sleeping_top], "where the two rates of an upright precession are one");
-    JACOBI_SN = law(r"\operatorname{sn}'", &[tops::jacobi], "the rates with which the closed form satisfies euler::angular_acceleration");
-    JACOBI_CN = law(r"\operatorname{cn}'", &[tops::jacobi], "the same");
-    JACOBI_DN = law(r"\operatorname{dn}'", &[tops::jacobi], "the same");
     JACOBI_1 = again(r"\omega_1", &[tops::jacobi_motion], "a motion along which euler::angular_acceleration holds");
     JACOBI_2 = again(r"\omega_2", &[tops::jacobi_motion], "a motion along which euler::angular_acceleration holds");
     JACOBI_3 = again(r"\omega_3", &[tops::jacobi_motion], "a motion along which euler::angular_acceleration holds");
@@ -191,8 +177,8 @@ laws! {
     CLOSED_EULER_X = again(r"I_X\dot{\omega}_X", BOTH_ORDERS, "euler::angular_acceleration along the closed form");
     CLOSED_EULER_M = again(r"I_M\dot{\omega}_M", BOTH_ORDERS, "euler::angular_acceleration along the closed form");
     CLOSED_EULER_C = again(r"I_C\dot{\omega}_C", BOTH_ORDERS, "euler::angular_acceleration along the closed form");
-    CLOSED_DISTANCES = again("d_{CX}", &[closed::at_any_time], "the distances of the moments");
-    CLOSED_DISTANCES_BY_MOMENTS = again("I_Md_{CX}", &[closed::at_any_time], "the same times the moments");
+    CLOSED_DISTANCES = lemma("d_{CX}", &[closed::at_any_time], "the distances of the moments");
+    CLOSED_DISTANCES_BY_MOMENTS = lemma("I_Md_{CX}", &[closed::at_any_time], "the same times the moments");
     CLOSED_WITHOUT_C = again("2EI_C-L^2", &[closed::at_any_time], "observe::energy and the momentum without the circled component");
     CLOSED_WITHOUT_X = again("L^2-2EI_X", &[closed::at_any_time], "the same without the component across");
     CLOSED_ELLIPSE = again(r"\frac{\omega_X^2}{A_X^2}+\frac{\omega_M^2}{A_M^2}", &[closed::at_any_time], "two components of the closed form");
@@ -213,18 +199,16 @@ laws! {
     CLOSED_X = again(r"\omega_X", &[closed::at_any_time], "a component of the closed form");
     CLOSED_M = again(r"\omega_M", &[closed::at_any_time], "a component of the closed form");
     CLOSED_C = again(r"\omega_C", &[closed::at_any_time], "a component of the closed form");
-    CLOSED_PHASE_ERROR = again(r"\mu", &[closed::at_any_time], "what takes the difference of two relative errors away, to first order");
-    CLOSED_SIZE_ERROR = again(r"\lambda", &[closed::at_any_time], "what then takes both away, to first order");
+    CLOSED_PHASE_ERROR = lemma(r"\mu", &[closed::at_any_time], "what takes the difference of two relative errors away, to first order");
+    CLOSED_SIZE_ERROR = lemma(r"\lambda", &[closed::at_any_time], "what then takes both away, to first order");
     CLOSED_DRIFT = again(r"\nu", &[closed::drift], "half the rate about the momentum where the phase is zero, less that of the angle of a there");
     CLOSED_DRIFT_AT_THE_SADDLE = again(r"\nu", &[closed::drift_at_the_saddle], "the same at the saddle, with ComplementaryPair::turning_at_saddle");
     COMPLEMENTARY_N_2 = law("m_2", &[closed::complementary], "ComplementarySeries::constants");
     COMPLEMENTARY_N_3 = law("m_3", &[closed::complementary], "ComplementarySeries::constants");
     COMPLEMENTARY_N_4 = law("m_4", &[closed::complementary], "ComplementarySeries::constants");
-    CLOSED_FLIP = again("t_N", &[closed::flips], "the time where the argument is zero");
-    CLOSED_TWIST = again(r"\upsilon", &[closed::flips], "twice the phase that the drift adds in half a period");
     VARIATION = law(r"I_1\dot{W}_1", &[|| closed::variation(0), || closed::variation(1), || closed::variation(2)], "the derivative of euler::angular_acceleration along a change of the spin");
-    CARLSON_FIRST = again("r_F", &[|| closed::carlson(3, 1)], "the binomial series of the integrand, integrated term by term");
-    CARLSON_SECOND = again("r_D", &[|| closed::carlson(5, 3)], "the binomial series of the integrand, integrated term by term");
+    CARLSON_FIRST = lemma("r_F", &[|| closed::carlson(3, 1)], "the binomial series of the integrand, integrated term by term");
+    CARLSON_SECOND = lemma("r_D", &[|| closed::carlson(5, 3)], "the binomial series of the integrand, integrated term by term");
     CLOSED_SN = again(r"\operatorname{sn}(u_0)", &[closed::at_any_time], "sn, from the spin");
     CLOSED_CN = again(r"\operatorname{cn}(u_0)", &[closed::at_any_time], "cn, from the spin");
     CLOSED_DN = again(r"\operatorname{dn}(u_0)", &[closed::at_any_time], "dn, from the spin");
@@ -236,9 +220,9 @@ laws! {
     CLOSED_TILT = again(r"\kappa", &[closed::at_the_saddle], "the quotient of b and a at the saddle");
     CLOSED_TURNING_AT_THE_SADDLE = again(r"\dot{\psi}", &[closed::at_the_saddle], "the same phase at the saddle");
     CLOSED_COMPLEMENT_SQUARED = again("k'^2A_C^2", &[closed::at_any_time], "a square of the closed form");
-    CLOSED_R = again("R", &[closed::at_any_time], "the quotient of two amplitudes squared");
-    CLOSED_S = again("S", &[closed::at_any_time], "the same of two others");
-    CLOSED_T = again("T", &[closed::at_any_time], "the same of two others");
+    CLOSED_R = lemma("R", &[closed::at_any_time], "the quotient of two amplitudes squared");
+    CLOSED_S = lemma("S", &[closed::at_any_time], "the same of two others");
+    CLOSED_T = lemma("T", &[closed::at_any_time], "the same of two others");
     SN_BY_THETAS = law(r"\operatorname{sn}", &[closed::direct_quotients], "the quotient of the library's sums");
     CN_BY_THETAS = law(r"\operatorname{cn}", &[closed::direct_quotients], "the quotient of the library's sums");
     DN_BY_THETAS = law(r"\operatorname{dn}", &[closed::direct_quotients], "the quotient of the library's sums");
@@ -277,53 +261,51 @@ laws! {
     COMPLEMENTARY_B2 = law("b_2", &[closed::complementary_attitude], "ComplementaryPair::sums");
     HEAVY_VERTICAL = law("V", &[heavy::turning], "the vertical seen from the body, by attitude::rotation_matrix");
     HEAVY_HEIGHT = law("c", &[heavy::turning], "the same, along the axis");
-    HEAVY_ALONG = law("n", &[heavy::turning], "the momentum about the axis");
-    HEAVY_PULL = law("g", &[heavy::turning], "the torque of the weight");
+    HEAVY_ALONG = lemma("n", &[heavy::turning], "the momentum about the axis");
+    HEAVY_PULL = lemma("g", &[heavy::turning], "the torque of the weight");
     HEAVY_ALPHA = law(r"\dot{\alpha}", &[heavy::turning], "attitude::rate");
     HEAVY_BETA = law(r"\dot{\beta}", &[heavy::turning], "attitude::rate");
     HEAVY_OMEGA = law(r"\dot{\omega}", &[heavy::turning], "euler::angular_acceleration under the torque of the weight");
-    HEAVY_MOMENTUM = law("l", &[heavy::turning], "the momentum about the vertical, by attitude::rotation_matrix");
+    HEAVY_MOMENTUM = lemma("l", &[heavy::turning], "the momentum about the vertical, by its components");
     HEAVY_ENERGY = law("e", &[heavy::turning], "observe::energy and the height, without the spin about the axis");
     HEAVY_RISING = law(r"\dot{c}", &[heavy::turning], "the rate of the height, by attitude::rate");
     HEAVY_CUBIC = law(r"\dot{c}^2", &[heavy::turning], "the square of that rate");
-    HEAVY_ROOTS = again(r"\dot{c}^2", &[heavy::any_height], "the cubic by its roots");
-    HEAVY_FROM_START = again(r"\dot{c}^2", &[heavy::from_the_start], "the cubic by the height above the start");
-    HEAVY_SLOPE = again("F", &[heavy::from_the_start], "the derivative of the cubic at the start");
-    HEAVY_FROM_TOP = again(r"-\dot{c}^2", &[heavy::from_the_top], "the cubic by the depth below the top");
-    HEAVY_FROM_BOTTOM = again(r"-\dot{c}^2", &[heavy::from_the_bottom], "the cubic by the height above the bottom");
-    HEAVY_THIRD = again("g(c_3-1)", &[heavy::any_height], "the third root by the sum of the roots");
-    HEAVY_AT_BOTTOM = again("(l+n)^2", &[heavy::any_height], "the cubic at -1");
-    HEAVY_AT_TOP = again("(l-n)^2", &[heavy::any_height], "the cubic at 1");
-    HEAVY_SWING = again("c", &[heavy::swinging], "a height whose rate has the cubic as its square");
-    HEAVY_RATE = again(r"\eta^2", &[heavy::swinging], "the rate with which it has");
-    HEAVY_MODULUS = again("k^2", &[heavy::swinging], "the modulus with which it has");
-    HEAVY_COMPLEMENT = again("k'^2", &[heavy::swinging], "the complement of that modulus");
-    HEAVY_SN = again(r"\operatorname{sn}(u_0)^2", &[heavy::swinging], "sn, from the height");
-    HEAVY_CN = again(r"\operatorname{cn}(u_0)^2", &[heavy::swinging], "cn, from the height");
-    HEAVY_DN = again(r"\operatorname{dn}(u_0)^2", &[heavy::swinging], "dn, from the height");
+    HEAVY_ROOTS = lemma(r"\dot{c}^2", &[heavy::any_height], "the cubic by its roots");
+    HEAVY_FROM_START = lemma(r"\dot{c}^2", &[heavy::from_the_start], "the cubic by the height above the start");
+    HEAVY_SLOPE = lemma("F", &[heavy::from_the_start], "the derivative of the cubic at the start");
+    HEAVY_FROM_TOP = lemma(r"-\dot{c}^2", &[heavy::from_the_top], "the cubic by the depth below the top");
+    HEAVY_FROM_BOTTOM = lemma(r"-\dot{c}^2", &[heavy::from_the_bottom], "the cubic by the height above the bottom");
+    HEAVY_THIRD = lemma("g(c_3-1)", &[heavy::any_height], "the third root by the sum of the roots");
+    HEAVY_AT_BOTTOM = lemma("(l+n)^2", &[heavy::any_height], "the cubic at -1");
+    HEAVY_AT_TOP = lemma("(l-n)^2", &[heavy::any_height], "the cubic at 1");
+    HEAVY_SWING = lemma("c", &[heavy::swinging], "a height whose rate has the cubic as its square");
+    HEAVY_RATE = lemma(r"\eta^2", &[heavy::swinging], "the rate with which it has");
+    HEAVY_MODULUS = lemma("k^2", &[heavy::swinging], "the modulus with which it has");
+    HEAVY_COMPLEMENT = lemma("k'^2", &[heavy::swinging], "the complement of that modulus");
+    HEAVY_SN = lemma(r"\operatorname{sn}(u_0)^2", &[heavy::swinging], "sn, from the height");
+    HEAVY_CN = lemma(r"\operatorname{cn}(u_0)^2", &[heavy::swinging], "cn, from the height");
+    HEAVY_DN = lemma(r"\operatorname{dn}(u_0)^2", &[heavy::swinging], "dn, from the height");
     HEAVY_ANGLE_1 = law(r"\dot{\phi}_1", &[heavy::turning], "the rate of the angle by attitude::rate, without the steady turn");
     HEAVY_ANGLE_2 = law(r"\dot{\phi}_2", &[heavy::turning], "the rate of the angle by attitude::rate, without the steady turn");
     HEAVY_ANGLE_3 = law(r"\dot{\phi}_3", &[heavy::turning], "the rate of the angle by euler::angular_acceleration, without the steady turn");
-    HEAVY_S1 = again("S_1^2", &[heavy::lowest_zero], "where the height is -1");
-    HEAVY_C1 = again("C_1^2", &[heavy::lowest_zero], "the same zero");
-    HEAVY_D1 = again("D_1^2", &[heavy::lowest_zero], "the same zero");
-    HEAVY_SJ = again("S_j^2", &[heavy::other_zero], "where the height is that of the zero");
-    HEAVY_CJ = again("C_j^2", &[heavy::other_zero], "the same zero");
-    HEAVY_DJ = again("D_j^2", &[heavy::other_zero], "the same zero");
-    HEAVY_TURNING = again(r"\rho_j", &[heavy::sums], "the first terms of the rate of a theta function's angle");
-    HEAVY_ODD = again("A", &[heavy::sums], "the sum of its first terms, in hyperbolic functions");
-    HEAVY_EVEN = again("B", &[heavy::sums], "the sum of its first terms, in hyperbolic functions");
-    HEAVY_BELOW = again("N", &[heavy::sums], "the sum of its first terms, in hyperbolic functions");
+    HEAVY_S1 = lemma("S_1^2", &[heavy::lowest_zero], "where the height is -1");
+    HEAVY_C1 = lemma("C_1^2", &[heavy::lowest_zero], "the same zero");
+    HEAVY_D1 = lemma("D_1^2", &[heavy::lowest_zero], "the same zero");
+    HEAVY_SJ = lemma("S_j^2", &[heavy::other_zero], "where the height is that of the zero");
+    HEAVY_CJ = lemma("C_j^2", &[heavy::other_zero], "the same zero");
+    HEAVY_DJ = lemma("D_j^2", &[heavy::other_zero], "the same zero");
+    HEAVY_TURNING = lemma(r"\rho_j", &[heavy::sums], "the first terms of the rate of a theta function's angle");
+    HEAVY_ODD = lemma("A", &[heavy::sums], "the sum of its first terms, in hyperbolic functions");
+    HEAVY_EVEN = lemma("B", &[heavy::sums], "the sum of its first terms, in hyperbolic functions");
+    HEAVY_BELOW = lemma("N", &[heavy::sums], "the sum of its first terms, in hyperbolic functions");
     HEAVY_ROUND = law("P", &[heavy::turning], "the rate at which the axis goes round, by attitude::rate");
     PRODUCT_WHEN_TURNED = law("I'_{xy}", &[motion::turned_axes], "inertia::turned, by an angle about the third axis");
     TANGENT_OF_THE_GAP = law(r"\tan(\text{gap})", &[motion::slant], "the tangent of the gap, by euler::coupling");
     SLOPES = bare("b/a", &[motion::slopes], "by what the momentum's slope exceeds the spin's");
-    TWICE_THE_ENERGY = bare(r"\mathbf{L}\cdot\boldsymbol{\omega}", &[bodies::twice_the_energy], "twice the sum of m v²/2 of any points", );
+    TWICE_THE_ENERGY = Law { kind: Kind::Lemma, ..bare(r"\mathbf{L}\cdot\boldsymbol{\omega}", &[bodies::twice_the_energy], "twice the sum of m v²/2 of any points", ) };
     GYROSCOPIC_TORQUE = bare(r"(I\boldsymbol{\omega})\times\boldsymbol{\omega}", &[motion::gyroscopic], "euler::tensor_times_acceleration without torque", );
     ENERGY_RATE = law(r"\dot{E}", &[motion::power], "the rate of observe::energy by euler::angular_acceleration");
     POWER = bare(r"\boldsymbol{\omega}\cdot I\dot{\boldsymbol{\omega}}", &[motion::power], "the rate of observe::energy by euler::angular_acceleration", );
-    MIDDLE_MOMENT = law("I_2", &[motion::in_order], "symbols::ordered_moments");
-    LARGEST_MOMENT = law("I_3", &[motion::in_order], "symbols::ordered_moments");
     GROWTH = Law { attained: &[equal_moments], ..law(r"\lambda^2", grows::BOTH, "stability::rate_squared, about the middle") };
     GAP_OF_A_BOX = law(r"\tan(\text{gap})", &[|| box_gap(|m, a, b, c| Cuboid::moments(m, [a, b, c]))], "the tangent of the gap by solid::Cuboid::moments and euler::coupling", );
     MOMENTUM = law(r"\mathbf{L}", &[body], "the momentum of any points is inertia::point_mass of them times the spin", );
@@ -332,7 +314,7 @@ laws! {
     BOX_ABOUT_X = law(r"I_{xx}", &[the_box], "solid::Cuboid::moments, about x");
     BOX_ABOUT_Y = law(r"I_{yy}", &[the_box], "solid::Cuboid::moments, about y");
     BOX_ABOUT_Z = law(r"I_{zz}", &[the_box], "solid::Cuboid::moments, about z");
-    BOX_MOMENTUM = Law { in_general: bodies::for_any_spin, example: &[("m", 1), ("a", 2), ("b", 1), ("c", 3)], ..law(r"\mathbf{L}", &[the_box_spun], "inertia::omega_world gives back the spin, here (1, 1, 0)", ) };
+    BOX_MOMENTUM = Law { example: &[("m", 1), ("a", 2), ("b", 1), ("c", 3)], ..law(r"\mathbf{L}", &[the_box_spun], "inertia::omega_world gives back the spin, here (1, 1, 0)", ) };
     PLANAR_MOMENTUM = law(r"\mathbf{L}", &[planar], "inertia::omega_world gives back the spin");
     SUMMIT_ANGLE = law(r"\tan\theta", &[summit], "where the derivative of the gap is zero, by euler::coupling", );
     SUMMIT_GAP = law(r"\sin(\text{gap})", &[summit], "the gap there, by euler::coupling");
@@ -357,7 +339,7 @@ laws! {
     TURN_J = law("L'_j", turn::ALL, "the momentum in the axes of a body turned by attitude::rotation_matrix, next axis");
     TURN_K = law("L'_k", turn::ALL, "the same, the axis after that");
     TURN_ANGLE = bare("hL_i/I_i", &[steps::angle], "the step times the spin by inertia::omega_world");
-    MEAN_MOMENTUM = again(r"\mathbf{M}", &[steps::midpoint], "the mean of both ends of a midpoint step");
+    MEAN_MOMENTUM = lemma(r"\mathbf{M}", &[steps::midpoint], "the mean of both ends of a midpoint step");
     MIDPOINT_STEP = again(r"\mathbf{L}'", &[steps::midpoint], "laws::momentum_rate at the mean, held for the step");
     MIDPOINT_WORK = again("E'-E", &[steps::midpoint], "the change of observe::energy in that step, for a torque that is constant in it", );
     DISCRETE_START = again(r"(1+\mathbf{c}\cdot\mathbf{c})\tfrac{h}{2}\mathbf{L}", &[steps::discrete], "the equation of Moser and Veselov's step");

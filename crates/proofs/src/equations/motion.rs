@@ -3,8 +3,8 @@
 use crate::number::{Derivation, Fraction};
 use crate::proofs::conserved;
 use crate::symbols::{
-    Matrix, Vector, diagonal, inverse as invert, inverse_diagonal, ordered_moments, pure, quaternion,
-    symmetric, turning, variables, vector,
+    Matrix, Vector, diagonal, inverse as invert, inverse_diagonal, momentum, ordered_moments, pure,
+    quaternion, symmetric, turning, variables, vector,
 };
 use crate::tex::{Scope, Value};
 use num_traits::{One, Zero};
@@ -345,7 +345,7 @@ pub(super) fn linearised() -> Scope {
 /// The conserved quantities, in the components of the spin along principal axes.
 pub(super) fn conserved() -> Scope {
     let (moments, omega) = (vector("I"), vector("omega"));
-    let momentum = diagonal(&moments) * &omega;
+    let momentum = momentum(&moments, &omega);
     let energy = tumbling::dynamics::observe::energy(&omega, &momentum);
     let scope = Scope::default().with("E", energy).with("L", Value::Root(momentum.dot(&momentum)));
     scope.with_each("I", &moments).with_each(r"\omega", &omega)

@@ -6,8 +6,7 @@ use crate::symbols::{Matrix, Vector, diagonal, inverse_diagonal, symmetric, vari
 use crate::tex::Scope;
 use nalgebra::{Quaternion, Vector3};
 use num_traits::Zero;
-use tumbling::attitude::rotation_matrix;
-use tumbling::step::Method;
+use tumbling::{attitude::rotation_matrix, step::Method};
 use tumbling::{dynamics::euler, dynamics::observe, laws::momentum_rate};
 
 fn times(v: &Vector, factor: &Fraction) -> Vector {

@@ -1,11 +1,11 @@
 //! The meanings of the names where the book states a motion in closed form.
 
 use crate::number::{Derivation, Fraction, Relations};
-use crate::proofs::klein::{Change, momentum, motion};
+use crate::proofs::klein::obeying;
 use crate::symbols::{Vector, diagonal, variables};
 use crate::tex::{Scope, Value};
 use num_traits::{One, Zero};
-use tumbling::dynamics::euler::angular_acceleration;
+use tumbling::dynamics::euler::{angular_acceleration, coupling};
 
 /// A body with two equal moments, its axis of symmetry the third; the rate by the library's equations.
 pub(super) fn coin() -> Scope {
@@ -69,12 +69,13 @@ fn of_top(spin: Fraction, cos: Fraction) -> Scope {
 /// The torque, about the level axis across the lean, that a steady precession requires.
 fn required_torque(spin: &Fraction, sin: &Fraction, cos: &Fraction) -> Fraction {
     let [i1, i3, rate] = variables(["I1", "I3", "Omega"]);
-    let up = Vector::new(Fraction::zero(), Fraction::zero(), Fraction::one());
-    let axis = Vector::new(sin.clone(), Fraction::zero(), cos.clone());
-    // With a lean whose cosine is `cos` this part of the spin is across the axis.
-    let across = (&up - &axis * cos.clone()) * rate.clone();
-    let momentum = across * i1 + &axis * (i3 * spin);
-    (up.cross(&momentum) * rate).y.clone()
+    let moments = Vector::new(i1.clone(), i1, i3);
+    // Seen from the body, whose spin beyond that about the vertical is along its axis.
+    let vertical = Vector::new(-sin.clone(), Fraction::zero(), cos.clone());
+    let mut omega = &vertical * rate.clone();
+    omega.z = spin.clone();
+    let carried = moments.component_mul(&(vertical.cross(&omega) * rate));
+    (carried - coupling(&moments, &omega)).y.clone()
 }
 
 /// A small nutation about a steady precession: its second rate as a function of the lean, at constant
@@ -98,22 +99,10 @@ pub(super) fn nodding() -> Scope {
         .under(Relations::circle("cos", "sin"))
 }
 
-/// Jacobi's functions and their rates.
-pub(super) fn jacobi() -> Scope {
-    let time = Derivation::elliptic(&Fraction::one());
-    let names = ["sn", "cn", "dn"];
-    let scope = Scope::default().with("m", Fraction::variable("m")).under(Relations::elliptic());
-    names.into_iter().fold(scope.with_functions(&names, ""), |scope, name| {
-        scope.with(&format!(r"\operatorname{{{name}}}'"), time.of(&Fraction::variable(name)))
-    })
-}
-
 /// The motion, with the third axis as its circled axis, if it satisfies the library's equations; otherwise
 /// without meaning. Computed once.
 pub(super) fn jacobi_motion() -> Scope {
-    let (Ok(_), Ok(motion)) = (momentum(1, Change::None), motion(1, Change::None)) else {
-        return Scope::default();
-    };
+    let Ok(motion) = obeying(1) else { return Scope::default() };
     let mut amplitudes = motion.amplitudes.clone();
     amplitudes[2] *= Fraction::variable("sigma");
     let scope = Scope::default().with_each("I", &motion.moments).with_each("a", &amplitudes);

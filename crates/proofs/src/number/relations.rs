@@ -80,15 +80,6 @@ impl Relations {
         Self { squares: vec![(w.into(), Polynomial::one() - x - y - z)] }
     }
 
-    /// `cn^2 = 1 - sn^2` and `dn^2 = 1 - m sn^2`: Jacobi's elliptic functions with parameter `m`.
-    #[must_use]
-    pub fn elliptic() -> Self {
-        let [sn, m] = ["sn", "m"].map(Polynomial::variable);
-        let square = sn.pow(2);
-        let cn = (Symbol::new("cn"), Polynomial::one() - square.clone());
-        Self { squares: vec![cn, ("dn".into(), Polynomial::one() - m * square)] }
-    }
-
     /// The reduced form of `p`; zero exactly if the rules make `p` zero.
     #[must_use]
     pub fn reduce(&self, p: &Polynomial) -> Polynomial {

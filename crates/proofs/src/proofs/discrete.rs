@@ -20,7 +20,7 @@ use tumbling::step::State;
 
 proofs! {
     "step" {
-        "moser-veselov-has-one-solution": one_solution(1, 2),
+        [Again] "moser-veselov-has-one-solution": one_solution(1, 2),
             r"A turn by a quaternion of length one with the parts $w$ and $p$ takes the vector $M$ in body axes to $N$ with $w (M - N) = p\times (M + N)$. So where half of the sum of two such vectors is the part $w$ times a diagonal matrix times the other part, the first vector is $n = w K p + p\times (K p)$, and the half-angle tangents $t = p/w$ solve $K t + t\times (K t) = (1 + t\cdot t) n$. What two triples of tangents leave of that equation, $E = K b + b\times (K b) - (1 + b\cdot b) n$ and $F = K c + c\times (K c) - (1 + c\cdot c) n$, differs by a matrix times their difference, $E - F = A (b - c)$. Where both are zero the determinant of the matrix is $d = K_1 K_2 K_3$, which is zero for no body. So by the implicit function theorem one power series without a constant term solves the equation, and a series that obeys it through a power is that one through this power.";
             but "the turn taken the other way": one_solution(-1, 2),
             but "the matrix taken at one of the two": one_solution(1, 1),

@@ -12,37 +12,36 @@ use crate::tex::{Scope, Value};
 use nalgebra::Quaternion;
 use num_traits::One;
 use tumbling::attitude::{product, rate};
-use tumbling::dynamics::euler::angular_acceleration;
-use tumbling::dynamics::observe::energy;
+use tumbling::dynamics::{euler::angular_acceleration, observe::energy};
 
 proofs! {
     "errata" {
-        "errata-rate-about-the-smallest-axis": circling(Side::Smallest, -1),
+        [Again] "errata-rate-about-the-smallest-axis": circling(Side::Smallest, -1),
             r"With the momentum $m = (s B_{13}\operatorname{dn}, -B_{21}\operatorname{sn}, B_{31}\operatorname{cn})$, where $s^2 = 1$, Euler's equations want the argument's rate $u' = -s\lambda_3$.";
             but "the rate of the other sign": circling(Side::Smallest, 1),
-        "errata-rate-about-the-largest-axis": circling(Side::Largest, -1),
+        [Again] "errata-rate-about-the-largest-axis": circling(Side::Largest, -1),
             r"With the momentum $m = (B_{13}\operatorname{cn}, -B_{23}\operatorname{sn}, s B_{31}\operatorname{dn})$, where $s^2 = 1$, Euler's equations want the argument's rate $u' = -s\lambda_1$.";
             but "the rate of the other sign": circling(Side::Largest, 1),
-        "errata-signs-on-the-separatrix": separatrix([true, true]),
+        [Again] "errata-signs-on-the-separatrix": separatrix([true, true]),
             r"On the separatrix the momentum $m = (s B_{13}\operatorname{sech}, G\operatorname{tanh}, s' B_{31}\operatorname{sech})$, where $s^2 = 1$ and $s'^2 = 1$, obeys Euler's equations with the argument's rate $u' = s s'\lambda_2$.";
             but "one sign for both ends in the rate": separatrix([true, false]),
-        "errata-rate-of-the-angle": rate_of_the_angle(1),
+        [Again] "errata-rate-of-the-angle": rate_of_the_angle(1),
             r"The attitude that takes the momentum to the third axis by the shortest way and then turns about it obeys the attitude's law if the angle has the rate $\psi' = (2 T + G m_3/I_3)/(G + m_3)$.";
             but "a minus in the numerator": rate_of_the_angle(-1),
-        "errata-sign-of-the-angle": closed_angle(|_| Fraction::one()),
-            r"That rate, $\psi' = (2 T + G m_3/I_3)/(G + m_3)$, is $\psi' = \frac{G}{I_3} + \frac{G I_{31}}{I_1 I_3}(P - \frac{B_{31} B_{13}}{G B_{21}} A)$, with the derivatives of the integral and of the arctangent put in: $P = 1/(1 + (B_{31}/B_{13})^2\operatorname{sn}^2)$, of which the characteristic has a minus, and $A = \frac{B_{21}}{B_{13}}\operatorname{cn}/(\operatorname{dn}^2 + (B_{21}/B_{13})^2\operatorname{sn}^2)$.";
+        [Again] "errata-sign-of-the-angle": closed_angle(|_| Fraction::one()),
+            r"That rate, $\psi' = (2 T + G m_3/I_3)/(G + m_3)$ with the energy of that motion about the axis of the smallest moment, is $\psi' = \frac{G}{I_3} + \frac{G I_{31}}{I_1 I_3}(P - \frac{B_{31} B_{13}}{G B_{21}} A)$, with the derivatives of the integral and of the arctangent put in: $P = 1/(1 + (B_{31}/B_{13})^2\operatorname{sn}^2)$, of which the characteristic has a minus, and $A = \frac{B_{21}}{B_{13}}\operatorname{cn}/(\operatorname{dn}^2 + (B_{21}/B_{13})^2\operatorname{sn}^2)$.";
             but "a plus before the arctangent": closed_angle(|_| Fraction::from(-1)),
             but "the factor not divided by the momentum": closed_angle(Clone::clone),
-        "errata-characteristic-on-the-separatrix": characteristic(true),
+        [Lemma] "errata-characteristic-on-the-separatrix": characteristic(true),
             r"On the separatrix $G^4/(B_{21}^2 B_{23}^2) = 1$, so that an integral over one minus it divides by zero.";
             but "any energy": characteristic(false),
-        "errata-integral-of-tanh": integral_of_tanh(1),
+        [Lemma] "errata-integral-of-tanh": integral_of_tanh(1),
             r"With $a^2 = n$ and $x = a\operatorname{tanh}$, where $x'$ is its rate and the derivative of the inverse of the hyperbolic tangent is put in, $\frac{1}{1 - n} - \frac{a}{(1 - n)\lambda} A = \frac{1}{1 - n\operatorname{tanh}^2}$, with $A = x'/(1 - x^2)$.";
             but "a plus before the second term": integral_of_tanh(-1),
-        "errata-acceleration": acceleration(false),
+        [Again] "errata-acceleration": acceleration(false),
             r"Of a body whose spin is the closed form's, $\omega = (o_1\operatorname{cn}, o_2\operatorname{sn}, o_3\operatorname{dn})$ along three axes in cyclic order, with its amplitudes, the square $m$ of its modulus and the rate $\lambda$ of its argument, the library's Euler's equations want $\omega' = \lambda (-o_1\operatorname{sn}\operatorname{dn}, o_2\operatorname{cn}\operatorname{dn}, -m o_3\operatorname{sn}\operatorname{cn})$.";
             but "the first two exchanged": acceleration(true),
-        "errata-precession": precession(1),
+        [Lemma] "errata-precession": precession(1),
             r"Along the motion, the rate of an angle of Euler, $\phi' = M (I_1\omega_1^2 + I_2\omega_2^2)/(M^2 - I_3^2\omega_3^2)$, is $\phi' = \frac{M}{I_3}(1 + \frac{I_{32} I_{31}}{I_1 I_{32} + I_3 I_{21}\operatorname{sn}^2})$.";
             but "a minus before the quotient": precession(-1),
     }
@@ -159,9 +158,9 @@ fn closed_angle(times: impl Fn(&Fraction) -> Fraction) -> Result<Scope, Residue>
     // The derivatives by the argument of the integral and of the arctangent of (B21 / B13) sn / dn.
     let integral = Fraction::one() / (Fraction::one() + (&b31 / &b13).pow(2) * sn.pow(2));
     let arctangent = &b21 / &b13 * &cn / (dn.pow(2) + (&b21 / &b13).pow(2) * sn.pow(2));
-    // The rate, with the energy from the motion where sn is zero.
-    let twice_energy = b13.pow(2) / &i1 + b31.pow(2) / &i3;
-    let m3 = &b31 * cn;
+    let momentum = Vector::new(&b13 * dn, -(&b21 * sn), &b31 * cn);
+    let twice_energy = energy(&momentum.component_div(&moments()), &momentum) * Fraction::from(2);
+    let m3 = momentum.z.clone();
     let rate = (&twice_energy + &g * &m3 / &i3) / (&g + &m3);
     let scope = functions().with_all([("P", integral), ("A", arctangent * times(&g)), (r"\psi'", rate)]);
     let scope = scope.with_all([("T", twice_energy / Fraction::from(2)), ("I_{31}", r.pow(2)), ("G", g)]);

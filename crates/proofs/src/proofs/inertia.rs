@@ -1,7 +1,7 @@
 //! The tensor itself: what it is for one point, and how it moves with the point it is taken about.
 
 use crate::number::Fraction;
-use crate::symbols::{Matrix, Vector, scalar, variables, vector};
+use crate::symbols::{Matrix, Vector, variables, vector};
 use crate::tex::Scope;
 use tumbling::inertia::point_mass;
 use tumbling::solid::{MassMoments, combined};
@@ -68,7 +68,11 @@ fn parts(law: impl Fn(&[MassMoments<Fraction>], &Vector) -> MassMoments<Fraction
     let pair = law(&all[1..], &Vector::zeros());
     let (dumbbell, in_steps) = (pair.inertia.clone(), law(&[pair, all[0].clone()], &Vector::zeros()));
     let [m] = variables(["m"]);
-    let alone = MassMoments { mass: m.clone(), centre: vector("r"), inertia: scalar(&m) };
+    let alone = MassMoments {
+        mass: m.clone(),
+        centre: vector("r"),
+        inertia: Matrix::from_diagonal_element(m.clone()),
+    };
     let scope = Scope::default().with("I", law(&[alone], &vector("d")).inertia).with("m", m);
     let scope = scope.with("C", together.centre).with("c", in_steps.centre).with("T", dumbbell);
     let scope = scope.with("A", together.inertia).with("B", in_steps.inertia).with("n", vector("n"));

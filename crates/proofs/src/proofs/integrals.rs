@@ -14,17 +14,17 @@ use num_traits::One;
 
 proofs! {
     "exact" {
-        "gauss-mean": gauss(-1),
+        [Lemma] "gauss-mean": gauss(-1),
             r"By $u = \tfrac{1}{2}(t - a b/t)$, which rises with $u' > 0$, the integrand becomes that of the arithmetic and the geometric mean: $u'^2 (t^2 + a^2) (t^2 + b^2) = 4 (u^2 + (\frac{a + b}{2})^2) (u^2 + a b)$. For two equal numbers, by $v = m s/c$, it is one over their mean: $v' m = v^2 + m^2$. By $w = k' s/c$ it becomes Legendre's: $w'^2 (1 - (1 - k'^2) s^2) = (w^2 + 1) (w^2 + k'^2)$. Here $s$ and $c$ are an angle's sine and cosine; the limits of the integrals are no part of it.";
             but "a plus in the change of variable": gauss(1),
-        "last-mean": last_mean(4),
+        [Lemma] "last-mean": last_mean(4),
             r"Of two numbers $G_1$ and $G_2$ with the mean $m = \tfrac{1}{2}(G_1 + G_2)$ and the geometric mean $g^2 = G_1 G_2$, the next mean is (C45) but for the term $r = (m - g)^2/(4 m)$.";
             but "the geometric mean nearer to the other": last_mean(8),
-        "carlson-duplication": duplication(1, 3),
+        [Lemma] "carlson-duplication": duplication(1, 3),
             r"With $s = t + X Y + Y Z + Z X$, where $x = X^2 - t$ and so on, the roots of the new numbers are $s + x = (X + Y) (X + Z)$, $s + y = (Y + Z) (Y + X)$ and $s + z = (Z + X) (Z + Y)$. So the integrand of the first kind is half: $\frac{s'}{(X + Y) (Y + Z) (Z + X)} = \frac{1}{2 X Y Z}$; that of the second changes by a derivative: $\frac{3}{2 X Y Z^3} - \frac{3 s'}{(X + Y) (Y + Z)^2 (Z + X)^2} = -T'$ with $T = \frac{3}{Z (Y + Z) (Z + X)}$. Scaling and limits of the integrals are no part of it.";
             but "a product of roots the other way": duplication(-1, 3),
             but "another term taken off": duplication(1, 2),
-        "legendre-by-carlson": legendre(1),
+        [Lemma] "legendre-by-carlson": legendre(1),
             r"By $t = (s^2 - y^2)/y^2$, which falls from infinity as the sine $y$ rises, with $c$ for the cosine, the roots of Carlson's integrals become $t + 1 - s^2 = (s c/y)^2$, $t + 1 - k^2 s^2 = (s r/y)^2$ and $t + 1 = (s/y)^2$, where $r^2 = 1 - k^2 y^2$; with their product $P$, Legendre's integrand is that of the first, $\frac{s t'}{2 P} = \frac{1}{r}$, and its derivative by the square of $k$ that of the second, $\frac{s^3 t'}{4 P (s r/y)^2} = \frac{y^2}{2 r^3}$. Jacobi's functions $S$, $C$ and $D$ of what is left to the quarter period have $C^2 + S^2 = 1$, $D^2 + k^2 S^2 = 1$ and $S' = -C D$, and those of the theta zero $\beta^2 + \gamma^2 = 1$ and $\delta^2 + k'^2\beta^2 = 1$. The limits are no part of it.";
             but "the parameter's sign": legendre(-1),
     }

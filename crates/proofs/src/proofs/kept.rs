@@ -12,26 +12,28 @@
 //! engines conserve the lengths by which they divide, or a momentum that they do not change.
 
 use crate::number::{Fraction, Relations};
-use crate::proof::{Residue, same_entries_under};
+use crate::proof::{Case, same};
+use crate::proofs::order::Number;
 use crate::symbols::{Matrix, variables, vector};
 use crate::tex::Scope;
 use nalgebra::Quaternion;
 use num_traits::{One, Zero};
 use tumbling::attitude::{product, rotation_matrix};
+use tumbling::laws::rests_of_gauss;
 
 proofs! {
     "step" {
-        "a-turn-keeps-the-momentum": turned(|r| r.transpose()),
+        [Again] "a-turn-keeps-the-momentum": turned(|r| r.transpose()),
             r"A step that turns the attitude by any unit quaternion, and the momentum in body axes by its inverse, keeps the square of the attitude's length, $l' = l$, that of the momentum's, $M'\cdot M' = M\cdot M$, and the momentum in the world, $R' M' = R M$.";
             but "the momentum turned by the turn itself": turned(Clone::clone),
-        "a-turn-about-an-axis-is-undone": undone(2),
+        [Again] "a-turn-about-an-axis-is-undone": undone(2),
             r"A turn about the third axis leaves the momentum along it alone, $m' = m$, and the turn by the opposite angle undoes it, $P = (1, (0, 0, 0))$.";
             but "the momentum along another axis": undone(1),
-        "cayley-turn-keeps-energy": cayley(&Fraction::one()),
+        [Again] "cayley-turn-keeps-energy": cayley(&Fraction::one()),
             r"With $c = (g_1 M_1, g_2 M_2, g_3 M_3)$ the turn by half-angle tangents takes $B = M + c\times M$ to $A = M - c\times M$, up to a factor: $R B = (1 + c\cdot c) A$. Both have the same length, $A\cdot A = B\cdot B$, and the same energy, $g_1 A_1^2 + g_2 A_2^2 + g_3 A_3^2 = g_1 B_1^2 + g_2 B_2^2 + g_3 B_3^2$.";
             but "a cross product half as long": cayley(&Fraction::ratio(1, 2)),
-        "gauss-keeps-squares": squares(&Fraction::one()),
-            r"In a collocation of two or three stages, each of which sees half of the whole change and a rest that is antisymmetric, the change of a square is twice the sum of each stage's change times its value, $e^2 - y^2 = 2 (k_1 Y_1 + k_2 Y_2 + k_3 Y_3)$; and each stage is as far from the end with the other sign of that rest as it is from the start.";
+        [Again] "gauss-keeps-squares": squares(&Fraction::one()),
+            r"In the library's collocations of two and of three stages, each stage sees half of the whole change and a rest, by coefficients that are antisymmetric. So the change of a square is twice the sum $S$ of each stage's change times its value, $e^2 - y^2 = 2 S$; and each stage is as far from the end with the other sign of that rest as it is from the start.";
             but "the weights of the stages' mean a third too large": squares(&Fraction::ratio(4, 3)),
     }
 }
@@ -70,18 +72,23 @@ fn cayley(share: &Fraction) -> Scope {
     scope.with("c", c).with("R", rotation_matrix(&turn).transpose())
 }
 
-fn squares(mean: &Fraction) -> Result<Scope, Residue> {
-    let [p, q, r, start] = variables(["p", "q", "r", "y"]);
-    let changes = vector("k");
-    let end = &start + changes.sum();
-    let [np, nq, nr] = [&p, &q, &r].map(|x| -x.clone());
-    let none = Fraction::zero;
-    let off = Matrix::new(none(), np, nq, p, none(), nr, q, r, none());
-    let half = changes.sum() * Fraction::ratio(1, 2) * mean;
-    let off = &off * &changes;
-    let stages = off.map(|x| &start + &half + x);
-    let back = off.map(|x| &end - &half + x);
-    same_entries_under(&Relations::none(), "the stages of the step back", &back, &stages)?;
-    let scope = Scope::default().with_each("k", &changes).with_each("Y", &stages);
-    Ok(scope.with_all([("y", start), ("e", end)]))
+fn squares(mean: &Fraction) -> Case<Vec<Scope>> {
+    let (two, three) = rests_of_gauss();
+    Ok(vec![collocated(&two, mean)?, collocated(&three, mean)?])
+}
+
+/// With the library's rests of the coefficients, over the weights.
+fn collocated<const N: usize>(off: &[[Number; N]; N], mean: &Fraction) -> Case {
+    let (start, changes) = (Fraction::variable("y"), vector("k"));
+    let total = changes.iter().take(N).fold(Fraction::zero(), |sum, k| sum + k);
+    let (half, end) = (&total * Fraction::ratio(1, 2) * mean, &start + &total);
+    let mut sum = Fraction::zero();
+    for (row, change) in off.iter().zip(&changes) {
+        let known = |x: &Number| x.coefficient(0).unwrap_or(Fraction::ratio(1, 0));
+        let rest = row.iter().zip(&changes).fold(Fraction::zero(), |sum, (x, k)| sum + known(x) * k);
+        let stage = &start + &half + &rest;
+        same("a stage of the step back", &(&end - &half + rest), &stage)?;
+        sum += stage * change;
+    }
+    Ok(Scope::default().with_all([("S", sum), ("y", start), ("e", end)]))
 }

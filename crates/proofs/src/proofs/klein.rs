@@ -6,35 +6,34 @@
 
 use crate::equations::of_motion;
 use crate::number::{Derivation, Fraction, Polynomial, Relations};
-use crate::proof::{Cases, Residue, same_entries_under, same_under, vanishes};
+use crate::proof::{Cases, Outcome, Residue, same_entries_under, same_under, vanishes};
 use crate::symbols::{Vector, diagonal, pure, quaternion, square, variables};
 use crate::tex::Scope;
 use nalgebra::Quaternion;
 use num_traits::{One, Zero};
 use tumbling::attitude::{product, rate};
-use tumbling::dynamics::euler::angular_acceleration;
-use tumbling::dynamics::observe::energy;
+use tumbling::dynamics::{euler::angular_acceleration, observe::energy};
 
 proofs! {
     "exact" {
-        "klein-momentum": both(|sense| momentum(sense, Change::None)),
+        [Again] "klein-momentum": both(|sense| momentum(sense, Change::None)),
             "The spin (C7), with the amplitudes (C5), the modulus (C4) and the rate (C6), obeys Euler's equations, with the energy and momentum (C1); and the quaternion of the closed form's two numbers takes the \
             momentum to the first axis. For every body, about either axis, in either sense.";
             but "the zero on the other side": both(|sense| momentum(sense, Change::Zero)),
             but "a sign in Euler's equations": both(|sense| momentum(sense, Change::Spin)),
-        "klein-attitude": both(|sense| attitude(sense, Change::None)),
+        [Again] "klein-attitude": both(|sense| attitude(sense, Change::None)),
             "That quaternion, with the share (C17) and the zero (C18), turned about the momentum at the steady drift and the rate that the closed form gives the angle of its first number, obeys the attitude's law; \
             the whole rate is (C20). For every body, about either axis, in either sense. That a theta function's angle has this rate is no part of it.";
             but "the zero on the other side": both(|sense| attitude(sense, Change::Zero)),
             but "the theta function's angle reversed": both(|sense| attitude(sense, Change::Angle)),
-        "limit-coin": coin(1),
-            r"Where the middle moment equals the one across, the rate is that of the coin (C38), $\Omega = \frac{I_3 - I_1}{I_1}\omega_3$, the two amplitudes across are equal, and the first number's length is constant.";
+        [Again] "limit-coin": coin(1),
+            r"Where the middle moment equals the one across, the spin obeys Euler's equations, the rate is that of the coin (C38), $\Omega = \frac{I_3 - I_1}{I_1}\omega_3$, the two amplitudes across are equal, and the first number's length is constant.";
             but "the rate reversed": coin(-1),
-        "limit-separatrix": separatrix(1),
-            r"With modulus one the last two functions change at one rate, the momentum is $L^2 = 2 E I_2$, and at the saddle the turn about it has the rate $\psi' = \sigma L/I_2$.";
+        [Again] "limit-separatrix": separatrix(1),
+            r"With modulus one the spin obeys Euler's equations, the last two functions change at one rate, the momentum is $L^2 = 2 E I_2$, and at the saddle the turn about it has the rate $\psi' = \sigma L/I_2$.";
             but "the last two functions opposite": separatrix(-1),
-        "limit-steady": both(|order| steady(order, Change::None)),
-            r"With no wobble the second number times the conjugate of the first is $b_1 = b_2 = 0$, and the turn about the momentum has the rate of the spin about the circled axis, $\dot{\psi} = \omega_3$.";
+        [Again] "limit-steady": both(|order| steady(order, Change::None)),
+            r"With no wobble the spin obeys Euler's equations, the second number times the conjugate of the first is $b_1 = b_2 = 0$, and the turn about the momentum has the rate that the attitude's law gives about the circled axis, $\dot{\psi} = \omega_3$.";
             but "the spin the other way": both(|order| steady(order, Change::Spin)),
     }
 }
@@ -172,6 +171,12 @@ pub(crate) fn momentum(sense: i64, change: Change) -> Result<Scope, Residue> {
     Ok(of_motion(motion, sense, false))
 }
 
+/// The motion, if its spin and its attitude obey the library's laws.
+pub(crate) fn obeying(sense: i64) -> Result<Motion, Residue> {
+    momentum(sense, Change::None).and(attitude(sense, Change::None))?;
+    motion(sense, Change::None)
+}
+
 fn attitude(sense: i64, change: Change) -> Result<Scope, Residue> {
     let motion = motion(sense, change)?;
     let omega = motion.arranged(&motion.omega, sense);
@@ -183,6 +188,14 @@ fn attitude(sense: i64, change: Change) -> Result<Scope, Residue> {
     let moved = q.coords.map(|x| motion.time.of(&x) - x * &lengthens) + turned.coords.map(|x| x * &half);
     same_entries_under(&motion.relations, "q'", &moved, &expected.coords)?;
     Ok(of_motion(motion, sense, false))
+}
+
+/// That the spin of a limit obeys the library's equations.
+fn obeys(motion: &Motion, sense: i64, limit: impl Fn(&Fraction) -> Fraction, ties: &Relations) -> Outcome {
+    let of = |all: [Fraction; 3]| motion.arranged(&all.each_ref().map(&limit), sense);
+    let moved = of(motion.omega.each_ref().map(|x| motion.time.of(x)));
+    let [moments, omega] = [&motion.moments, &motion.omega].map(|all| of(all.clone()));
+    same_entries_under(ties, "w'", &moved, &angular_acceleration(&moments, &omega, &Vector::zeros()))
 }
 
 /// The expression with numbers or symbols put for some of its symbols.
@@ -200,8 +213,8 @@ fn coin(direction: i64) -> Result<Scope, Residue> {
     ties.extend([("sigma", Polynomial::one()), ("tau", Polynomial::one())]);
     let ties = Relations::new(ties)?;
     same_under(&ties, "the amplitudes", &limit(&motion.amplitudes[0]), &limit(&motion.amplitudes[1]))?;
-    let settled = motion.time.of(&motion.size);
-    vanishes("the rate of a", &limit(&settled), &ties)?;
+    obeys(&motion, 1, limit, &ties)?;
+    vanishes("the rate of a", &limit(&motion.time.of(&motion.size)), &ties)?;
     let [i1, _, i3] = motion.moments.each_ref().map(limit);
     // As the first two axes follow each other, the spin circles the third the way that sn and cn exchange.
     let rate = limit(&motion.rate) * Fraction::from(direction);
@@ -214,6 +227,7 @@ fn separatrix(sign: i64) -> Result<Scope, Residue> {
     let over_p = Fraction::one() / Fraction::variable("p");
     let values = [("h", over_p), ("dn", Fraction::variable("cn") * Fraction::from(sign))];
     let limit = |x: &Fraction| put(x, &values);
+    obeys(&motion, 1, limit, &motion.relations)?;
     // dn² = cn², and their rates are the same.
     let rates = ["cn", "dn"].map(|name| limit(&motion.time.of(&Fraction::variable(name))));
     same_under(&motion.relations, "cn' and dn'", &rates[0], &rates[1])?;
@@ -233,8 +247,11 @@ fn steady(order: i64, change: Change) -> Result<Scope, Residue> {
     let sense = if change == Change::None { 1 } else { -1 };
     let values = [("h", Fraction::zero()), ("dn", Fraction::one()), ("e", Fraction::variable("x3"))];
     let limit = |x: &Fraction| put(x, &values);
+    obeys(&motion, order, limit, &motion.relations)?;
     let scope = Scope::default().with_each("b", &motion.product.each_ref().map(limit));
     let scope = scope.with(r"\dot{\psi}", limit(&motion.turning));
-    let spin = limit(&motion.omega[2]) * Fraction::from(sense);
+    let q = Quaternion::from_vector(motion.quaternion().coords.map(|x| limit(&x)));
+    let about = rate(&q, &motion.arranged(&motion.omega.each_ref().map(limit), order)).coords.x.clone();
+    let spin = about / q.coords.w.clone() * Fraction::from(2 * sense);
     Ok(scope.with(r"\omega_3", spin).under(motion.relations))
 }

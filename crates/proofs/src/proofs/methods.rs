@@ -15,7 +15,7 @@
 //! [`shares`]: super::shares
 
 use crate::number::{Fraction, Polynomial, Relations};
-use crate::proof::{Case, Cases, Mutant, Outcome, Proof, Residue, breaks};
+use crate::proof::{Case, Cases, Kind, Mutant, Outcome, Proof, Residue, breaks};
 use crate::proofs::order::{Number, components, constant, exact, start};
 use crate::tex::Scope;
 use nalgebra::{Quaternion, Vector3};
@@ -35,10 +35,11 @@ macro_rules! methods {
                 Up to order 6 the whole step runs on letters. Of the two orders above it, both of Moser and Veselov's step, the equation that the step solves runs on letters: that the motion obeys it is the proof moser-veselov-is-obeyed, and that it has one solution moser-veselov-has-one-solution.");
             Proof {
                 name: $name,
+                // Of higher orders the letters are in the proofs of their equation.
+                kind: if $order > 6 { Kind::Numbers } else { Kind::Library },
                 part: "step",
                 statement: SAID,
-                also: || holds(Method::$method, 0),
-                cases: || laws(Method::$method).cases(),
+                cases: || holds(Method::$method, 0).and_then(|()| laws(Method::$method)).cases(),
                 mutants: &[
                     Mutant { change: "said to be one order better", check: || holds(Method::$method, 1) },
                     Mutant {

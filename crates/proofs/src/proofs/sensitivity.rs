@@ -18,13 +18,13 @@ proofs! {
         "variational-equations": variations(1),
             r"Euler's equations to first order are (C44). For three axes in cyclic order, a change of the last moment adds at a fixed spin $F_a = -\omega_b\omega_c/I_a$, $F_b = \omega_c\omega_a/I_b$ and $F_c = -(I_a - I_b)\omega_a\omega_b/I_c^2$, and a product of inertia of the first two $G_a = (I_a + I_b - I_c)\omega_c\omega_a/(I_a I_b)$, $G_b = -(I_a + I_b - I_c)\omega_b\omega_c/(I_a I_b)$ and $G_c = (\omega_b^2 - \omega_a^2)/I_c$. For every body.";
             but "what is added with the other sign": variations(-1),
-        "sensitivity-of-the-spin": both(|sense| columns(sense, 1)),
+        [Again] "sensitivity-of-the-spin": both(|sense| columns(sense, 1)),
             r"The closed form's derivatives by its two constants and by the moments obey Euler's equations to first order: each has the rate $\dot{W} = F$ that the library's law gives, where that of Jacobi's argument at a fixed angle grows at the rate $J' = \eta\operatorname{sn}^2/(2\operatorname{dn}^2)$. For every body, about either axis, in either sense.";
             but "that derivative growing the other way": both(|sense| columns(sense, -1)),
-        "sensitivity-of-the-attitude": attitude(1),
+        [Again] "sensitivity-of-the-attitude": attitude(1),
             r"A small turn of the attitude changes as $e' = w - \omega\times e$ with the change of the spin; so this turn crossed with the momentum, and the momentum's change, turn with the room together, the turn's part along the momentum has the rate $r = w\cdot M$, and with the change of the energy both give the turn.";
             but "e carried along the other way": attitude(-1),
-        "sensitivity-by-products": products(1),
+        [Again] "sensitivity-by-products": products(1),
             r"A product of inertia turns two principal axes about the third by $n$, itself over the difference of their moments: the change of the spin turned so, $W = n\times\omega$, has by Euler's equations with the changed tensor, to first order, the rate $\dot{W} = n\times\dot{\omega}$.";
             but "turned the other way": products(-1),
     }

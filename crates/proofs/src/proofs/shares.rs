@@ -28,7 +28,7 @@ const NAMES: [&str; 4] = ["b", "c", "d", "e"];
 
 proofs! {
     "step" {
-        "exact-shares-of-order-6": shares(5),
+        [Numbers] "exact-shares-of-order-6": shares(5),
             r"Nine of the library's steps of order 2 with five decimal shares, and these backwards, make its splitting of order 6, through the power 7 of the step from a start in exact fractions. Within a septillionth of the last $n = 4$ shares there are exact ones that with the first have the sum 1, third and fifth powers with the sum 0, and also third powers, each times the square of the sum of the shares before it and half of its own, with the sum 0. That these conditions give order 6 is no part of it.";
             but "fourth powers for the fifth": shares(4),
     }
