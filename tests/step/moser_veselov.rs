@@ -22,3 +22,33 @@ fn the_other_root_of_the_moser_veselov_equation_is_refused_by_its_turn() {
     assert!((2.0 * end.attitude.k.asin() - 0.999_f64.asin()).abs() < 1e-12);
     assert!(Method::MoserVeselov2.step(&system, &steady, 1.001).is_err());
 }
+
+#[test]
+fn a_long_moser_veselov_step_comes_back_or_is_refused() {
+    let mut state = 12345_u64;
+    let mut random = move || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as f64 * (0.5 * f64::EPSILON)
+    };
+    let methods = [
+        Method::MoserVeselov2,
+        Method::MoserVeselov4,
+        Method::MoserVeselov6,
+        Method::MoserVeselov8,
+        Method::MoserVeselov10,
+    ];
+    for case in 0..20_000 {
+        let [p, q, r] = [0; 3].map(|_| random() + 0.01);
+        let moments = tumbling::PrincipalMoments::new(p + q, q + r, p + r).unwrap();
+        let system = free(moments);
+        let momentum = nalgebra::Vector3::from([0; 3].map(|_| 2.0 * random() - 1.0));
+        let start = tumbling::State { attitude: nalgebra::Quaternion::identity(), momentum };
+        let (method, h) = (methods[case % methods.len()], 4.0 * random());
+        let Ok(end) = method.step(&system, &start, h) else { continue };
+        let back = method.step(&system, &end, -h).unwrap();
+        let off = (back.momentum - momentum).norm();
+        assert!(off < 1e-12, "{method} of {moments:?} by {h} from {momentum:?}: {off:e}");
+    }
+}
