@@ -70,52 +70,6 @@ const fn remaining_weights() -> [[f64; NODE_COUNT]; NODE_COUNT] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use num_bigint::BigInt;
-    use num_rational::BigRational;
-
-    fn rational(x: f64) -> BigRational {
-        BigRational::from_float(x).expect("a finite number")
-    }
-
-    fn fraction(n: i32, below: i32) -> BigRational {
-        BigRational::new(BigInt::from(n), BigInt::from(below))
-    }
-
-    /// `(P7, P8)`, in fractions.
-    fn seventh_and_eighth(x: &BigRational) -> (BigRational, BigRational) {
-        let (mut before, mut p) = (fraction(1, 1), x.clone());
-        for n in 1..8 {
-            let next = fraction(2 * n + 1, n + 1) * x * &p - fraction(n, n + 1) * &before;
-            (before, p) = (p, next);
-        }
-        (before, p)
-    }
-
-    /// The number is the nearest to one between two others.
-    fn nearest(x: f64, low: &BigRational, high: &BigRational) -> bool {
-        let half = |other: f64| (rational(x) + rational(other)) / fraction(2, 1);
-        half(x.next_down()) <= *low && *high <= half(x.next_up())
-    }
-
-    #[test]
-    fn each_node_is_the_number_nearest_to_a_root_of_the_eighth_polynomial_and_so_is_its_weight() {
-        let sign = |x: &BigRational| seventh_and_eighth(x).1 > fraction(0, 1);
-        for (&node, &weight) in NODES.iter().zip(&WEIGHTS) {
-            let (mut low, mut high) = (rational(node.next_down()), rational(node.next_up()));
-            assert_ne!(sign(&low), sign(&high), "{node}");
-            for _ in 0..20 {
-                let middle = (&low + &high) / fraction(2, 1);
-                if sign(&middle) == sign(&low) { low = middle } else { high = middle }
-            }
-            assert!(nearest(node, &low, &high), "{node}");
-            let weights = [&low, &high].map(|x| {
-                let (p, _) = seventh_and_eighth(x);
-                (fraction(1, 1) - x * x) / (fraction(64, 1) * &p * &p)
-            });
-            let (less, more) = (weights.iter().min().unwrap(), weights.iter().max().unwrap());
-            assert!(nearest(weight, less, more), "{weight}");
-        }
-    }
 
     #[test]
     fn the_quadrature_integrates_the_powers_that_it_should() {

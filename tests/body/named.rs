@@ -6,20 +6,6 @@ use tumbling::body::named::NamedBody;
 
 #[test]
 fn every_named_body_flips_about_x_and_lies_along_z() {
-    let names: Vec<_> = NamedBody::ALL.iter().map(ToString::to_string).collect();
-    assert_eq!(
-        names,
-        [
-            "the box",
-            "the book",
-            "the phone",
-            "the remote control",
-            "the hammer",
-            "the tennis racket",
-            "the wing nut",
-            "the T-handle"
-        ]
-    );
     for body in NamedBody::ALL {
         let principal = body.properties().unwrap().inertia().principal();
         for (axis, direction) in

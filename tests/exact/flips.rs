@@ -4,6 +4,7 @@ use super::{distinct, motion};
 use crate::common::*;
 use nalgebra::Vector3;
 use proptest::prelude::*;
+use tumbling::PrincipalMoments;
 use tumbling::dynamics::observe::sign_changes;
 use tumbling::exact::{Regime, time_between_flips};
 
@@ -77,10 +78,14 @@ fn no_two_flips_come_at_the_same_instant_however_late() {
 fn a_subnormal_push_flips_when_the_logarithm_says() {
     let motion = motion([1.0, 2.0, 3.0], [0.0, 10.0, 5e-324]);
     let rate = 10.0 / 3_f64.sqrt();
-    // k'² = 2 (3 push²)/(200), see dynamics/stability.rs; the spin starts in the middle between two flips.
+    // k'² = 2 (3 push²)/(200), with D = 3 (3-2) push² and Q² = 2 (2-1) 100; the spin starts in the middle
+    // between two flips.
     let expected = (4_f64.ln() - 0.5 * 0.03_f64.ln() - f64::ln(5e-324)) / rate;
     let flip = motion.next_flip(0.0).unwrap().unwrap();
     assert!((flip / expected - 1.0).abs() < 1e-14, "{flip} {expected}");
+    let moments = PrincipalMoments::new(1.0, 2.0, 3.0).unwrap();
+    let apart = time_between_flips(moments, &Vector3::new(0.0, 10.0, 5e-324)).unwrap().unwrap();
+    assert!((0.5 * apart / expected - 1.0).abs() < 1e-14, "{apart} {expected}");
     // As it passes, the spin is all across and around: on the separatrix, w1² = 3 w3² and energy is shared.
     let across = motion.omega(flip).unwrap();
     assert!(across.y.abs() < 1e-9 && (across.x.abs() / (3_f64.sqrt() * across.z.abs()) - 1.0).abs() < 1e-12);

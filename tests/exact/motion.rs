@@ -1,8 +1,8 @@
 //! The exact motion against 40 digits, against mathematics, and to the ends of the number range.
 
-use super::{ROUNDING, apart, distinct, motion, numbers};
+use super::{ROUNDING, apart, motion, numbers};
 use crate::common::*;
-use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use proptest::strategy::ValueTree as _;
 use serde_json::Value;
@@ -73,24 +73,6 @@ proptest! {
         prop_assert!((energy(&at.omega) / energy(&omega) - 1.0).abs() < 2e-14);
     }
 
-    // Independent of all formulas: the equations of motion themselves, by central differences.
-    #[test]
-    fn spin_and_attitude_obey_the_equations_of_motion(m in moments(), omega in generic_spin(), t in -9.0..9.0_f64) {
-        let motion = free_motion(m, &omega);
-        let h = 1e-4;
-        let [before, at, after] = [t - h, t, t + h].map(|t| motion.at(t).unwrap());
-        let change = (after.omega - before.omega) / (2.0 * h);
-        let law = tumbling::dynamics::euler::angular_acceleration(&m, &at.omega, &Vector3::zeros());
-        let fast = 1.0 + at.omega.norm().powi(3);
-        prop_assert!((change - law).norm() < 1e-5 * fast, "{change} {law}");
-        let sign = if before.attitude.coords.dot(&after.attitude.coords) < 0.0 { -1.0 } else { 1.0 };
-        let turn = (after.attitude.coords * sign - before.attitude.coords) / (2.0 * h);
-        let sign = if sign * before.attitude.coords.dot(&at.attitude.coords) < 0.0 { -1.0 } else { 1.0 };
-        let rate: Quaternion<f64> = tumbling::attitude::rate(at.attitude.quaternion(), &at.omega);
-        let off = (turn - rate.coords * sign).norm().min((turn + rate.coords * sign).norm());
-        prop_assert!(off < 1e-5 * fast, "{off:e}");
-    }
-
     #[test]
     fn renaming_and_turning_the_axes_changes_nothing(m in moments(), omega in generic_spin(), t in -20.0..20.0_f64) {
         let at = free_motion(m, &omega).at(t).unwrap();
@@ -110,21 +92,6 @@ proptest! {
                 prop_assert!((seen - seen_there).norm() < 1e-12);
             }
         }
-    }
-
-    #[test]
-    fn a_body_in_any_axes_and_attitude_moves_as_its_principal_axes_do(
-        m in moments(), omega in generic_spin(), frame in attitude(), start in attitude(), t in -20.0..20.0_f64,
-    ) {
-        prop_assume!(distinct(&m));
-        let plain = free_motion(m, &omega).at(t).unwrap();
-        let inertia = Inertia::from_moments(m.x, m.y, m.z).unwrap().turned(frame).unwrap();
-        let body = Body::spinning(inertia, start, &(frame * omega)).unwrap();
-        let motion = FreeMotion::of(&body).unwrap();
-        prop_assert_eq!(motion.at(0.0).unwrap(), Instant { omega: body.omega_body(), attitude: start });
-        let at = motion.at(t).unwrap();
-        prop_assert!((at.omega - frame * plain.omega).norm() < 1e-11);
-        prop_assert!(apart(&at.attitude, &(start * frame * plain.attitude * frame.inverse())) < 1e-11);
     }
 
     #[test]
@@ -218,24 +185,10 @@ fn a_top_that_precesses_faster_than_any_number_is_refused() {
 fn the_least_angle_to_the_momentum_is_never_above_the_greatest() {
     // Two nearly equal moments: the angle of the third axis hardly changes, and each end of it is rounded on
     // its own.
-    for (moments, spin) in [
-        (
-            [1.5463115524768785, 0.15793951781592125, 1.546311552476878],
-            [2.9443699667069355e-12, 0.008461038541345722, 2.337619889869514e-12],
-        ),
-        (
-            [0.32208655359701216, 1.5075885918855068, 1.5075885918855072],
-            [0.3305833545466712, -1.3463766437893453e-13, 2.9300662807181733e-12],
-        ),
-        (
-            [0.1599023396688262, 1.5881908226623311, 1.5881908226623322],
-            [0.0048208142785995944, 1.9955963649353153e-7, 1.6650504418126145e-7],
-        ),
-    ] {
-        let motion = motion(moments, spin);
-        for axis in Axis::ALL {
-            let [least, most] = motion.angles_to_momentum(axis).unwrap();
-            assert!(least <= most, "{moments:?} {axis:?}: {least:?} {most:?}");
-        }
+    let moments = [1.5463115524768785, 0.15793951781592125, 1.546311552476878];
+    let motion = motion(moments, [2.9443699667069355e-12, 0.008461038541345722, 2.337619889869514e-12]);
+    for axis in Axis::ALL {
+        let [least, most] = motion.angles_to_momentum(axis).unwrap();
+        assert!(least <= most, "{axis:?}: {least:?} {most:?}");
     }
 }

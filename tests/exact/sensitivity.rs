@@ -183,37 +183,6 @@ proptest! {
             + momentum.norm() * norm(&change.turn_by_tensor);
         prop_assert!(agree(&by_moments, &diagonal(&omega), size, condition), "{by_moments}");
     }
-
-    // The chain rule: over two spans, the changes of the first are the start of the second. Of ordinary
-    // bodies: the start between is rounded, and what that does is not bounded by first derivatives on a
-    // needle.
-    #[test]
-    fn the_change_over_two_spans_is_that_of_the_second_after_the_first(
-        m in moments(), omega in spin(), first in time(), second in time(),
-    ) {
-        let motion = free_motion(m, &omega);
-        let between = motion.at(first).unwrap();
-        let rotation = between.attitude.to_rotation_matrix().into_inner();
-        let one = derivatives(&motion, first).unwrap();
-        let two = derivatives(&free_motion(m, &between.omega), second).unwrap();
-        let whole = derivatives(&motion, first + second).unwrap();
-        // The start between is rounded, and so is the time: their share grows as the changes do, both over.
-        let condition = condition(&omega, first.abs() + second.abs());
-        let growth = norm(&one.omega_by_omega) * norm(&two.omega_by_omega);
-        let (a, b) = (&one, &two);
-        let size = growth * norm(&a.omega_by_omega) * norm(&b.omega_by_omega);
-        let chained = b.omega_by_omega * a.omega_by_omega;
-        prop_assert!(agree(&chained, &whole.omega_by_omega, size, condition), "{chained} {whole:?}");
-        let size = growth * (norm(&a.omega_by_tensor) * norm(&b.omega_by_omega) + norm(&b.omega_by_tensor));
-        let chained = b.omega_by_omega * a.omega_by_tensor + b.omega_by_tensor;
-        prop_assert!(agree(&chained, &whole.omega_by_tensor, size, condition), "{chained} {whole:?}");
-        let size = growth * (norm(&a.omega_by_omega) * norm(&b.turn_by_omega) + norm(&a.turn_by_omega));
-        let chained = rotation * (b.turn_by_omega * a.omega_by_omega) + a.turn_by_omega;
-        prop_assert!(agree(&chained, &whole.turn_by_omega, size, condition), "{chained} {whole:?}");
-        let size = growth * (norm(&a.omega_by_tensor) * norm(&b.turn_by_omega) + norm(&b.turn_by_tensor) + norm(&a.turn_by_tensor));
-        let chained = rotation * (b.turn_by_omega * a.omega_by_tensor + b.turn_by_tensor) + a.turn_by_tensor;
-        prop_assert!(agree(&chained, &whole.turn_by_tensor, size, condition), "{chained} {whole:?}");
-    }
 }
 
 #[test]

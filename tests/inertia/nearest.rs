@@ -76,19 +76,3 @@ proptest! {
         }
     }
 }
-
-#[test]
-fn a_leaning_tensor_is_moved_along_its_own_principal_axes_and_no_farther_than_its_moments() {
-    // A panel with four printed digits, in axes that no turn of a coordinate axis gives.
-    let axes = nalgebra::UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9).to_rotation_matrix().into_inner();
-    let printed = [0.003333, 0.01333, 0.01667];
-    let leaning = |moments: Vector3<f64>| {
-        let tensor = axes * Matrix3::from_diagonal(&moments) * axes.transpose();
-        (tensor + tensor.transpose()) * 0.5
-    };
-    let (along, along_by) = Inertia::within(&Matrix3::from_diagonal(&printed.into()), 1e-3).unwrap();
-    let (nearest, distance) = Inertia::within(&leaning(printed.into()), 1e-3).unwrap();
-    let off = (nearest.matrix() - leaning(along.matrix().diagonal())).amax();
-    assert!(off < 1e-15, "{off:e}");
-    assert!((distance - along_by).abs() < 1e-13, "{} {}", distance, along_by);
-}

@@ -2,7 +2,6 @@
 
 use super::any_tensor;
 use crate::common::*;
-use crate::inertia::about;
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use num_traits::Signed;
 use proptest::prelude::*;
@@ -39,17 +38,6 @@ proptest! {
         let omega = (along + hair * 10_f64.powi(exponent)) * 10_f64.powi(size);
         let (ours, truth) = (inertia.angle_to_momentum(&omega).unwrap(), exact_angle(&inertia, &omega));
         prop_assert!((ours - truth).abs() <= ANGLE_MARGIN * truth, "{ours:e} {truth:e}");
-    }
-
-    #[test]
-    fn away_from_the_centre_every_moment_is_larger_by_mass_times_squared_distance(
-        inertia in any_tensor(), mass in 0.1..3.0_f64, offset in vector(2.0),
-    ) {
-        let there = about(inertia, mass, &offset).unwrap();
-        let axis = Vector3::new(1.0, -2.0, 0.5);
-        let n = axis.normalize();
-        let more = there.about_axis(&axis).unwrap() - inertia.about_axis(&axis).unwrap();
-        prop_assert!((more - mass * offset.cross(&n).norm_squared()).abs() < 1e-13);
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Solids bounded by triangles: the divergence theorem against closed forms, to rounding at every size.
 
-use super::cloud::{assert_same, moved, size, together, vector};
+use super::shared::{assert_same, moved, size, together, vector};
 use super::surface::{both, brick, inside_out, solid, turned_and_carried};
 use crate::common::{number_after, refused};
 use nalgebra::{UnitQuaternion, Vector3};
@@ -86,6 +86,18 @@ fn a_mesh_of_any_size_is_measured_or_out_of_range() {
     let huge = solid(&brick(Vector3::zeros(), Vector3::new(2.0, 1.0, 3.0) * 1e200)).unwrap();
     refused(huge.measure(), ErrorKind::Unrepresentable, "the volume comes out as inf");
     refused(huge.with_mass(1.0), ErrorKind::Unrepresentable, "a moment of inertia comes out as inf");
+}
+
+#[test]
+fn a_tetrahedron_is_the_mesh_of_its_faces_in_either_order_of_its_corners() {
+    let [a, b, c, d] =
+        [[0.1, -0.4, 0.2], [1.3, 0.2, -0.1], [-0.2, 0.9, 0.3], [0.4, 0.1, 1.7]].map(Vector3::from);
+    let mesh = Mesh::new(&[a, b, c, d], &[[0, 2, 1], [0, 3, 2], [0, 1, 3], [1, 2, 3]]).unwrap();
+    for corners in [[a, b, c, d], [b, a, c, d]] {
+        let solid = Tetrahedron::new(corners).unwrap();
+        assert!((solid.measure().unwrap() / mesh.measure().unwrap() - 1.0).abs() < 1e-14);
+        assert_same("corners", &solid.with_mass(0.7).unwrap(), &mesh.with_mass(0.7).unwrap(), 1e-14, 1.0);
+    }
 }
 
 // A bow tie's prism: its upper half, nearly as large as the lower and farther from their centre, is inside

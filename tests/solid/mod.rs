@@ -1,8 +1,8 @@
-mod cloud;
 mod mesh;
 mod properties;
 mod refusals;
 mod shapes;
+mod shared;
 mod shells;
 mod surface;
 mod topology;

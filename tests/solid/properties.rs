@@ -1,12 +1,12 @@
 //! Parts, places and axes: the parallel-axis theorem, turning, and what is refused.
 
-use super::cloud::{assert_same, moved, size, together, vector};
+use super::shared::{assert_same, moved, size, together, vector};
 use crate::common::{any_vector, anything, refused};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use num_rational::Ratio;
 use proptest::prelude::*;
 use tumbling::solid::*;
-use tumbling::{ErrorKind, Inertia, body::named::NamedBody};
+use tumbling::{ErrorKind, Inertia};
 
 fn attitude() -> impl Strategy<Value = UnitQuaternion<f64>> {
     proptest::array::uniform4(-1.0..1.0_f64)
@@ -30,14 +30,6 @@ fn lopsided() -> MassProperties {
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(64))]
-
-    #[test]
-    fn moving_the_parts_moves_the_whole(offset in vector(-5.0..5.0)) {
-        let parts = [lopsided(), moved(&NamedBody::Hammer.properties().unwrap(), &Vector3::new(1.0, 1.0, 2.0)).unwrap()];
-        let whole = moved(&together(&parts).unwrap(), &offset).unwrap();
-        let moved = parts.map(|p| moved(&p, &offset).unwrap());
-        assert_same("moved", &together(&moved).unwrap(), &whole, 1e-14, 10.0);
-    }
 
     // Independent: the definition, on four point masses turned one by one.
     #[test]

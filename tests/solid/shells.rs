@@ -1,6 +1,6 @@
 //! Shells that are turned and nested as the surface of a solid, and others.
 
-use super::cloud::vector;
+use super::shared::vector;
 use super::surface::{Surface, both, brick, cube, inside_out, solid, turned_and_carried, welded};
 use crate::common::{number_after, refused};
 use nalgebra::Vector3;

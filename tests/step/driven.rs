@@ -1,42 +1,12 @@
-//! Adaptive runs under torques: against a table of many digits, another engine, and what is conserved.
+//! Adaptive runs under torques: against another integrator and what is conserved. In `crates/measure`, scenes
+//! meet a table of many digits.
 
-use super::{adaptive, apart as off, spinning, start, under};
+use super::{adaptive, apart as off, spinning, under};
 use crate::common::refused;
 use nalgebra::{Matrix3, Matrix6, Quaternion, UnitQuaternion, Vector3};
-use serde_json::Value;
 use tumbling::exact::FreeMotion;
 use tumbling::step::{State, Stepper, System, Torque};
 use tumbling::{Body, ErrorKind, Inertia, PrincipalMoments};
-
-const TABLE: &str = include_str!("../../crates/measure/data/truth.json");
-
-fn digits<const N: usize>(list: &Value) -> [f64; N] {
-    std::array::from_fn(|i| list[i].as_f64().unwrap_or_else(|| list[i].as_str().unwrap().parse().unwrap()))
-}
-
-#[test]
-fn tops_and_a_damped_spin_end_where_sixty_digits_say() {
-    let table: Value = serde_json::from_str(TABLE).unwrap();
-    for name in ["heavy top", "sleeping top", "damped spin"] {
-        let stories = table["stories"].as_array().unwrap();
-        let story = stories.iter().find(|story| story["name"] == name).unwrap();
-        let vector = |key: &str| Vector3::from(digits::<3>(&story[key]));
-        let torques = match story["weight"].as_f64() {
-            Some(weight) => vec![Torque::gravity(&vector("arm"), weight)],
-            None => vec![Torque::Damping(vector("damping"))],
-        };
-        let system = under(vector("moments"), torques);
-        let start = start(&system, &vector("omega"));
-        let [w, x, y, z] = digits(&story["attitude"]);
-        let truth = State { attitude: Quaternion::new(w, x, y, z), momentum: vector("momentum") };
-        for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14] {
-            let mut left = 1000;
-            let end = adaptive(&system, &start, story["t"].as_f64().unwrap(), tolerance, &mut left).unwrap();
-            assert!(off(&end, &truth) < 100.0 * tolerance, "{name} {tolerance:e}: {:e}", off(&end, &truth));
-            assert!(left > 850, "{name} {tolerance:e}: {left}");
-        }
-    }
-}
 
 /// Amplitude, rate and phase: two of the same rate that rotate in the body; another rate; and a third.
 const PUSHES: [(Vector3<f64>, f64, f64); 4] = [

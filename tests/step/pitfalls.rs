@@ -19,23 +19,6 @@ fn strays(bodies: &[Body]) -> (f64, f64) {
 }
 
 proptest! {
-    #[test]
-    fn without_a_gyroscopic_term_the_spin_stays_and_the_momentum_wanders(q in attitude(), omega in generic_spin()) {
-        let body = start(&Vector3::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0), q, &omega);
-        let run = Engine::NoGyroscopicTerm.run(&body, 0.01, 600).unwrap();
-        let (energy, turn) = strays(&run);
-        prop_assert!((run[600].omega_body() - omega).norm() < 1e-9);
-        prop_assert!(energy < 1e-9 && turn > 0.01);
-    }
-
-    #[test]
-    fn momentum_taken_for_spin_points_the_spin_along_the_momentum(q in attitude(), omega in generic_spin()) {
-        let body = start(&Vector3::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0), q, &omega);
-        let shown = Engine::MomentumForSpin.run(&body, 0.01, 0).unwrap()[0];
-        prop_assert!(shown.omega_world().angle(&body.momentum_world()) < 1e-7);
-        prop_assert!(shown.omega_world().angle(&body.omega_world()) > 0.01);
-    }
-
     // The frozen tensor solves Euler's equations for the wrong axes: the world components of its spin are the
     // body components of the true one.
     #[test]

@@ -73,35 +73,31 @@ impl BodyModel {
         Ok(self.principal().moments().try_into()?)
     }
 
-    /// The box of uniform density with the same mass and tensor: its edges along the principal axes, smallest
-    /// moment first, m. `None` if the mass is not known.
-    ///
-    /// ```
-    /// use tumbling_bodies::BodyModel;
-    /// let even = BodyModel::from_toml("moments = [13, 5, 10]\nmass = 12", "".as_ref())?;
-    /// let edges = even.equivalent_box().unwrap();
-    /// assert!((edges - nalgebra::Vector3::new(3.0, 2.0, 1.0)).amax() < 1e-14);
-    /// # Ok::<(), tumbling_bodies::Error>(())
-    /// ```
-    #[must_use]
-    pub fn equivalent_box(&self) -> Option<Vector3<f64>> {
-        self.mass.map(|mass| self.even_box(mass))
-    }
-
+    /// The box of uniform density with this mass and the body's tensor: its edges along the principal axes,
+    /// smallest moment first, m.
     fn even_box(&self, mass: f64) -> Vector3<f64> {
         let moments = self.principal().moments();
         moments.map(|moment| (12.0 * (0.5 * moments.sum() - moment).max(0.0) / mass).sqrt())
     }
 
-    /// What is drawn, from the centre of mass: its own surfaces; else the [box](Self::equivalent_box) of the
+    /// What is drawn, from the centre of mass: its own surfaces; else the box of uniform density with the
     /// same mass and tensor; else a box with these proportions and a longest edge of 1.
+    ///
+    /// ```
+    /// use tumbling_bodies::BodyModel;
+    /// let even = BodyModel::from_toml("moments = [13, 5, 10]\nmass = 12", "".as_ref())?;
+    /// // Of 1 x 3 x 2 m.
+    /// let corner = even.drawn()[0].vertices[0].abs();
+    /// assert!((corner * 2.0 - nalgebra::Vector3::new(1.0, 3.0, 2.0)).amax() < 1e-14);
+    /// # Ok::<(), tumbling_bodies::Error>(())
+    /// ```
     #[must_use]
     pub fn drawn(&self) -> Vec<Surface> {
         if !self.surfaces.is_empty() {
             return self.surfaces.iter().map(|surface| surface.mapped(|p| p - self.centre)).collect();
         }
         let of_mass_one = || self.even_box(1.0) / self.even_box(1.0).max();
-        let edges = self.equivalent_box().unwrap_or_else(of_mass_one);
+        let edges = self.mass.map_or_else(of_mass_one, |mass| self.even_box(mass));
         let frame: Matrix3<f64> = self.principal().frame();
         vec![Surface::cuboid(&edges).mapped(|p| frame * p)]
     }

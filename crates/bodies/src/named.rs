@@ -102,23 +102,6 @@ impl BodyModel {
         file::read(text, &Files::new(folder, &Left::default())).map(urdf::asked)
     }
 
-    /// From the text of a URDF file: the link of this name, or the only one with an `<inertial>` element.
-    ///
-    /// # Errors
-    /// The line and the rule that it breaks.
-    ///
-    /// ```
-    /// use tumbling_bodies::BodyModel;
-    /// let link = "<link name='arm'><inertial><origin xyz='0 0 0.1' rpy='0 0 0'/><mass value='2'/>\
-    ///     <inertia ixx='0.02' ixy='0' ixz='0' iyy='0.03' iyz='0' izz='0.04'/></inertial></link>";
-    /// let arm = BodyModel::from_urdf(link, None)?;
-    /// assert_eq!((arm.name.as_str(), arm.mass, arm.centre.z), ("arm", Some(2.0), 0.1));
-    /// # Ok::<(), tumbling_bodies::Error>(())
-    /// ```
-    pub fn from_urdf(text: &str, link: Option<&str>) -> Result<Self, Error> {
-        urdf::read(text, link, Path::new(""), 0.0)?.ready().map(urdf::asked)
-    }
-
     /// Refuses an ideal rod, since its momentum does not determine its spin about its own axis.
     pub(crate) fn ready(self) -> Result<Self, Error> {
         self.inertia.inverse()?;

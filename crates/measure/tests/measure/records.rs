@@ -4,35 +4,6 @@ use tumbling_measure::contestant::Group;
 use tumbling_measure::record::{Long, Record, Work, short};
 use tumbling_measure::verdict::{kind, seconds_at, side_by_side};
 
-#[test]
-fn what_is_written_reads_back() {
-    let base = Work {
-        story: "box".into(),
-        contestant: "one, or another".into(),
-        group: "neither".into(),
-        setting: "1234 steps".into(),
-        steps: Some(1234),
-        seconds: Some(short(1.500_04e-3)),
-        spread: None,
-        phase: None,
-        attitude: Some(1e-9),
-        energy: Some(0.0),
-        momentum: None,
-        direction: None,
-        outcome: "refused: no, it does not \"find\" its end".into(),
-    };
-    let rows = vec![base.clone(), Work { setting: String::new(), outcome: "right".into(), ..base }];
-    let record = Record { head: vec![("machine".into(), "one: two cores".into())], rows };
-    let written = record.write().unwrap();
-    assert_eq!(Record::<Work>::read(&written).unwrap(), record);
-    assert_eq!(record.said("machine"), Some("one: two cores"));
-    assert_eq!((record.rows[0].seconds, record.rows[0].right()), (Some(1.5e-3), false));
-    assert_eq!((record.rows[0].equal_steps(), record.rows[1].equal_steps()), (Some(1234), None));
-    assert!(record.rows[1].right());
-    assert!(Record::<Work>::read(&written.replace(",1234,", ",many,")).is_err());
-    assert!(Record::<Long>::read(&written).is_err());
-}
-
 fn rung(steps: u64, seconds: f64, attitude: f64) -> Work {
     Work {
         story: "box".into(),
