@@ -25,6 +25,7 @@ use num_traits::Float as _;
 use series::Variation;
 
 pub(super) use dense::{AdaptiveRun, Tracked};
+pub(super) use law::{Circle, turned};
 
 /// Checks that the tolerance of a step is above rounding.
 pub(super) fn check_tolerance(tolerance: f64) -> Result<(), Error> {
@@ -111,27 +112,44 @@ impl Run {
         self.goal - self.time
     }
 
-    /// A step of about `h` seconds that does not pass the end of the run, and whether it reaches that end.
-    fn fitted(&self, h: f64) -> Result<(f64, bool), Error> {
+    /// A step of about `h` seconds that does not pass the end of the run, and the time at its end. Under
+    /// torques the step is the difference of the times, so that what rounding takes of them does not add up.
+    fn fitted(&self, h: f64) -> Result<(f64, f64), Error> {
         let remaining = self.duration - self.time;
-        if remaining.abs() <= h.abs() {
-            return Ok((remaining, true));
-        }
-        if self.time + h == self.time || h.is_nan() {
+        let next = if remaining.abs() <= h.abs() { self.duration } else { self.time + h };
+        if next == self.time || h.is_nan() {
             return Err(self.no_step(h));
         }
-        Ok((h, false))
+        // A free body has no phase to lose.
+        let free = self.system.is_free() && next != self.duration;
+        Ok((if free { h } else { next - self.time }, next))
     }
 
-    /// Takes a step of `h` seconds.
-    fn take(&mut self, end: State<f64>, h: f64, last: bool) {
-        (self.state, self.last) = (end, h);
+    /// The system and its time at the start of a step. Phases are counted from there, so that stages within
+    /// the step do not take them from a rounded time.
+    fn now(&self) -> (Arc<System<f64>>, f64) {
+        let sum = &self.system.sum;
+        if sum.periodic.is_empty() && sum.gradients.is_empty() {
+            return (Arc::clone(&self.system), self.time);
+        }
+        let torques = self.system.torques().iter().map(|torque| torque.starting_at(self.time)).collect();
+        (Arc::new(System::of_numbers(*self.system.moments(), torques)), 0.0)
+    }
+
+    /// Takes a step of `h` seconds to the time `next`.
+    fn take(&mut self, end: State<f64>, h: f64, next: f64) {
+        (self.state, self.last, self.time) = (end, h, next);
         self.steps += 1;
-        self.time = if last { self.duration } else { self.time + h };
     }
 
-    /// Restores the constant lengths of attitude and momentum; returns the relative deviation before.
+    /// Restores the constant lengths of attitude and momentum; returns the relative deviation before. A
+    /// component of the momentum below the normal numbers becomes zero.
     fn project(&self, end: &mut State<f64>) -> f64 {
+        end.momentum.apply(|x| {
+            if x.abs() > 0.0 && x.abs() < f64::MIN_POSITIVE {
+                *x = 0.0;
+            }
+        });
         let attitude = normalize(&mut end.attitude) - 1.0;
         if self.momentum == 0.0 {
             return attitude.abs();
@@ -170,15 +188,9 @@ impl Run {
     }
 
     fn unfinished(&self, why: &'static str) -> Error {
-        let steps = self.steps + self.rejected;
-        Refusal::Unfinished {
-            what: Subject::AdaptiveRun,
-            steps,
-            reached: self.from + self.time,
-            duration: self.from + self.goal,
-            why,
-        }
-        .into()
+        let (what, steps) = (Subject::AdaptiveRun, self.steps + self.rejected);
+        let [reached, duration] = [self.time, self.goal].map(|time| self.from + time);
+        Refusal::Unfinished { what, steps, reached, duration, why }.into()
     }
 }
 

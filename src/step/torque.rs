@@ -6,6 +6,8 @@ mod named;
 use crate::error::{Error, Refusal, Subject, finite, finite_vector, not_negative};
 use crate::inertia::Frame;
 use crate::number::Analytic;
+use crate::number::functions::atan2;
+use crate::step::adaptive::{Circle, turned};
 use alloc::boxed::Box;
 use alloc::sync::Arc;
 use core::fmt;
@@ -113,11 +115,9 @@ impl<T: nalgebra::Scalar> Torque<T> {
     /// and attitude are constant during each half kick, and the spin follows the explicit midpoint rule: it
     /// has order two, and is reversible if the function does not depend on the spin.
     ///
-    /// The time is rounded, at 1e9 s to 1e-7 s. An adaptive run takes that for an error if the torque changes
-    /// fast: it makes short steps, or refuses. For a [`Periodic`](Self::Periodic) torque and for an orbit a
-    /// run by series rounds only the time since it began, or since the last start or end of a
-    /// [`During`](Self::During); beside a function, and under damping far faster than the motion, it rounds
-    /// the whole time.
+    /// The time is rounded, at 1e9 s to 1e-7 s. An adaptive run takes that for an error if the function
+    /// changes fast: it makes short steps, or refuses. The phases of [`Periodic`](Self::Periodic) torques and
+    /// of orbits do not suffer from it: the run takes them from the exact product of rate and time.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};
@@ -231,6 +231,24 @@ impl Torque<f64> {
                 torque.validate()
             }
             Self::Function(_) => Ok(()),
+        }
+    }
+
+    /// The torque as it is for a run that begins at a time and counts its own from there.
+    pub(crate) fn starting_at(&self, start: f64) -> Self {
+        match self.clone() {
+            same if start == 0.0 => same,
+            Self::Function(TorqueFunction(law)) => {
+                Self::function(move |time, rotation, omega| law(time + start, rotation, omega))
+            }
+            Self::Periodic { amplitude, rate, phase } => {
+                let (sine, cosine) = turned(phase, rate, start);
+                Self::Periodic { amplitude, rate, phase: atan2(sine, cosine) }
+            }
+            Self::GravityGradient { strength, direction, orbit } => {
+                Self::GravityGradient { strength, direction: Circle::of(&direction, &orbit).at(start), orbit }
+            }
+            same => same,
         }
     }
 

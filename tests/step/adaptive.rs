@@ -81,6 +81,29 @@ fn torques_of_late_times_take_as_many_steps_as_those_of_early_ones() {
     assert!(steps.collect::<std::collections::HashSet<_>>().len() == 1, "one number of steps");
 }
 
+/// From rest about a principal axis the momentum is the motor's impulse, or what is left of it by a decay of
+/// a thousandth of a second. By series, by the pair and by collocation.
+#[test]
+fn a_motor_keeps_its_phase_for_long_and_from_late_whatever_acts_beside_it() {
+    let (nothing, damping) =
+        (Torque::InBody(Vector3::zeros()), Torque::Damping(Vector3::new(2e3, 1e3, 2.6e3)));
+    let function = Torque::function(|_, _, _| Vector3::zeros());
+    let soon = [(&nothing, 0.0, 1e4, 40_000, 1e-12), (&function, 0.0, 1e3, 40_000, 1e-13)];
+    let late = [(&function, 1e9, 20.0, 1_000, 1e-14), (&damping, 1e9, 20.0, 100, 1e-16)];
+    for (other, from, time, most, bound) in [soon, late].concat() {
+        // The phase is zero when the motor begins.
+        let phase = if from == 0.0 { 0.0 } else { 2.24141734266989 };
+        let motor = Torque::Periodic { amplitude: Vector3::z() * 0.7, rate: 7.0, phase };
+        let both = [motor, other.clone()].map(|torque| Torque::during(from, 2e9, torque)).into();
+        let (system, mut left) = (under(Vector3::new(1.0, 2.0, 2.6), both), most);
+        let rest = start(&system, &Vector3::zeros());
+        let end = adaptive(&system, &rest, from + time, 1e-13, &mut left).unwrap().momentum.z;
+        let ((sine, cosine), damped) = (f64::sin_cos(7.0 * time), *other == damping);
+        let truth = if damped { 0.7 * (1e3 * cosine + 7.0 * sine) / 1_000_049.0 } else { 0.1 * sine };
+        assert!((end - truth).abs() < bound, "{other:?} from {from:e} s: {:e}", end - truth);
+    }
+}
+
 #[test]
 fn a_body_at_rest_is_set_turning_by_a_torque_that_comes_later() {
     // About a principal axis the spin is the torque's integral over the moment.

@@ -56,8 +56,7 @@ proptest! {
             let time = end * f64::from(frame) / f64::from(frames);
             let state = run.step_to(time).unwrap();
             if frame == frames / 2 {
-                let mut budget = 20_000;
-                let there = adaptive(&system, &start, time, 1e-2 * tolerance, &mut budget).unwrap();
+                let there = adaptive(&system, &start, time, 1e-2 * tolerance, &mut 20_000).unwrap();
                 let steps = f64::from(20_000 - alone as u32);
                 prop_assert!(off(&state, &there) < 30.0 * tolerance * steps, "{:e}", off(&state, &there));
             }

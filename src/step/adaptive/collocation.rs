@@ -106,14 +106,9 @@ impl Collocation {
         let order = self.radau.nodes.len() as f64 + 1.0;
         let tolerance = run.tolerance.max(32.0 * f64::EPSILON);
         for _ in 0..TRIES {
-            let (h, last) = run.fitted(self.next)?;
+            let (h, next) = run.fitted(self.next)?;
             let error = if self.solve(run, h) { self.error(run) } else { f64::NAN };
             let mut end = self.states[0];
-            end.momentum.apply(|x| {
-                if x.abs() < f64::MIN_POSITIVE {
-                    *x = 0.0;
-                }
-            });
             let error = largest(&[error, run.project(&mut end)]) / tolerance;
             // As usual: aim a little below the tolerance, and keep the change of the step within bounds.
             let factor = exp(-logarithm(2.0 * error) / order).clamp(0.2, 4.0);
@@ -121,7 +116,7 @@ impl Collocation {
             if error <= 1.0 {
                 self.length = h;
                 run.count_stiffness(largest(self.decay.as_slice()) * h / DEARER);
-                run.take(end, h, last);
+                run.take(end, h, next);
                 return Ok(());
             }
             run.rejected += 1;
@@ -131,7 +126,7 @@ impl Collocation {
 
     /// The states at the nodes of a step of `h` seconds; whether they were found.
     fn solve(&mut self, run: &Run, h: f64) -> bool {
-        let start = run.state;
+        let (start, (system, time)) = (run.state, run.now());
         let weights = Weights::new(&self.radau, &self.decay, h);
         self.states.fill(start);
         let unit = largest(start.momentum.as_slice()).max(f64::MIN_POSITIVE / run.tolerance);
@@ -140,7 +135,7 @@ impl Collocation {
         let mut before = [0.0; 2];
         for round in 0..ROUNDS {
             for ((rate, state), node) in self.rates.iter_mut().zip(&self.states).zip(&self.radau.nodes) {
-                *rate = run.system.rate_after(state, &(run.time + node * h));
+                *rate = system.rate_after(state, &(time + node * h));
                 for (i, decay) in weights.decay.iter().enumerate() {
                     rate.momentum[i] += *decay * state.momentum[i];
                 }
@@ -173,14 +168,10 @@ impl Collocation {
             .max(largest(self.states[0].momentum.as_slice()))
             .max(f64::MIN_POSITIVE / run.tolerance);
         let size = |order: usize| {
-            let none =
-                Rate { attitude: Quaternion::from_vector(Vector4::zeros()), momentum: Vector3::zeros() };
-            let sum =
-                self.radau.coefficients[order].iter().zip(&self.states).fold(none, |sum, (c, state)| {
-                    let state = Rate { attitude: state.attitude, momentum: state.momentum };
-                    sum.plus(&state, *c)
-                });
-            largest(&[largest(sum.attitude.coords.as_slice()), largest(sum.momentum.as_slice()) / unit])
+            let row = || self.radau.coefficients[order].iter().zip(&self.states);
+            let attitude: Vector4<f64> = row().map(|(c, state)| state.attitude.coords * *c).sum();
+            let momentum: Vector3<f64> = row().map(|(c, state)| state.momentum * *c).sum();
+            largest(&[largest(attitude.as_slice()), largest(momentum.as_slice()) / unit])
         };
         let count = self.radau.nodes.len();
         let [most, before] = [count - 1, count - 3].map(|order| largest(&[size(order), size(order - 1)]));

@@ -128,7 +128,7 @@ impl AdaptiveRun {
         run.from = self.until;
         (run.steps, run.rejected) = (self.run.steps, self.run.rejected);
         run.variation = self.run.variation.take();
-        run.flips = self.run.flips.clone().map(|flips| flips.later(self.until - self.run.from));
+        run.flips = self.run.flips.clone();
         self.steps = Steps::new(&run)?;
         (self.run, self.until) = (run, next);
         self.before = (self.run.state, 0.0);
@@ -182,9 +182,10 @@ impl AdaptiveRun {
 }
 
 /// The system under the torques that act from the time `from` to the next switch on the way to `end`, s after
-/// the start of a run; and the time of this switch, or the end.
+/// the start of a run; and the time of this switch, or the end. The system's own time is zero at `from`.
 fn piece(system: &Arc<System<f64>>, from: f64, end: f64) -> (Arc<System<f64>>, f64) {
-    if !system.torques().iter().any(|torque| matches!(torque, Torque::During { .. })) {
+    let timed = system.torques().iter().any(|torque| matches!(torque, Torque::During { .. }));
+    if !timed && system.time == 0.0 {
         return (Arc::clone(system), end);
     }
     let until = next_switch(system, from, end);
@@ -219,12 +220,10 @@ fn acting(system: &System<f64>, from: f64, until: f64) -> System<f64> {
         .iter()
         .filter_map(|torque| {
             let (torque, [start, end]) = window(system, torque);
-            (start <= first && last <= end).then(|| torque.clone())
+            (start <= first && last <= end).then(|| torque.starting_at(system.time).starting_at(from))
         })
         .collect();
-    let mut piece = System::of_numbers(*system.moments(), torques);
-    piece.set_time(system.time + from);
-    piece
+    System::of_numbers(*system.moments(), torques)
 }
 
 /// The number of stiff steps after which damping is solved for.

@@ -20,8 +20,6 @@ pub(super) struct Flips {
     pub(super) axis: usize,
     /// The sign at the end of the last step, or zero if it is not known yet.
     sign: f64,
-    /// The start of the current piece of the run, s.
-    from: f64,
     /// The last flip found, s after the start of the run.
     last: Option<f64>,
     found: Vec<f64>,
@@ -32,7 +30,7 @@ impl Flips {
     pub(super) fn new(system: &System<f64>, start: &State<f64>, before: f64) -> Self {
         let [_, axis, _] = ascending(system.moments());
         let sign = if before == 0.0 { sign(start.momentum[axis]) } else { before };
-        Self { axis, sign, from: 0.0, last: None, found: Vec::new() }
+        Self { axis, sign, last: None, found: Vec::new() }
     }
 
     /// Removes and returns the flips before a time (s after the start of the run, which may run backward),
@@ -45,20 +43,14 @@ impl Flips {
         (core::mem::replace(&mut self.found, later), sign)
     }
 
-    /// The next piece of the run begins `duration` seconds later.
-    pub(super) fn later(mut self, duration: f64) -> Self {
-        self.from += duration;
-        self
-    }
-
     fn push(&mut self, time: f64) {
         self.found.push(time);
         self.last = Some(time);
     }
 
-    /// Looks for flips in a step of `length` units from `time`, where the spin has these coefficients.
-    pub(super) fn find(&mut self, coefficients: &[f64], length: f64, time: f64, unit: f64) {
-        let start = self.from + time;
+    /// Looks for flips in a step of `length` units from `start` (s after the start of the run), where the
+    /// spin has these coefficients.
+    pub(super) fn find(&mut self, coefficients: &[f64], length: f64, start: f64, unit: f64) {
         let mut scaled = [0.0; MOST + 1];
         let mut power = 1.0;
         for (term, c) in scaled.iter_mut().zip(coefficients) {
@@ -210,7 +202,7 @@ mod tests {
     #[test]
     fn a_flip_where_two_steps_meet_is_found_once_and_two_a_little_apart_are_two() {
         let found = |last: f64, coefficients: &[f64]| {
-            let mut flips = Flips { axis: 1, sign: 1.0, from: 0.0, last: Some(last), found: Vec::new() };
+            let mut flips = Flips { axis: 1, sign: 1.0, last: Some(last), found: Vec::new() };
             flips.find(coefficients, 1.0, 10.0, 2.0);
             flips.found
         };

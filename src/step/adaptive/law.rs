@@ -4,15 +4,14 @@ use super::sums::{Lanes, lanes};
 use super::{largest, ratio};
 use crate::number::{DoubleDouble, exponent, functions::sin_cos, times_power_of_two};
 use crate::step::system::System;
-use crate::step::torques::{Gradient, Periodic, WorldVector};
+use crate::step::torques::{Periodic, WorldVector};
 use alloc::vec::Vec;
 use nalgebra::Vector3;
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
 /// Angular acceleration as a function of spin, attitude and time, in one unit of time. Every term is a
-/// polynomial or periodic. The rows have the layout of the series. Time is counted from the system's time,
-/// so that phases keep their digits at late times.
+/// polynomial or periodic. The rows have the layout of the series.
 #[derive(Debug, Clone)]
 pub(super) struct Law {
     /// `(I2 - I3) / I1` and so on round.
@@ -51,7 +50,11 @@ impl Law {
             gradients: sum
                 .gradients
                 .iter()
-                .map(|one| GradientLaw::new(one, coupling, unit, system.time))
+                .map(|one| GradientLaw {
+                    acceleration: lanes(coupling.map(|x| x * (one.strength * unit * unit))),
+                    orbit: one.orbit.map(|x| x * unit),
+                    circle: Circle::of(&one.direction, &one.orbit),
+                })
                 .collect(),
             world: sum
                 .world
@@ -66,13 +69,13 @@ impl Law {
         };
         for torque in &sum.periodic {
             let acceleration = torque.amplitude.component_mul(inverse).map(squared);
-            law.add_periodic(torque, &lanes(acceleration.into()), unit, system.time);
+            law.add_periodic(torque, &lanes(acceleration.into()), unit);
         }
         Some(law)
     }
 
-    fn add_periodic(&mut self, torque: &Periodic<f64>, acceleration: &Lanes, unit: f64, start: f64) {
-        let (sine, cosine) = turned(torque.phase, torque.rate, start);
+    fn add_periodic(&mut self, torque: &Periodic<f64>, acceleration: &Lanes, unit: f64) {
+        let (sine, cosine) = sin_cos(torque.phase);
         let (cosine, sine) = (acceleration.map(|x| x * cosine), acceleration.map(|x| -(x * sine)));
         if let Some(one) = self.periodic.iter_mut().find(|one| one.rate == torque.rate) {
             for i in 0..4 {
@@ -88,7 +91,7 @@ impl Law {
 
 /// Sine and cosine of a phase that grows at `rate` (rad/s) for `time` (s): the product of the two is exact,
 /// so that many turns cost no digits.
-fn turned(phase: f64, rate: f64, time: f64) -> (f64, f64) {
+pub(in crate::step) fn turned(phase: f64, rate: f64, time: f64) -> (f64, f64) {
     let angle = DoubleDouble::product(rate, time);
     let [(p, q), (s, c), (t, d)] = [phase, angle.hi(), angle.lo()].map(sin_cos);
     let (s, c) = (s * d + c * t, c * d - s * t);
@@ -99,9 +102,7 @@ fn turned(phase: f64, rate: f64, time: f64) -> (f64, f64) {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rates {
     /// A bound on the angular acceleration by torques that do not depend on the spin, rad/s².
-    acceleration: f64,
-    /// A bound on these torques, N m.
-    pub(super) torque: f64,
+    pub(super) acceleration: f64,
     /// The rate of the fastest orbit or periodic torque, rad/s.
     driving: f64,
     /// The fastest decay by damping, 1/s.
@@ -127,7 +128,6 @@ impl Rates {
         let inverse = system.inverse.map(|x| x.abs());
         Self {
             acceleration,
-            torque: acceleration * largest(system.moments().as_slice()),
             driving: periodic.map(|one| one.rate.abs()).chain(orbits).fold(0.0, f64::max),
             damping: law.decay.map_or(0.0, |decay| largest(&decay)),
             dissipation: sum.dissipation.abs() * (inverse.max() - inverse.min()),
@@ -158,7 +158,7 @@ pub(super) struct WorldLaw {
 }
 
 /// The effect of periodic torques of one rate: the angular acceleration by the cosine and by the sine of rate
-/// times time since the system's time.
+/// times time.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PeriodicLaw {
     /// rad/s.
@@ -177,46 +177,46 @@ pub(super) struct DissipationLaw {
     pub(super) acceleration: Lanes,
 }
 
-/// The effect of the gravity gradient. The direction to the attracting body turns in the world at a fixed
-/// rate.
+/// The effect of the gravity gradient.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct GradientLaw {
     /// For each product of two components of the direction, with the opposite sign.
     pub(super) acceleration: Lanes,
     /// In world axes.
     pub(super) orbit: Vector3<f64>,
-    /// Its length, with the sign of its largest component, rad/s.
-    rate: f64,
-    /// The direction's part along the orbit's axis, in world axes.
+    /// The direction to the attracting body.
+    pub(super) circle: Circle,
+}
+
+/// A direction that turns in the world at a fixed rate.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::step) struct Circle {
+    /// rad/s.
+    rate: DoubleDouble,
+    /// The direction's part along the axis.
     along: Vector3<f64>,
-    /// The perpendicular part, at the system's time and a quarter of a turn later.
+    /// The perpendicular part, at time zero and a quarter of a turn later.
     across: [Vector3<f64>; 2],
 }
 
-impl GradientLaw {
-    fn new(gradient: &Gradient<f64>, coupling: [f64; 3], unit: f64, start: f64) -> Self {
-        let Gradient { direction, orbit, strength } = gradient;
-        let acceleration = lanes(coupling.map(|x| x * (*strength * unit * unit)));
+impl Circle {
+    pub(in crate::step) fn of(direction: &Vector3<f64>, orbit: &Vector3<f64>) -> Self {
         // Divided by a power of two, so that no square overflows or underflows. Late angles need the length
         // in two numbers.
         let scale = exponent(largest(orbit.as_slice()));
         let part = orbit.map(|x| times_power_of_two(x, -scale));
         let [x, y, z]: [_; 3] = part.map(|x| DoubleDouble::product(x, x)).into();
         let length = (x + y + z).sqrt();
-        let [rate, rest] = [length.hi(), length.lo()].map(|x| times_power_of_two(x, scale));
         let axis = part.map(|x| ratio(x, length.hi()));
         let ahead = axis.cross(direction);
         let across = ahead.cross(&axis);
-        let (sine, cosine) = turned(rest * start, rate, start);
-        let (along, orbit) = (direction - across, orbit.map(|x| x * unit));
-        let across = [across * cosine + ahead * sine, ahead * cosine - across * sine];
-        Self { acceleration, orbit, rate, along, across }
+        Self { rate: length.scaled(scale), along: direction - across, across: [across, ahead] }
     }
 
-    /// The direction at a time (s after the system's), in world axes.
-    pub(super) fn direction_at(&self, time: f64) -> Vector3<f64> {
-        let Self { rate, along, across: [across, ahead], .. } = self;
-        let (sine, cosine) = sin_cos(*rate * time);
+    /// The direction at a time, s.
+    pub(in crate::step) fn at(&self, time: f64) -> Vector3<f64> {
+        let Self { rate, along, across: [across, ahead] } = self;
+        let (sine, cosine) = turned(rate.lo() * time, rate.hi(), time);
         Vector3::from_fn(|i, _| along[i] + across[i] * cosine + ahead[i] * sine)
     }
 }

@@ -46,12 +46,13 @@ fn difference(a: &State<f64>, b: &State<f64>) -> State<f64> {
 
 impl Pair {
     pub(super) fn new(run: &Run) -> Result<Self, Error> {
-        let rate = run.system.rate_after(&run.state, &run.time);
+        let (system, time) = run.now();
+        let rate = system.rate_after(&run.state, &time);
         let size = largest(&[largest(rate.attitude.coords.as_slice()), largest(rate.momentum.as_slice())]);
         representable(Subject::RateAtStart, &[size])?;
         // The first guess uses the rate of turn, and the rate that a torque would cause. If it is too long,
         // the error estimate rejects it.
-        let torque = largest(run.system.torque_after(&run.state, &run.time).as_slice());
+        let torque = largest(system.torque_after(&run.state, &time).as_slice());
         let turning =
             ratio(largest(rate.attitude.coords.as_slice()), largest(run.state.attitude.coords.as_slice()));
         let turning_rate = (2.0 * turning).max((torque * largest(run.system.inverse.as_slice())).sqrt());
@@ -68,8 +69,7 @@ impl Pair {
     fn error(&self, run: &Run, end: &State<f64>, h: f64) -> f64 {
         let nothing = difference(end, end);
         let by = |weights: Weights| combined(&nothing, &self.rates, weights, h);
-        let (fifth, whole, third) = (by(FIFTH), by(STEP), by(THIRD));
-        let third = difference(&whole, &third);
+        let (fifth, third) = (by(FIFTH), difference(&by(STEP), &by(THIRD)));
         let [fifth, third] = [&fifth, &third].map(|off| self.relative(run, off, end, h));
         // By a power of two, so that no square leaves the range.
         let unit = -exponent(largest(&[fifth, third]));
@@ -104,15 +104,15 @@ impl Pair {
 
     /// Tries one step, and accepts it if its error is within the tolerance.
     pub(super) fn advance(&mut self, run: &mut Run) -> Result<(), Error> {
-        let (h, last) = run.fitted(self.h)?;
-        let mut near = run.state;
+        let (h, next) = run.fitted(self.h)?;
+        let (mut near, (system, time)) = (run.state, run.now());
         for (k, (node, weights)) in STAGES.iter().enumerate() {
             near = combined(&run.state, &self.rates, weights, h);
-            self.rates[k + 1] = run.system.rate_after(&near, &(run.time + node * h));
+            self.rates[k + 1] = system.rate_after(&near, &(time + node * h));
         }
         let mut end = combined(&run.state, &self.rates, STEP, h);
         let stretched = run.project(&mut end);
-        let end_rate = run.system.rate_after(&end, &(run.time + h));
+        let end_rate = system.rate_after(&end, &(time + h));
         let size =
             largest(&[largest(end_rate.attitude.coords.as_slice()), largest(end_rate.momentum.as_slice())]);
         let mut error = largest(&[self.error(run, &end, h), stretched]) / run.tolerance;
@@ -128,7 +128,7 @@ impl Pair {
         if error <= 1.0 {
             run.count_stiffness(decay);
             self.first = core::mem::replace(&mut self.rates[0], end_rate);
-            run.take(end, h, last);
+            run.take(end, h, next);
         } else {
             run.rejected += 1;
         }

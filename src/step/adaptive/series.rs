@@ -7,12 +7,11 @@
 mod tests;
 mod variation;
 
-use super::law::{DissipationLaw, GradientLaw, Law, WorldLaw};
+use super::law::{DissipationLaw, GradientLaw, Law, WorldLaw, turned};
 use super::sums::{
     Coefficients, Lanes, across, across_sums, add_scaled, lanes, own_sums, pairs, scaled, sums, turn,
 };
 use crate::attitude::rotate_inverse;
-use crate::number::functions::sin_cos;
 use alloc::boxed::Box;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -94,12 +93,12 @@ impl<const N: usize> Series<N> {
             rows[0] = in_body(&one.vector);
         }
         for (now, one) in self.periodic.iter_mut().zip(&law.periodic) {
-            let (sine, cosine) = sin_cos(one.rate * time);
+            let (sine, cosine) = turned(0.0, one.rate, time);
             *now = [cosine, sine];
         }
         for (own, gradient) in self.gradients.iter_mut().zip(&law.gradients) {
             own.orbit[0] = in_body(&gradient.orbit);
-            own.direction.set(0, in_body(&gradient.direction_at(time)));
+            own.direction.set(0, in_body(&gradient.circle.at(time)));
         }
     }
 

@@ -62,12 +62,6 @@ impl Taylor {
         both.map_or(0.0, |(own, next)| own.off(&next.coefficient(1), &rate))
     }
 
-    /// The change of the momentum by the torques in one unit of time, times the unit.
-    fn gained(&self, run: &Run) -> [f64; 3] {
-        let torque = self.next.torque(&self.law);
-        core::array::from_fn(|i| torque[i] * run.system.moments()[i])
-    }
-
     /// Computes the coefficients about the current state; returns the longest step, in units, that keeps the
     /// last terms below the tolerance.
     fn fill(&mut self, weights: &[f64; 3], left: f64, tolerance: f64) -> f64 {
@@ -103,11 +97,6 @@ impl Taylor {
     fn end(&mut self, run: &Run, x: f64, time: f64, scale: f64) -> (State<f64>, f64) {
         let [q, w, dq, dw] = self.series.at(x);
         let mut end = self.moved(run, &run.state, &q, &w);
-        end.momentum.apply(|x| {
-            if x.abs() > 0.0 && x.abs() < f64::MIN_POSITIVE {
-                *x = 0.0;
-            }
-        });
         let stretched = run.project(&mut end);
         let per = 1.0 / self.unit;
         self.begin(run, &end, time);
@@ -144,8 +133,11 @@ impl Taylor {
     /// their remaining sum is rounding.
     fn scale(&self, run: &Run, unit: f64) -> (bool, f64) {
         let least = f64::MIN_POSITIVE / run.tolerance;
-        let held = largest(run.state.momentum.as_slice()) + largest(&self.gained(run)) / unit;
-        let rounding = self.rates.torque * unit * 8.0 * f64::EPSILON / run.tolerance;
+        let (torque, moments) = (self.next.torque(&self.law), run.system.moments());
+        let gained: [f64; 3] = core::array::from_fn(|i| torque[i] * moments[i]);
+        let held = largest(run.state.momentum.as_slice()) + largest(&gained) / unit;
+        let rounding =
+            self.rates.acceleration * largest(moments.as_slice()) * unit * 8.0 * f64::EPSILON / run.tolerance;
         (held > least, held.max(least).max(rounding))
     }
 
@@ -189,17 +181,16 @@ impl Taylor {
             x = run.ahead().abs() / unit;
         }
         for _ in 0..TRIES {
-            let (h, last) = run.fitted((x * unit).copysign(remaining))?;
-            let signed = if last { left } else { x }.copysign(remaining);
-            let until = if last { run.duration } else { run.time + h };
-            let (end, error) = self.end(run, signed, until, scale);
+            let (h, next) = run.fitted((x * unit).copysign(remaining))?;
+            let signed = h / unit;
+            let (end, error) = self.end(run, signed, next, scale);
             if error <= run.tolerance.max(32.0 * f64::EPSILON) {
                 run.count_stiffness(if moves { decay * h.abs() } else { 0.0 });
                 if let Some(flips) = &mut run.flips {
                     let spin = self.series.spin(flips.axis);
-                    flips.find(&spin[..=self.series.order], signed, run.time, unit);
+                    flips.find(&spin[..=self.series.order], signed, run.from + run.time, unit);
                 }
-                run.take(end, h, last);
+                run.take(end, h, next);
                 if let (Some(variation), Some(variations)) = (&mut run.variation, &self.next.variations) {
                     **variation = in_units(&variations.coefficient(0), 1.0 / self.unit);
                 }
