@@ -68,8 +68,7 @@ pub(crate) fn read(text: &str) -> Result<Code, Fault> {
     if let Some(e) = reader.fault {
         return Err(fault(&e));
     }
-    let floats = laundering(tokens.clone()).into_iter();
-    reader.code.hollow.extend(floats.map(|(line, found)| (line, found, EXACT)));
+    reader.code.hollow.extend(laundering(tokens.clone()).into_iter().map(|(at, what)| (at, what, EXACT)));
     let mut literals = Vec::new();
     reader.literals(tokens, &mut literals);
     let mut comments = comments(text, &literals);
@@ -219,7 +218,9 @@ impl<'a> Reader<'a> {
             Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => {
                 let at = self.literal(text.span());
                 let phrase = Phrase::new(&text.value(), true, at.line, certainty);
-                let negates = DENIALS.iter().any(|words| phrase.text.contains(words));
+                let said = phrase.text.to_lowercase();
+                // With a colon it is what a program prints.
+                let negates = !said.contains(':') && DENIALS.iter().any(|words| said.contains(words));
                 if digits::plain(&phrase.text).is_empty() && !negates {
                     self.code.answers.push(phrase.text);
                 } else {
@@ -264,7 +265,7 @@ impl<'a> Reader<'a> {
 }
 
 /// Negations: if the text loses such a string, the guard notices.
-const DENIALS: [&str; 4] = ["does not", "do not", "it is not", "never "];
+const DENIALS: [&str; 8] = [" not", "never ", "no ", "none ", "only ", "neither ", "nothing ", "nobody "];
 /// The requirement on an assertion.
 const COMPUTED: &str = "a computed value compared with what it must be";
 /// The permitted sources of exact numbers.
