@@ -37,7 +37,7 @@ impl Phrase {
         self.text.starts_with('|')
     }
 
-    /// Whether it has no number: a denial, which may stand anywhere in the section, in a figure's words too.
+    /// Whether it has no number: then it may stand anywhere in the section, in a figure's words too.
     pub(super) fn is_words(&self) -> bool {
         digits::plain(&self.text).is_empty()
     }
