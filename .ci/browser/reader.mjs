@@ -83,7 +83,8 @@ export async function search(page, base, fault) {
   const where = `search, ${base.slice(0, 4)}`;
   const words = [["book", /highlight=book/], ["gyroscopic", /eulers|pitfalls|stepping|break|glossary/], ["R I R^T", /body-and-world/], ["tennis racket", /index|introduction|dzhanibekov|toss/], ["separatrix", /dzhanibekov/], ["coin", /coin/],
     ["inertia tensor", /matrix-mass/], ["polhode", /dzhanibekov/], ["quaternion", /notation/], ["momentum", /matrix-mass/], ["parallel axis", /principal-axes/], ["theta function", /closed-form/], ["energy", /eulers/], ["gap", /two-arrows/], ["slip", /eulers/], ["flip", /dzhanibekov|toss/], ["torque", /eulers/],
-    ["precession", /a-top/], ["nutation", /a-top/], ["principal axes", /principal-axes/], ["moment of inertia", /matrix-mass/], ["Coriolis", /why/], ["hammer", /principal-axes/], ["Feynman", /coin/], ["middle axis", /why/]];
+    ["precession", /a-top/], ["nutation", /a-top/], ["principal axes", /principal-axes/], ["moment of inertia", /matrix-mass/], ["Coriolis", /why/], ["hammer", /principal-axes/], ["Feynman", /coin/], ["middle axis", /why/],
+    ["stable", /eulers/], ["phone", /your-own/], ["logarithm", /dzhanibekov/], ["rotation matrix", /body-and-world/]];
   // Of a server the first alone: its index is the same.
   for (const [k, [typed, leads]] of words.slice(0, base.startsWith("file") ? words.length : 4).entries()) {
     const bar = page.locator("#mdbook-searchbar");

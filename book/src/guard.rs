@@ -8,7 +8,8 @@
 //!
 //! - **asserted**: a string that an `assert_eq!` expects. The doc-test shows that its digits are right. The
 //!   text must contain it, in the order of the assertions. A string that begins with `|` is a whole row of a
-//!   table. A string without a number that contains a negation (`never closes`) must be in the text too;
+//!   table. A string of several words (`never closes`, `the larger moment`) must be there too,
+//!   wherever it stands;
 //! - **noted**: a part, divided by `;`, of the comment after a line of code. Its numbers must be consecutive
 //!   literals of that line, so that inputs are stated as they are;
 //! - **a fact** of `facts.toml`, which the text must contain. The versions in the README are facts of the

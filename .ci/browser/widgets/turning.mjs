@@ -27,7 +27,7 @@ export async function trading(page, wants) {
   await set(page, "#trading-scrub", after);
   const spin = () => shown(page, "trading", "spin");
   wants(`after ${after} s the spin is the chapter's: ${await spin()}`, (await spin()) === "0.00, 1.22, −0.87");
-  wants(...await said(page, "trading", /the energy is by 0 % along x/));
+  wants(...await said(page, "trading", /of the energy, 0 % belongs to the spin about x/));
   const rates = (await shown(page, "trading", "rate")).split(", ").map(read);
   const [wx, wy, wz] = (await spin()).split(", ").map(read);
   wants(`its rate follows Euler's equations: ${rates}`, Math.abs(rates[0] - (13 - 5) / 10 * wy * wz) < 0.02 && rates[1] === 0 && rates[2] === 0 && wx === 0);

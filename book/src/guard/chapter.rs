@@ -179,8 +179,7 @@ fn rust(
         let indent = written.len() - written.trim_start().len();
         let shown = written.trim_start();
         let hidden = match shown.strip_prefix('#') {
-            Some(rest) if rest.starts_with(' ') || rest.starts_with('#') => indent + 1,
-            Some(rest) if rest.trim().is_empty() => indent + 1,
+            Some(rest) if rest.starts_with([' ', '#']) || rest.trim().is_empty() => indent + 1,
             _ => 0,
         };
         code.push_str(&written[hidden..]);
@@ -215,9 +214,7 @@ impl Reading {
     }
 
     fn close(&mut self) {
-        let Some(mut passage) = self.open.take() else {
-            return;
-        };
+        let Some(mut passage) = self.open.take() else { return };
         let blank = passage.text.trim().is_empty();
         if passage.kind == Kind::Prose
             && !self.plain

@@ -88,8 +88,8 @@ impl Checker<'_> {
         self.asserted_is_said(&phrases);
     }
 
-    /// The text must contain what the code asserts, in the same order, so that neither numbers nor rows of a
-    /// table can trade places.
+    /// The text must contain what the code asserts, and numbers in the same order, so that neither they nor
+    /// rows of a table can trade places.
     fn asserted_is_said(&mut self, phrases: &[Phrase]) {
         for rows in [true, false] {
             let mut latest: Option<(&Phrase, usize)> = None;
@@ -101,6 +101,7 @@ impl Checker<'_> {
                         let (found, expected) = (found + ", asserted", "the same in the text of the section");
                         self.found.offences.push(self.chapter.offence(line, found, expected));
                     }
+                    (Some(_), _) if phrase.is_words() => {}
                     (Some(at), Some((before, last))) if at < last => {
                         let (text, of) = (&before.text, before.line);
                         let expected =
@@ -180,7 +181,7 @@ impl Checker<'_> {
     fn quoted(&self, passage: &Passage, phrases: &[Phrase]) -> Vec<(Range<usize>, Holder)> {
         let text = &passage.text;
         let rows = passage.kind == Kind::Row && phrases.iter().any(Phrase::is_row);
-        let read = !matches!(passage.kind, Kind::Alt | Kind::Comment | Kind::Note);
+        let read = !matches!(passage.kind, Kind::Comment | Kind::Note);
         let mut found: Vec<(Range<usize>, Holder)> = Vec::new();
         for fact in self.own_facts() {
             let holder = ("a fact".to_owned(), Certainty::Fact);
@@ -189,9 +190,9 @@ impl Checker<'_> {
         }
         for phrase in phrases.iter().filter(|p| p.is_row() || !rows) {
             for at in phrase.quotations(text) {
-                if read && phrase.said.get().is_none() {
-                    phrase.said.set(Some(passage.source(at.start)));
-                }
+                let counts = read && (passage.kind != Kind::Alt || phrase.is_words());
+                let first = phrase.said.get().or(counts.then(|| passage.source(at.start)));
+                phrase.said.set(first);
                 found.push((at, (phrase.holder(), phrase.certainty)));
             }
         }
@@ -200,10 +201,8 @@ impl Checker<'_> {
 
     /// The numbers before headings of one level (`1. The first`) must count up from one.
     fn ordinal(&mut self, passage: &Passage, level: u8, numbers: &mut Vec<Numeral>) {
-        let Some(first) = numbers.first() else { return };
-        if first.at.start != 0 || !passage.text[first.at.end..].starts_with(". ") {
-            return;
-        }
+        let begins = |n: &&Numeral| n.at.start == 0 && passage.text[n.at.end..].starts_with(". ");
+        let Some(first) = numbers.first().filter(begins) else { return };
         let next = self.ordinals.entry(level).or_insert(0);
         *next += 1;
         let next = next.to_string();

@@ -37,6 +37,11 @@ impl Phrase {
         self.text.starts_with('|')
     }
 
+    /// Whether it has no number: then it may stand anywhere in the section, in a figure's words too.
+    pub(super) fn is_words(&self) -> bool {
+        digits::plain(&self.text).is_empty()
+    }
+
     /// A description of it.
     pub(super) fn holder(&self) -> String {
         format!("the {} in line {}", if self.asserted { "assertion" } else { "note" }, self.line)

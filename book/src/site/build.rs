@@ -130,7 +130,7 @@ mod tests {
         let [german, toc] = ["toss-a-book-de.html", "toc-de.html"].map(read);
         assert!(german.contains("<html lang=\"de\"") && !german.contains("\"Next chapter\""));
         assert!(german.contains("\"toc-de.html\""));
-        assert!(toc.contains("7.1.</strong> Warum") && toc.contains("Eulers") && !toc.contains("-book.html"));
+        assert!(toc.contains("8.</strong> Warum") && toc.contains("Eulers") && !toc.contains("-book.html"));
         let files = fs::read_dir(folder.path()).unwrap().map(|file| file.unwrap().path());
         let index = files.filter(|file| file.to_string_lossy().contains("searchindex"));
         let index: String = index.map(|file| fs::read_to_string(file).unwrap()).collect();

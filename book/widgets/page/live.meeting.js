@@ -54,7 +54,7 @@ tumblingLive.meeting = (canvas, colours, half, names, { get, moved, ended }) => 
         const key = [length, view.turn, view.tilt, fine, colours.bg, colours.momentum].join();
         const soon = performance.now() - kept.at < 200;
         if (key === kept.key && (soon || !kept.coarse)) return;
-        const dots = soon ? Math.round(fine / (devicePixelRatio > 1 ? 3 : 2)) : fine;
+        const dots = soon ? Math.round(fine / (devicePixelRatio > 1 ? 4 : 3)) : fine;
         clearTimeout(kept.later);
         Object.assign(kept, { key, at: performance.now(), coarse: soon, later: soon ? setTimeout(() => picture.draw(), 250) : 0 });
         if (sheet.width !== dots) [sheet.width, sheet.height] = [dots, dots];

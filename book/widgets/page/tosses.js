@@ -18,11 +18,11 @@ tumblingLive.widget("tosses", async (stage, from) => {
         book.dye();
         draw();
     });
-    function draw() {
+    function draw(counts) {
         for (const { canvas, toss, omega, flips, count } of flights) {
             const at = omega.length && exact.answer(4, ...moments, ...omega, state.t, 0);
             if (!at) continue;
-            book.draw(canvas, book.tosses[toss], Array.from(at.slice(3, 7)), state);
+            if (counts !== "alone") book.draw(canvas, book.tosses[toss], Array.from(at.slice(3, 7)), state);
             const number = flips.filter((flip) => flip <= state.t).length;
             const text = number > 0 ? `Flip ${number}` : "no flip";
             if (count.textContent !== text) count.textContent = text;
@@ -30,8 +30,9 @@ tumblingLive.widget("tosses", async (stage, from) => {
     }
     /** Shows the instant; returns it in words. */
     function go(t) {
+        const same = t === 0 && state.t === 0; // there no error of the hand shows yet
         state.t = t;
-        draw();
+        draw(same ? "alone" : "too");
         const time = `${fixed(t, 2)} s`;
         if (shown("time").textContent !== time) shown("time").textContent = time;
         return `After ${time}: ${flights.map(({ count }, k) => `${["end over end", "like a pencil", "like a discus"][k]} ${count.textContent.toLowerCase()}`).join(", ")}.`;

@@ -94,7 +94,7 @@ tumblingLive.widget("trading", async (stage, from) => {
         body.draw();
         curves.draw();
         const percent = [9, 10, 11].map((k) => `${fixed(100 * change[k], 0)} %`);
-        return `After ${fixed(t, 2)} s the spin along x, y, z is ${three(0, state.now)} rad/s; the energy is by ${percent[0]} along x, ${percent[1]} along y, ${percent[2]} along z.`;
+        return `After ${fixed(t, 2)} s the spin along x, y, z is ${three(0, state.now)} rad/s; of the energy, ${percent[0]} belongs to the spin about x, ${percent[1]} to that about y, ${percent[2]} to that about z.`;
     }
     const { pause } = clock(stage, play, {
         step: 0.5,
