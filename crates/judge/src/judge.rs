@@ -61,20 +61,21 @@ pub(crate) fn judge_rows(rows: &mut dyn Source, said: Said, options: &Options) -
     // Attitudes that are not read as named may be right, and the step wrong.
     let plain = known.plainly();
     let mut grid = known.grid;
-    let mut all = vec![begun(known, &probe, &subject)?];
-    all.extend(plain.and_then(|plain| begun(plain, &probe, &subject).ok()));
+    let mut first = begun(known, &probe, &subject)?;
+    let mut plain = plain.and_then(|plain| begun(plain, &probe, &subject).ok());
     while let Some(mut raw) = rows.next()? {
         grid.iter_mut().for_each(|grid| grid.put(&mut raw));
-        all.iter_mut().try_for_each(|one| follow(&raw, one))?;
+        follow(&raw, &mut first)?;
+        plain.take_if(|plain| follow(&raw, plain).is_err());
     }
     let ended = rows.ended().map(|error| error.to_string());
-    let mut all = all.into_iter().map(|mut trial| {
+    let judged = |mut trial: Trial| {
         trial.ended.clone_from(&ended);
         verdict(trial, &subject, options)
-    });
+    };
     let is_named = |x: &Verdict| x.diagnosis.as_ref().is_some_and(|x| x.confidence.names_a_rule());
-    let first = all.next().ok_or(Error::NoRows)?;
-    Ok(if is_named(&first) { first } else { all.find(is_named).unwrap_or(first) })
+    let first = judged(first);
+    Ok(plain.filter(|_| !is_named(&first)).map(judged).filter(is_named).unwrap_or(first))
 }
 
 /// The trial of the rows that the reading was settled by.

@@ -63,7 +63,6 @@ pub(crate) struct Seen {
 struct Flips {
     /// Since when a flip is one, s from the first row.
     from: f64,
-    exact: Box<dyn Iterator<Item = f64>>,
     count: FlipCount,
     last: Option<(f64, f64)>,
 }
@@ -102,8 +101,7 @@ impl Laws {
         let angular = moments.component_mul(&first.omega);
         // A spin that starts in the plane of the other two axes does not flip there.
         let (from, count) = (flips_from(moments, first, middle), FlipCount::default());
-        let flips = exact.flips(from, 1e9).or_else(|_| exact.flips(from, 1e3));
-        let flips = Flips { from, exact: Box::new(flips.into_iter().flatten()), count, last: None };
+        let flips = Flips { from, count, last: None };
         let start = Start {
             row: *first,
             energy: observe::energy(&first.omega, &angular),
@@ -238,9 +236,6 @@ impl Laws {
             if flips.count.times.len() < FLIP_TIMES {
                 flips.count.times.push(when);
             }
-            if let Some(exact) = flips.exact.next() {
-                flips.count.apart = flips.count.apart.max((when - exact).abs());
-            }
         }
         flips.last = Some((t, x));
     }
@@ -255,11 +250,11 @@ impl Laws {
         count.first_exact = exact.first().copied();
         let late = exact.iter().zip(&count.times).map(|(exact, found)| (*exact, found - exact));
         let (line, left) = line(late.clone());
-        let most = late.clone().fold(0.0, |most: f64, (_, late)| most.max(late.abs()));
-        let seen = most > end / self.seen.steps.max(1.0);
+        count.apart = late.clone().fold(0.0, |most: f64, (_, late)| most.max(late.abs()));
+        let seen = count.apart > end / self.seen.steps.max(1.0);
         // If the counts differ much, flips of equal index do not correspond.
         let same = count.found.max(count.exact) <= 2 * late.len() as u64;
-        let is_line = late.len() >= LATE_FLIPS && left.sqrt() < LATE_LEFT * most;
+        let is_line = late.len() >= LATE_FLIPS && left.sqrt() < LATE_LEFT * count.apart;
         count.late = Some(line).filter(|_| seen && same && is_line);
         Some(count)
     }

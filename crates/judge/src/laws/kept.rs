@@ -103,7 +103,8 @@ pub struct FlipCount {
     pub first: Option<f64>,
     /// The time of the first of the exact motion, s from the start.
     pub first_exact: Option<f64>,
-    /// The greatest difference in time between flips of the same number, s.
+    /// The greatest difference in time between those of the first 512 flips in the record and in the exact
+    /// motion that have the same number, s.
     pub apart: f64,
     /// The times of the first 512 in the record, s from its start.
     pub times: Vec<f64>,

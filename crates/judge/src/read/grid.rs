@@ -120,7 +120,7 @@ impl Grid {
     /// The rounding that a step so uncertain gives to spins and turns.
     pub(crate) fn floor(&self, probe: &[Raw], reading: &Reading, moments: &Vector3<f64>) -> f64 {
         let speed = probe.iter().map(|raw| reading.state(raw, moments).omega.norm()).fold(0.0, f64::max);
-        if self.step.is_infinite() { 0.0 } else { self.off * reading.time() * speed }
+        if self.step.is_infinite() { 0.0 } else { self.off * reading.time * speed }
     }
 }
 

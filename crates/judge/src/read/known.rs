@@ -48,14 +48,15 @@ impl Known {
             probe.iter_mut().for_each(|raw| grid.put(raw));
         }
         let clock = Clock::of(probe);
-        let reading = match said.kind {
+        let mut reading = match said.kind {
             Kind::Attitude => Reading::of_attitudes(&clock.triples(probe), &moments),
             kind => Reading::of(kind, said.torque.is_none(), &clock.pairs(probe), &moments),
         };
         // Of times that are rounded so, no factor is known.
-        let about_one = is_open && TIMES_OF_ROUNDING.contains(&reading.time());
-        let reading = if about_one { reading.with_time(1.0) } else { reading };
-        let (clock, note) = clock.read(reading.time(), said.step);
+        if is_open && TIMES_OF_ROUNDING.contains(&reading.time) {
+            reading.time = 1.0;
+        }
+        let (clock, note) = clock.read(reading.time, said.step);
         said.notes.extend(note);
         let of_numbers = rounding(probe, said.kind.in_world());
         let of_grid = grid.as_ref().map_or(0.0, |grid| grid.floor(probe, &reading, &moments));

@@ -34,11 +34,6 @@ pub(crate) fn by_how_much(times: f64) -> (f64, [&'static str; 2]) {
     (to_four_places(size), words)
 }
 
-/// The simplest number that a ratio found from rows may be: a round one, or itself.
-pub(crate) fn simplest(ratio: f64) -> f64 {
-    rounded(ratio).unwrap_or(ratio)
-}
-
 /// The whole number, one over one, or fraction that a ratio found from rows is next to.
 pub(crate) fn rounded(ratio: f64) -> Option<f64> {
     let [count, whole] = whole(ratio);
@@ -71,12 +66,13 @@ impl Reading {
     pub(super) fn paced(self, pairs: &[Step], moments: &Vector3<f64>) -> Option<Self> {
         let own = self.pairs(pairs, moments);
         let ratio = times_the_turn(&own);
-        let times = simplest(ratio);
+        let times = rounded(ratio).unwrap_or(ratio);
         let limited = is_limited(ratio, &own);
         if !(times.is_normal() && times > 0.0) || limited || self.with_units(ratio) != self {
             return None;
         }
-        let way = self.with_time(times);
+        let mut way = self;
+        way.time = times;
         let all = way.pairs(pairs, moments);
         let (alike, size) = by_exact_motion(&all, moments, false);
         let [apart, otherwise] = [times, 1.0 / times].map(|x| (x - 1.0).abs());

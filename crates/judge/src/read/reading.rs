@@ -114,7 +114,7 @@ pub(crate) struct Reading {
     hand: Hand,
     /// What a spin is to be multiplied by, and a time.
     spin: f64,
-    time: f64,
+    pub(super) time: f64,
 }
 
 /// Where the scalar of a quaternion stands.
@@ -138,14 +138,6 @@ impl Reading {
     /// As the names say.
     pub(crate) fn plain(kind: Kind) -> Self {
         Self { kind, spin: 1.0, time: 1.0, ..Self::default() }
-    }
-
-    pub(super) const fn with_time(self, time: f64) -> Self {
-        Self { time, ..self }
-    }
-
-    pub(crate) const fn time(&self) -> f64 {
-        self.time
     }
 
     /// The mistakes that it assumes.

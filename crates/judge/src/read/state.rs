@@ -2,7 +2,7 @@
 //! two attitudes has.
 
 use crate::thresholds::*;
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{Quaternion, Vector3};
 use std::f64::consts::PI;
 use tumbling::attitude;
 use tumbling::exact::FreeMotion;
@@ -109,11 +109,6 @@ pub(crate) fn in_world(q: &Quaternion<f64>, vector: &Vector3<f64>) -> Vector3<f6
 pub(crate) fn angle_between(a: &Quaternion<f64>, b: &Quaternion<f64>) -> f64 {
     let between = attitude::product(&a.conjugate(), b);
     (2.0 * between.imag().norm().atan2(between.w.abs())).min(PI)
-}
-
-/// As a unit quaternion, which it is but for rounding.
-pub(crate) fn unit(q: &Quaternion<f64>) -> UnitQuaternion<f64> {
-    UnitQuaternion::new_normalize(*q)
 }
 
 /// The spin at the first of two attitudes with which the exact motion comes to the second, by the shorter

@@ -156,8 +156,9 @@ impl Advice {
             .filter(|more| !fine.contains(more));
         // A rule of the spin alone does not determine how the attitude turns.
         let side = (whole.on_wrong_side && one != Self::SIDE && rule.is_of_spin()).then_some(Self::SIDE);
-        let is_sound = confidence.names_a_rule() && !jumps && rule.alteration.is_none() && !rule.is_wrong();
-        let other = (whole.fails_otherwise && is_sound && *rule != Rule::EXACT).then_some(Self::NOT_THE_RULE);
+        let is_right = rule.alteration.is_none() && !rule.is_wrong() && *rule != Rule::EXACT;
+        let is_sound = confidence.names_a_rule() && !jumps && is_right || confidence == Confidence::Accurate;
+        let other = (whole.fails_otherwise && is_sound).then_some(Self::NOT_THE_RULE);
         let again = Some(Self::EACH_STEP).filter(|x| whole.again && confidence.names_a_rule() && one != *x);
         [other, Some(one), term, again, side, more].into_iter().flatten().collect()
     }

@@ -1,9 +1,9 @@
 //! The body of a record, and how each rule that may have made it takes a row one step further.
 
-use crate::read::{Pair, Row, angle_between, ordered, unit};
+use crate::read::{Pair, Row, angle_between, ordered};
 use crate::rule::{Alteration, Base, Limits, Rule, Steps, Turn, When, parted, turned_straight};
 use crate::thresholds::*;
-use nalgebra::{Quaternion, Vector3};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Engine, PositionStage, State, System, Torque};
 use tumbling::{Body, Error, Inertia, attitude, dynamics::euler};
@@ -116,7 +116,7 @@ impl Subject {
     /// The library's position stage in this number of parts.
     fn staged(&self, parts: u32, from: &Row, h: f64) -> Option<End> {
         let stage = PositionStage::new(&self.moments).ok()?;
-        let attitude = unit(&from.start()).into_inner();
+        let attitude = UnitQuaternion::new_normalize(from.start()).into_inner();
         let part = h / f64::from(parts);
         let start = (attitude, attitude::rotation_matrix(&attitude) * from.omega);
         let (attitude, omega) = (0..parts).try_fold(start, |(attitude, omega), _| {
@@ -132,8 +132,8 @@ impl Subject {
         let start = from.start();
         if steps == Steps::Fourth {
             let [a, b, c] = self.moments.into();
-            let body =
-                Body::spinning(Inertia::from_moments(a, b, c).ok()?, unit(&start), &from.omega).ok()?;
+            let (body, start) = (Inertia::from_moments(a, b, c).ok()?, UnitQuaternion::new_normalize(start));
+            let body = Body::spinning(body, start, &from.omega).ok()?;
             let run = Engine::Frozen.run(&body, h, 1).ok()?;
             let end = run.last().unwrap_or(&body);
             return Some((end.attitude().into_inner(), end.omega_body()));
@@ -247,8 +247,11 @@ impl Subject {
         if rule.alteration == Some(Alteration::Turned(Turn::Late)) {
             // The spin of this row stands in the next one.
             q = based(pair.to.omega).map_or(q, |end| end.0);
-        } else if rule.alteration == Some(Alteration::Turned(Turn::Early)) {
-            // That of this row stood in the last one: it is the one that the rule takes here.
+        } else if rule.alteration == Some(Alteration::Turned(Turn::Early))
+            && !matches!(rule.base, Base::Straight(_, 1))
+        {
+            // That of this row stood in the last one: it is the one that the rule takes here. (A straight
+            // turn is by the new spin, which this row has.)
             let mut before = pair.from.omega;
             for _ in 0..RULE_ROUNDS {
                 let Some((turned, after)) = based(before) else { return f64::INFINITY };

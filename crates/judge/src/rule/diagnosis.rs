@@ -76,10 +76,8 @@ pub struct Diagnosis {
     pub advice: Vec<Advice>,
     /// Whether the numbers are of single precision.
     pub single: bool,
-    /// Whether they are of fewer digits.
-    pub(crate) few: bool,
-    /// The rounding of the numbers, relative to 1.
-    pub(crate) rounding: f64,
+    /// Their rounding.
+    pub(crate) floor: Floor,
     /// Whether the record fails, whatever its rule.
     pub(crate) fails: bool,
 }
@@ -92,6 +90,8 @@ pub(crate) struct Whole {
     pub unkept: Vec<LawName>,
     /// Whether it fails, whatever its rule.
     pub fails: bool,
+    /// Whether nothing fails, or only what its columns are called.
+    pub is_sound: bool,
     /// Whether it fails only by its columns, by resets or by an early end of its numbers, not by a rule.
     pub fails_otherwise: bool,
     /// Whether all is kept to rounding.
@@ -132,7 +132,7 @@ impl Diagnosis {
     pub fn would_decide(&self) -> Option<&'static str> {
         let named = self.confidence.names_a_rule() || self.confidence == Confidence::FewDigits;
         let more = "all digits that the engine has (17 of double precision), a faster spin, or longer steps";
-        let words = if self.single || self.few { more } else { "a faster spin, or longer steps" };
+        let words = if self.single || self.floor.few { more } else { "a faster spin, or longer steps" };
         (named && (self.open || self.is_exact())).then_some(words)
     }
 
@@ -331,7 +331,7 @@ pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &W
     let going: Vec<_> = pairs.iter().filter(|x| !is_back(x)).copied().collect();
     let going = if going.is_empty() { pairs } else { &going };
     if confidence == Confidence::NoneFits && !sought {
-        (ranked, confidence, error) = unnamed(subject, going, &found, ranked, whole.fails, floor);
+        (ranked, confidence, error) = unnamed(subject, going, &found, ranked, whole, floor);
     }
     if confidence == Confidence::NoneFits {
         jumps = pushes(subject, pairs, &found, floor);
@@ -368,8 +368,7 @@ pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &W
         open: alike.iter().any(|rule| is_another(subject, pairs, &best.rule, rule)),
         jumps,
         single: floor.single,
-        few: floor.few,
-        rounding: floor.size,
+        floor,
         fails: whole.fails,
     })
 }

@@ -1,7 +1,7 @@
 //! Candidates with parameters, each fitted to the record before it is compared with it.
 
 use crate::law::LawName;
-use crate::read::{Pair, is_limited, law, least, median, normal, ordered, simplest, slopes, times_the_turn};
+use crate::read::{Pair, is_limited, law, least, median, normal, ordered, rounded, slopes, times_the_turn};
 use crate::rule::{Alteration, Base, Rule, Subject, TERMS, Turn, When, distinct, frozen};
 use crate::thresholds::*;
 use nalgebra::{Matrix2, Matrix3, Matrix3x2, Rotation3, SVector, UnitQuaternion, Vector2, Vector3};
@@ -56,8 +56,7 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
     let whens = places(with_attitude, of_spin);
     let (term, turned) = (law(few, &subject.moments).1, with_attitude.then(|| times_the_turn(few)));
     let (mut all, cap) = (Vec::new(), capped(pairs, rounding));
-    let under_drag = term_under_drag(few, &subject.moments);
-    let wrong = TERMS.map(|known| known.0).into_iter().find(|known| (known - under_drag).abs() < TERM_APART);
+    let wrong = known_term(term_under_drag(few, &subject.moments));
     for base in [Base::all(), frozen(pairs)].concat() {
         all.extend(damped(subject, few, (base, 1, 1.0), whens, rounding));
         let wrong = wrong.filter(|_| !base.is_still());
@@ -86,6 +85,11 @@ pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<
         all.extend(of_turns());
     }
     all
+}
+
+/// The common mistake that a multiple of the gyroscopic term is near to.
+fn known_term(times: f64) -> Option<f64> {
+    TERMS.map(|known| known.0).into_iter().find(|known| (known - times).abs() < TERM_APART)
 }
 
 /// The ratio of the gyroscopic term to its right size under drag, by least squares.
@@ -151,7 +155,11 @@ fn of_term(subject: &Subject, few: &[Pair], base: Base, term: f64, turned: Optio
     let Some(times) = fitted.filter(|times| times.abs() > NEAR_A_TERM[1]) else { return Vec::new() };
     // Spins made from turns are those of the exact motion, and a wrong term's are off from these.
     let is_sought = few.iter().any(|pair| pair.to.ahead.is_some());
-    let times = if is_sought && times < 0.0 { times.round().min(-1.0) } else { times };
+    let times = match is_sought {
+        true if times < 0.0 => times.round().min(-1.0),
+        true => known_term(times).unwrap_or(times),
+        false => times,
+    };
     let far = (times - 1.0).abs();
     let is_seen = |how: &Alteration| match how {
         Alteration::Times(own) => (own - 1.0).abs() > NEAR_A_TERM[1],
@@ -167,7 +175,7 @@ fn of_still(few: &[Pair], base: Base, turned: Option<f64>) -> Vec<Rule> {
     let Some(ratio) = turned.filter(|ratio| !is_limited(*ratio, few)) else {
         return Vec::new();
     };
-    let times = simplest(ratio);
+    let times = rounded(ratio).unwrap_or(ratio);
     let left_out = (2.0..=WHOLE_MOST).contains(&times) && times.fract() == 0.0;
     let bases = [Some(base), left_out.then(|| base.in_parts(times as u32))];
     // No times are so much too long: an attitude that turns less hardly turns.
@@ -201,8 +209,7 @@ fn multiples(times: f64, turned: Option<f64>) -> impl Iterator<Item = Alteration
         Some(_) if of_times => Alteration::Times(times),
         Some(_) => Alteration::Term(times),
     };
-    let simplest = simplest(times);
-    let exact = (of_times && simplest != times).then_some(Alteration::Times(simplest));
+    let exact = rounded(times).filter(|exact| of_times && *exact != times).map(Alteration::Times);
     exact.into_iter().chain([one])
 }
 

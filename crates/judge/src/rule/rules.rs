@@ -292,7 +292,9 @@ pub(crate) fn plain(free: bool, pairs: &[Pair]) -> Vec<Rule> {
     let mut all: Vec<Base> = Base::all().into_iter().filter(possible).collect();
     let plain = [Limits::NONE, Limits::STRAIGHT];
     let limited = PHYSICS_ENGINES.iter().filter(|engine| !plain.contains(&engine.limits));
-    let most = greatest(pairs);
+    // The most spin along an axis of the world after any step.
+    let along = |pair: &Pair| Some((rotation_matrix(&pair.from.attitude?) * pair.to.omega).amax());
+    let most = pairs.iter().filter_map(along).fold(0.0, f64::max);
     for &engine in limited {
         all.push(Base::Engine(engine));
         // Bullet's greatest spin is a setting, and may have been raised.
@@ -346,10 +348,4 @@ pub(crate) fn frozen(pairs: &[Pair]) -> Vec<Base> {
     let other = first.filter(|q| q.imag().norm() > 0.0 && q.norm().is_finite());
     let frozen = |first| [Steps::First, Steps::Fourth].map(|steps| Base::FrozenTensor(first, steps));
     [Quaternion::identity()].into_iter().chain(other).flat_map(frozen).collect()
-}
-
-/// The most spin along an axis of the world after any step.
-fn greatest(pairs: &[Pair]) -> f64 {
-    let along = |pair: &Pair| Some((rotation_matrix(&pair.from.attitude?) * pair.to.omega).amax());
-    pairs.iter().filter_map(along).fold(0.0, f64::max)
 }

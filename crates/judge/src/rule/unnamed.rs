@@ -1,11 +1,11 @@
 //! The diagnosis of a record that no rule fits.
 
-use crate::read::{Floor, Pair, law, median, unit};
-use crate::rule::diagnosis::Ranked;
+use crate::read::{Floor, Pair, law, median};
+use crate::rule::diagnosis::{Ranked, Whole};
 use crate::rule::tried::explained;
 use crate::rule::{Alteration, Base, Confidence, Explanation, Rule, Subject, When};
 use crate::thresholds::*;
-use nalgebra::Vector3;
+use nalgebra::{UnitQuaternion, Vector3};
 
 /// One of: the exact motion with one number altered, if that explains nearly all of its error; an accurate
 /// rule, with the error of its steps; rows that scatter, and by how much; none.
@@ -14,7 +14,7 @@ pub(super) fn unnamed(
     pairs: &[Pair],
     found: &[Explanation],
     ranked: Ranked,
-    fails: bool,
+    whole: &Whole,
     floor: Floor,
 ) -> (Ranked, Confidence, Option<f64>) {
     let Some(exact) = found.iter().find(|x| x.rule == Rule::EXACT) else {
@@ -30,7 +30,9 @@ pub(super) fn unnamed(
         }
         return (altered, Confidence::Altered, None);
     }
-    let error = accuracy(subject, pairs, exact, floor.size).filter(|_| !fails && times < ALTERED[0]);
+    // Times of few digits may be off by more than such an error.
+    let may_be = whole.is_sound && !whole.of_few_times && times < ALTERED[0];
+    let error = accuracy(subject, pairs, exact, floor.size).filter(|_| may_be);
     if error.is_some() {
         return (Ranked { second: ranked.second, ..alone(exact) }, Confidence::Accurate, error);
     }
@@ -45,7 +47,7 @@ pub(super) fn attitudes_scatter(subject: &Subject, pairs: &[Pair], base: Base, f
     // In the world, where the next step takes back the very vector.
     let off = |pair: &Pair| {
         let end = subject.next(&Rule::plain(base), &pair.from, pair.h)?;
-        Some(unit(&end.attitude?) * Pair { from: end, ..*pair }.turn()?)
+        Some(UnitQuaternion::new_normalize(end.attitude?) * Pair { from: end, ..*pair }.turn()?)
     };
     scatter(pairs, off).is_some_and(|off| off > floor.limits()[1])
 }

@@ -3,11 +3,11 @@
 use crate::law::LawName;
 use crate::laws::{FlipCount, Law, Trial};
 use crate::options::Options;
-use crate::read::{Kind, Note, Pair, median, unit};
+use crate::read::{FileMistake, Kind, Note, Pair, median};
 use crate::rule::{Advice, Confidence, Diagnosis, Rule, Subject, Whole, diagnose};
 use crate::thresholds::*;
 use crate::verdict::{Complaint, Outcome, Recording, Seen, Verdict};
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use std::f64::consts::TAU;
 
 /// A finished trial, and the limits that it is judged by.
@@ -47,6 +47,9 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, options: &Options) -> Ver
         }
     }
     let again = trial.written_again().map(|(count, line)| Note::Again(count, line));
+    // A push makes the flips after it late, but for one at the start.
+    let pushes = diagnosis.iter().flat_map(|found| &found.jumps);
+    let is_pushed = pushes.filter(|jump| jump.line > trial.first.line + 1).count() > 0;
     let Trial { known, laws: followed, first, .. } = trial;
     let has_attitude = first.attitude.is_some();
     Verdict {
@@ -69,7 +72,7 @@ pub(crate) fn verdict(trial: Trial, subject: &Subject, options: &Options) -> Ver
         file_mistakes: known.reading.mistakes(),
         resets: trial.resets,
         laws,
-        flips,
+        flips: flips.map(|x| FlipCount { late: x.late.filter(|_| !is_pushed), ..x }),
         separatrix: followed.separatrix().filter(|ends| free && ends.iter().all(|x| x.is_finite())),
         diagnosis,
         complaints,
@@ -108,7 +111,10 @@ impl End<'_> {
     /// Evidence from the whole record, as opposed to its single steps.
     fn whole(&self, complaints: &[Complaint]) -> Whole {
         let Trial { known, steps, pairs, resets, ended, .. } = self.trial;
-        let sound = known.reading.mistakes().is_empty() && resets.is_empty() && ended.is_none();
+        let mistakes = known.reading.mistakes();
+        // That may be the engine's wrong sign.
+        let is_mirrored = mistakes.contains(&FileMistake::LeftHandedSpin);
+        let sound = mistakes.is_empty() && resets.is_empty() && ended.is_none();
         let broken: Vec<LawName> = self.broken().map(|law| law.name).collect();
         let fails = !sound || !broken.is_empty() || !complaints.is_empty();
         let unkept = self.laws.iter().filter(|law| is_length(law.name) && law.growth.rank() > 0);
@@ -117,6 +123,7 @@ impl End<'_> {
         let rows = |x: &Complaint| matches!(x, Complaint::Ended(_) | Complaint::Repeats(..)) || of_again(x);
         Whole {
             fails_otherwise: fails && broken.is_empty() && complaints.iter().all(rows),
+            is_sound: broken.is_empty() && complaints.is_empty() && resets.is_empty() && !is_mirrored,
             broken,
             unkept: unkept.map(|law| law.name).collect(),
             fails,
@@ -186,7 +193,7 @@ impl End<'_> {
 fn turned(pairs: &[Pair]) -> Option<Seen> {
     let middle = |of: &dyn Fn(Vector3<f64>, Vector3<f64>, Matrix3<f64>) -> f64| {
         median(&mut pairs.iter().filter_map(|pair| {
-            let start = unit(&pair.from.attitude?).to_rotation_matrix().into_inner();
+            let start = UnitQuaternion::new_normalize(pair.from.attitude?).to_rotation_matrix().into_inner();
             Some(of(pair.turn()? / pair.h, (pair.from.omega + pair.to.omega) / 2.0, start))
         }))
     };

@@ -23,7 +23,7 @@ impl Diagnosis {
     #[must_use]
     pub fn words(&self) -> &'static str {
         let words = match self.confidence {
-            Confidence::NoneFits if self.few => {
+            Confidence::NoneFits if self.floor.few => {
                 "Too few digits to identify a rule, and none of the known rules fits. Nearest is"
             }
             other => other.names()[1],
@@ -73,8 +73,9 @@ impl Diagnosis {
             lines.push(format!("{:.0} % of the rows are one step after the row before", 100.0 * self.share));
         }
         // The significant digits count, not the printed ones.
-        let (scatter, few) = (self.error.filter(|_| self.confidence == Confidence::Scattered), self.few);
-        lines.extend(scatter.or(few.then_some(self.rounding)).map(|off| {
+        let (scatter, few) =
+            (self.error.filter(|_| self.confidence == Confidence::Scattered), self.floor.few);
+        lines.extend(scatter.or(few.then_some(self.floor.size)).map(|off| {
             let like = match (off > DIGITS_OF_A_SENSOR, scatter) {
                 (false, _) => "",
                 (true, None) => ", as in half precision",
@@ -111,7 +112,7 @@ impl Diagnosis {
             all.push(
                 "any other rule whose errors in a step are below that rounding would fit as well".into(),
             );
-        } else if self.confidence == Confidence::ToRounding && (self.single || self.few) {
+        } else if self.confidence == Confidence::ToRounding && (self.single || self.floor.few) {
             all.push(
                 "an unknown rule with steps that differ by less than that rounding would fit too".into(),
             );

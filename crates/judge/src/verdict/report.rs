@@ -4,7 +4,7 @@ use crate::law::LawName;
 use crate::laws::{Gaps, Law, Reset};
 use crate::read::FileMistake;
 use crate::rule::{Base, Confidence, Diagnosis, readable};
-use crate::thresholds::{ENOUGH_CHANGE, ENOUGH_ROWS, STILL};
+use crate::thresholds::{ENOUGH_CHANGE, ENOUGH_ROWS, FLIP_TIMES, STILL};
 use crate::verdict::words::times;
 use crate::verdict::{Complaint, Outcome, Verdict, capital, plain_number, sentence};
 use serde::Serialize;
@@ -100,15 +100,15 @@ impl Verdict {
         let all: Vec<String> = self.file_mistakes.iter().map(words).collect();
         // Attitudes alone are corrected by the gyroscopic term, which the engine itself may have wrong.
         let alone = self.record.has_attitude && self.record.missing.contains(&LawName::Consistency);
-        let near = |found: &Diagnosis| matches!(found.confidence, Confidence::NoneFits | Confidence::Near);
-        let fits = !self.diagnosis.as_ref().is_some_and(near);
-        if all.is_empty() || !alone || fits {
+        let sure =
+            |found: &Diagnosis| found.confidence.names_a_rule() && found.confidence != Confidence::Near;
+        if all.is_empty() || !alone || self.diagnosis.as_ref().is_none_or(sure) {
             return all;
         }
         let file = all.join("; and ");
         vec![format!(
-            "no known rule fits these attitudes, which alone do not show whether the file or the engine is wrong. Perhaps \
-             {file}; or perhaps the engine has the gyroscopic term with the wrong sign"
+            "these attitudes alone do not show whether the file or the engine is wrong. Perhaps {file}; or perhaps the \
+             engine has the gyroscopic term with the wrong sign"
         )]
     }
 
@@ -210,8 +210,10 @@ impl Verdict {
             let mut line = format!("The spin along the middle axis changes sign {found} (exact: {exact})");
             if let (Some(first), Some(exact)) = (flips.first, flips.first_exact) {
                 let apart = plain_number(flips.apart);
-                line +=
-                    &format!("; the first at {first:.4} s (exact: {exact:.4} s), at most {apart} s apart");
+                let of = if flips.found > FLIP_TIMES as u64 { "the first 512 " } else { "" };
+                line += &format!(
+                    "; the first at {first:.4} s (exact: {exact:.4} s), {of}at most {apart} s apart"
+                );
             }
             line += &flips.lateness();
             all.push(section("Flips", [line + "."]));

@@ -75,13 +75,14 @@ const STARTS: [Spin; 3] =
     [Vector3::new(0.05, 5.0, 0.1), Vector3::new(1.0, 3.0, 1.5), Vector3::new(0.3, 0.2, 4.0)];
 
 /// The error of the middle step, as a share of what the exact motion changes in the middle step; and the
-/// verdict.
-fn tried(step: Step, omega: Spin, h: f64) -> (f64, Verdict) {
+/// verdict on spins written in a unit of which this many are a radian a second.
+fn tried(step: Step, omega: Spin, h: f64, unit: f64) -> (f64, Verdict) {
     let mut text = String::from("# inertia: 1 2 2.5\nt,wx,wy,wz\n");
     let mut now = omega;
     let (mut errors, mut changes) = (Vec::new(), Vec::new());
     for i in 0..=600 {
-        text += &format!("{:e},{:e},{:e},{:e}\n", h * f64::from(i), now.x, now.y, now.z);
+        let [x, y, z] = (now * unit).into();
+        text += &format!("{:e},{x:e},{y:e},{z:e}\n", h * f64::from(i));
         let exact = FreeMotion::new(MOMENTS.try_into().unwrap(), &now).unwrap().omega(h).unwrap();
         let end = step(now, h);
         errors.push((end - exact).norm() / now.norm());
@@ -101,12 +102,15 @@ fn a_rule_is_accurate_by_what_its_steps_leave_of_the_gyroscopic_term_and_never_b
         for (name, step) in rules {
             for omega in STARTS {
                 for h in [0.01, 0.05] {
-                    let (share, verdict) = tried(*step, omega, h);
+                    let (share, verdict) = tried(*step, omega, h, 1.0);
                     let what = format!("{name}, {omega:?}, {h}, {share:.1e}\n{verdict}");
                     let confidence = verdict.diagnosis.as_ref().unwrap().confidence;
                     let praised = confidence == Confidence::Accurate;
                     assert!(!praised || share < 1e-4 && verdict.outcome != Outcome::Failed, "{what}");
                     assert!(!accurate || praised && share < 8e-5, "{what}");
+                    let said = tried(*step, omega, h, 1f64.to_degrees()).1.to_string();
+                    let is_sound = said.contains("in degrees a second") && said.contains("The rule is sound");
+                    assert!(!accurate || is_sound, "{said}");
                     assert!(accurate || share > 3e-3, "{what}");
                     assert!(!verdict.to_string().contains("Nothing to do") || share > 1.9, "{what}");
                 }

@@ -48,17 +48,9 @@ fn a_spin_that_starts_without_a_middle_component_is_not_held_to_a_flip_at_the_st
 #[test]
 fn a_step_of_the_header_that_is_a_part_of_the_row_s_is_named_so_and_another_is_not_dropped_silently() {
     let rows = stepped(Method::SemiImplicitEuler, SPIN, 1.0 / 240.0, 1200);
-    let short = |header: &str| {
-        let text = every(4, header, &rows);
-        let lines = text.lines().map(|line| match line.split_once(',') {
-            Some((t, rest)) if t.parse::<f64>().is_ok() => {
-                format!("{:.4},{rest}\n", t.parse::<f64>().unwrap())
-            }
-            _ => format!("{line}\n"),
-        });
-        judged(&lines.collect::<String>())
-    };
-    let verdict = short("# dt: 1/240\n");
+    let few: Vec<Row> = rows.iter().step_by(4).copied().collect();
+    let verdict =
+        judged(&written("# inertia: 1 2 2.5; dt: 1/240", &few, |t| format!("{t:.4}"), |x| x.to_string()));
     let is_fourth = |note: &Note| matches!(note, Note::StepsPerRow(_, 4));
     assert!(verdict.record.notes.iter().any(is_fourth), "{verdict}");
     assert!(!verdict.to_string().contains("is not used"), "{verdict}");

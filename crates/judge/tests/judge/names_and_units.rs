@@ -117,15 +117,9 @@ fn a_comment_that_denies_a_torque_makes_none_and_one_that_is_not_understood_is_n
     for said in " unknown|: off (body since 2024)|: none since t=0|: so, v2| 2 on the rigid body".split('|') {
         assert!(with(&format!("torque{said}")).record.notes[0].to_string().contains("mentions `torque`"));
     }
-    let steps = csv(&good()).lines().enumerate().fold(
-        String::from("# step size 1/60\n"),
-        |text, (i, line)| match i {
-            0 => text + line + "\n",
-            1 => text + "step,wx,wy,wz\n",
-            _ => text + &format!("{},{}\n", i - 2, line.splitn(6, ',').last().unwrap()),
-        },
-    );
-    let verdict = judged(&steps);
+    let (header, count) = ("# step size 1/60\n# inertia: 1 2 2.5", |t| format!("{:.0}", t / H));
+    let steps = written(header, &good(), count, |x| format!("{x:.16e}"));
+    let verdict = judged(&steps.replacen("t,qw,qx,qy,qz", "step,a,b,c,d", 1));
     assert!((verdict.record.step.unwrap() - H).abs() < 1e-15, "{verdict}");
     assert_eq!(verdict.outcome, Outcome::Passed, "{verdict}");
 }

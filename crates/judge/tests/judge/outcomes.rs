@@ -144,8 +144,10 @@ fn flips_that_come_late_by_a_time_or_a_share_are_said_to_and_others_are_not() {
     assert!(said(0.0, |t| t / 0.99).contains("; they come earlier by 1.00 % of the time since the start."));
     // Beside its smallest moment's axis a spin that is noise has many more changes of sign than the motion.
     let noise = |i: u32| Vector3::new(5.0, 1e-5 * f64::from(i * i % 7) - 3e-5, 0.0);
-    let noisy = judged(&spins([1.0, 2.0, 2.5], (0..600).map(|i| (H * f64::from(i), noise(i))))).to_string();
-    for other in [said(0.0, |t| t - 1e-3 * t * t), said(-100.0, |t| t - 0.1 * H), noisy] {
+    let noisy = judged(&spins([1.0, 2.0, 2.5], (0..600).map(|i| (H * f64::from(i), noise(i)))));
+    // No flips are farther apart than the record is long.
+    assert!(noisy.flips.as_ref().unwrap().apart < noisy.record.duration, "{noisy}");
+    for other in [said(0.0, |t| t - 1e-3 * t * t), said(-100.0, |t| t - 0.1 * H), noisy.to_string()] {
         assert!(other.contains("s apart.") && !other.contains("they come"), "{other}");
     }
 }
