@@ -6,8 +6,8 @@ use crate::common::invented::counted;
 #[test]
 fn invented_records_are_named_by_their_rule_or_among_its_equals_and_those_of_unknown_rules_by_none() {
     // Of equal steps, of times, rows and limits that look like others, and of faults below the digits.
-    let known =
-        [700_187, 4_004_525, 4_005_479, 4_008_321, 4_011_431, 4_019_535, 91_000_906].map(|x| (x, true));
+    let known = [700_187, 4_004_525, 4_005_479, 4_008_321, 4_011_431, 4_019_535, 91_000_906, 129_044]
+        .map(|x| (x, true));
     let outside = [5_001_917, 5_003_241, 1_795_807_711].map(|seed| (seed, false));
     for (seed, is_known) in known.into_iter().chain(outside) {
         assert_eq!(counted(seed, 1, is_known, &mut std::io::sink()).unwrap()[3], 0, "{seed}");
