@@ -88,7 +88,7 @@ advices! {
     KEEPS_ALL: "It keeps energy and momentum to rounding. Its phase has an error, which shrinks with the step." in STEPS;
     KEEPS_SIZES: "It keeps the energy and the momentum's length to rounding. The momentum's direction in the world and the \
          phase have errors, which shrink with the step." in STEPS;
-    KEEPS_MOMENTUM: "It keeps the momentum to rounding. Energy and phase have errors, which shrink with the step." in STEPS;
+    KEEPS_MOMENTUM: "Energy and phase have errors, which shrink with the step; the momentum has those of rounding alone." in STEPS;
     OF_ORDER: "Its errors add up: use shorter steps, or for long runs a method that keeps the laws." in STEPS;
     NO_TERM: "There is no gyroscopic term: a body never flips, and its momentum is not conserved unless it spins about a principal \
          axis. (An engine that takes the momentum for the spin shows the same spin in body axes.) Rotate the momentum in the body instead \
