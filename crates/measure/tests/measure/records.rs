@@ -1,7 +1,7 @@
 //! Records of runs, and what is read from them.
 
 use tumbling_measure::contestant::Group;
-use tumbling_measure::record::{Long, Record, Work, short};
+use tumbling_measure::record::Work;
 use tumbling_measure::verdict::{kind, seconds_at, side_by_side};
 
 fn rung(steps: u64, seconds: f64, attitude: f64) -> Work {
