@@ -19,15 +19,14 @@
 mod part;
 mod sizes;
 
-use alloc::vec::Vec;
 use part::Fill;
 pub use part::{Part, Section};
 use sizes::REMOTE_CONTROL;
 pub use sizes::{BALL, BOOK, Even, PHONE, THE_BOX};
 
 use crate::error::Error;
-use crate::inertia::point_mass;
-use crate::solid::{Compound, MassMoments, MassProperties};
+use crate::inertia::{Inertia, point_mass};
+use crate::solid::{MassMoments, MassProperties};
 use core::fmt;
 use nalgebra::{Matrix3, Vector3};
 
@@ -111,21 +110,8 @@ impl NamedBody {
         }
     }
 
-    /// Its mass, centre and inertia by the bare formulas: equal to [`properties`](Self::properties) to some
-    /// units in the last place, without the code that checks sizes and keeps digits, for a program that must
-    /// be small.
-    ///
-    /// ```
-    /// use tumbling::body::named::NamedBody;
-    /// for body in NamedBody::ALL {
-    ///     let (plain, checked) = (body.moments(), body.properties()?);
-    ///     let tensor = checked.inertia().matrix();
-    ///     assert!((plain.inertia - tensor).amax() < 2e-15 * tensor.amax());
-    ///     assert!((plain.centre - checked.centre()).amax() < 1e-15);
-    ///     assert!((plain.mass / checked.mass() - 1.0).abs() < 1e-15);
-    /// }
-    /// # Ok::<(), tumbling::Error>(())
-    /// ```
+    /// Its mass, centre and inertia, each to a few units in the last place: those of its parts by the
+    /// parallel-axis theorem. Without the code that checks a tensor, for a program that must be small.
     #[must_use]
     pub fn moments(self) -> MassMoments<f64> {
         let (mut mass, mut first) = (0.0, Vector3::zeros());
@@ -141,17 +127,13 @@ impl NamedBody {
         MassMoments { mass, centre, inertia }
     }
 
-    /// Its mass, centre and inertia.
+    /// Its [moments](Self::moments), as those of a body.
     ///
     /// # Errors
     /// There are none: the sizes are constants.
     pub fn properties(self) -> Result<MassProperties, Error> {
-        let mut parts = Vec::new();
-        self.each_part(&mut |part| parts.push(part));
-        let put = |whole: Compound, part: &Part| {
-            Ok::<_, Error>(whole.at(part.properties()?.turned(part.attitude())?, &part.middle))
-        };
-        parts.iter().try_fold(Compound::new(), put)?.properties()
+        let MassMoments { mass, centre, inertia } = self.moments();
+        MassProperties::new(mass, &centre, Inertia::try_from(inertia)?)
     }
 }
 
