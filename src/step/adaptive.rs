@@ -112,17 +112,15 @@ impl Run {
         self.goal - self.time
     }
 
-    /// A step of about `h` seconds that does not pass the end of the run, and the time at its end. Under
-    /// torques the step is the difference of the times, so that what rounding takes of them does not add up.
+    /// A step of about `h` seconds that does not pass the end of the run, and the time at its end. The step is
+    /// the difference of the times, so that what rounding takes of them does not add up.
     fn fitted(&self, h: f64) -> Result<(f64, f64), Error> {
         let remaining = self.duration - self.time;
         let next = if remaining.abs() <= h.abs() { self.duration } else { self.time + h };
         if next == self.time || h.is_nan() {
             return Err(self.no_step(h));
         }
-        // A free body has no phase to lose.
-        let free = self.system.is_free() && next != self.duration;
-        Ok((if free { h } else { next - self.time }, next))
+        Ok((next - self.time, next))
     }
 
     /// The system and its time at the start of a step. Phases are counted from there, so that stages within
