@@ -95,7 +95,10 @@ impl Language {
     fn original_numbers(&self, text: &str) -> Vec<String> {
         let counts = |word: &String| self.numbers.get(word).is_none_or(|own| !own.is_empty());
         let words = number_words(text).into_iter().filter(|(_, word)| counts(word));
-        in_order(digits(text).chain(words))
+        let phrases = self.numbers.keys().filter(|words| words.contains(' '));
+        let phrases = phrases.flat_map(|words| text.match_indices(words.as_str()));
+        let phrases = phrases.map(|(at, words)| (at, words.to_owned()));
+        in_order(digits(text).chain(words).chain(phrases))
     }
 
     fn own_numbers(&self, text: &str) -> Vec<String> {

@@ -22,6 +22,7 @@ fn a_number_a_sign_a_unit_a_number_word_or_a_link_that_is_altered_is_noticed() {
         (" in rad/s", " in rad"),
         ("hat drei Achsen", "hat vier Achsen"),
         ("etwa eine Sekunde", "etwa zehn Sekunden"),
+        ("zwei Umdrehungen pro Sekunde", "zwei Umdrehungen pro Minute"),
         ("Versehen ein Zwanzigstel", "Versehen ein Zehntel"),
         ("*Quer zum Griff, in der Ebene der Saiten*", "*Den Griff entlang*"),
         ("Beim dritten ist es umgeklappt", "Beim zweiten ist es umgeklappt"),
