@@ -140,14 +140,15 @@ impl Run {
         self.steps += 1;
     }
 
-    /// Restores the constant lengths of attitude and momentum; returns the relative deviation before. A
-    /// component of the momentum below the normal numbers becomes zero.
+    /// As [`project`](Self::project), at the end of a step: a component of the momentum below the normal
+    /// numbers becomes zero, so that what decays comes to rest.
+    fn settle(&self, end: &mut State<f64>) -> f64 {
+        end.momentum.apply(|x| *x = if x.is_subnormal() { 0.0 } else { *x });
+        self.project(end)
+    }
+
+    /// Restores the constant lengths of attitude and momentum; returns the relative deviation before.
     fn project(&self, end: &mut State<f64>) -> f64 {
-        end.momentum.apply(|x| {
-            if x.abs() > 0.0 && x.abs() < f64::MIN_POSITIVE {
-                *x = 0.0;
-            }
-        });
         let attitude = normalize(&mut end.attitude) - 1.0;
         if self.momentum == 0.0 {
             return attitude.abs();

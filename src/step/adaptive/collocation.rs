@@ -109,7 +109,7 @@ impl Collocation {
             let (h, next) = run.fitted(self.next)?;
             let error = if self.solve(run, h) { self.error(run) } else { f64::NAN };
             let mut end = self.states[0];
-            let error = largest(&[error, run.project(&mut end)]) / tolerance;
+            let error = largest(&[error, run.settle(&mut end)]) / tolerance;
             // As usual: aim a little below the tolerance, and keep the change of the step within bounds.
             let factor = exp(-logarithm(2.0 * error) / order).clamp(0.2, 4.0);
             self.next = h * if error.is_nan() { 0.25 } else { factor };

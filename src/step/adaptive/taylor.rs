@@ -97,7 +97,7 @@ impl Taylor {
     fn end(&mut self, run: &Run, x: f64, time: f64, scale: f64) -> (State<f64>, f64) {
         let [q, w, dq, dw] = self.series.at(x);
         let mut end = self.moved(run, &run.state, &q, &w);
-        let stretched = run.project(&mut end);
+        let stretched = run.settle(&mut end);
         let per = 1.0 / self.unit;
         self.begin(run, &end, time);
         let [turned, spun] = self.next.rate();

@@ -203,7 +203,7 @@ pub(crate) fn order_6<T: Analytic>() -> Tableau<T, 3> {
     }
 }
 
-/// What the coefficients of both, over their weights, differ from a half by.
+/// The antisymmetric parts of both methods' coefficients: `a_ij / b_j - 1/2`.
 pub fn rests_of_gauss<T: Analytic>() -> ([[T; 2]; 2], [[T; 3]; 3]) {
     (order_4().off, order_6().off)
 }

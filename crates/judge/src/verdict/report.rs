@@ -208,12 +208,11 @@ impl Verdict {
         if let Some(flips) = &self.flips {
             let (found, exact) = (times(flips.found), flips.exact);
             let mut line = format!("The spin along the middle axis changes sign {found} (exact: {exact})");
-            if let (Some(first), Some(exact)) = (flips.first, flips.first_exact) {
-                let apart = plain_number(flips.apart);
-                let of = if flips.found > FLIP_TIMES as u64 { "the first 512 " } else { "" };
-                line += &format!(
-                    "; the first at {first:.4} s (exact: {exact:.4} s), {of}at most {apart} s apart"
-                );
+            if let (Some(at), Some(exact)) = (flips.first, flips.first_exact) {
+                let by = plain_number(flips.apart);
+                let many = flips.found.min(flips.exact) > FLIP_TIMES as u64;
+                let of = if many { "the first 512 " } else { "" };
+                line += &format!("; the first at {at:.4} s (exact: {exact:.4} s), {of}at most {by} s apart");
             }
             line += &flips.lateness();
             all.push(section("Flips", [line + "."]));
