@@ -70,6 +70,26 @@ const fn remaining_weights() -> [[f64; NODE_COUNT]; NODE_COUNT] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::number::double_double::DoubleDouble;
+
+    /// By a step of Newton's method in twice the precision, from `P8' = 8 (P7 - x P8)/(1 - x²)`.
+    #[test]
+    fn each_node_is_the_number_nearest_to_a_root_of_the_eighth_polynomial_and_so_is_its_weight() {
+        let [one, eight] = [1.0, 8.0].map(DoubleDouble::<f64>::from);
+        for (&node, &weight) in NODES.iter().zip(&WEIGHTS) {
+            let x = DoubleDouble::from(node);
+            let (mut seventh, mut eighth) = (one, x);
+            for n in [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0] {
+                let next = (x * eighth * (2.0 * n + 1.0) - seventh * n) / DoubleDouble::from(n + 1.0);
+                (seventh, eighth) = (eighth, next);
+            }
+            let (short, slope) = (one - x * x, eight * (seventh - x * eighth));
+            let root = x - eighth * short / slope;
+            assert_eq!(root.hi(), node);
+            // By Legendre's equation the slope does not change there.
+            assert_eq!(((one - root * root) / (slope * slope)).hi(), weight, "{node}");
+        }
+    }
 
     #[test]
     fn the_quadrature_integrates_the_powers_that_it_should() {

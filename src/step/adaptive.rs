@@ -112,8 +112,8 @@ impl Run {
         self.goal - self.time
     }
 
-    /// A step of about `h` seconds that does not pass the end of the run, and the time at its end. The step is
-    /// the difference of the times, so that what rounding takes of them does not add up.
+    /// A step of about `h` seconds that does not pass the end of the run, and the time at its end. The step
+    /// is the difference of the times, so that what rounding takes of them does not add up.
     fn fitted(&self, h: f64) -> Result<(f64, f64), Error> {
         let remaining = self.duration - self.time;
         let next = if remaining.abs() <= h.abs() { self.duration } else { self.time + h };
