@@ -117,9 +117,9 @@ fn what_states_something_or_cannot_be_read_never_passes_for_notation_or_a_value(
 
 #[test]
 fn a_law_that_leaves_its_chapter_is_missed() {
-    let faults = faults("eulers-equations", &equations("Nothing."));
+    let faults = faults("worked-example", &equations("Nothing."));
     let missed = faults.iter().filter(|fault| fault.problem.starts_with("this law is not found")).count();
-    assert_eq!(missed, laws::of("eulers-equations").unwrap().laws.len());
+    assert_eq!(missed, laws::of("worked-example").unwrap().laws.len());
     assert_eq!(missed, faults.len());
 }
 
