@@ -5,9 +5,8 @@ mod style;
 
 use crate::draw::escaped;
 use crate::of_body::{Kind, NAMES, Subject, gaps, moments, polhodes};
-use crate::picture::{raised, with_powers};
-use crate::units;
-use crate::{ink, picture};
+use crate::picture::{Picture, raised, with_powers};
+use crate::{ink, units};
 use nalgebra::Vector3;
 use std::error::Error;
 use std::f64::consts::TAU;
@@ -45,18 +44,18 @@ pub fn report(body: &BodyModel, engine: bool) -> Result<String, Box<dyn Error>> 
             units::number(body.moved, 2)
         );
     }
-    // Each with the rows of its sheet that are shown: the page has the names and moments beside them.
+    // Each with the rows of its sheet that may be shown: the page has the names and moments beside them.
     let pictures = [
-        ("body", "The body and its principal axes", moments::draw(&subject)?, "520 5000 4160"),
-        ("polhodes", "The paths that its spin can take", polhodes::draw(&subject)?, "340 5000 4080"),
-        ("gap", "The gap between spin and momentum", gaps::draw(&subject)?, "340 5000 4120"),
+        ("body", "The body and its principal axes", moments::draw(&subject)?, [520, 4680]),
+        ("polhodes", "The paths that its spin can take", polhodes::draw(&subject)?, [340, 4420]),
+        ("gap", "The gap between spin and momentum", gaps::draw(&subject)?, [340, 4460]),
     ];
-    let mut drawn = pictures.into_iter().map(|(name, title, picture, rows)| {
-        let picture::Picture { canvas, description } = picture;
+    let mut drawn = pictures.into_iter().map(|(name, title, Picture { canvas, description }, rows)| {
+        let [left, top, wide, high] = if name == "gap" { [0, 340, 5000, 4120] } else { canvas.view(rows) };
         let svg = canvas.finish(name, title, &with_powers(&description));
         let (head, rest) = svg.split_once("viewBox=\"0 0 ").unwrap_or((&svg, ""));
         let rest = rest.split_once('"').map_or("", |(_, rest)| rest);
-        format!("<figure>{head}viewBox=\"0 {rows}\"{rest}</figure>\n")
+        format!("<figure>{head}viewBox=\"{left} {top} {wide} {high}\"{rest}</figure>\n")
     });
     let two: String = drawn.by_ref().take(2).collect();
     let numbers = tensor(&subject) + &stability(&subject)?;

@@ -14,10 +14,12 @@ use std::fmt::Write as _;
 use std::rc::Rc;
 
 /// A sheet of the given size that collects marks. Clones share one sheet.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Canvas {
     size: (u32, u32),
     body: Rc<RefCell<String>>,
+    /// Left, top, right and bottom of all lines and areas, in the sheet's fine units.
+    seen: Rc<Cell<Option<[i32; 4]>>>,
     /// Left, top, right and bottom of each label.
     written: Rc<RefCell<Vec<[f64; 4]>>>,
     /// The area of labels that overlap other labels or leave the sheet.
@@ -44,7 +46,7 @@ impl Canvas {
 
     /// A sheet of another width, at which letters have their nominal size.
     pub(crate) fn sized(width: u32, height: u32) -> Self {
-        Self { size: (width, height), body: Rc::default(), written: Rc::default(), over: Rc::default() }
+        Self { size: (width, height), ..Self::default() }
     }
 
     fn push(&self, element: &str) {
@@ -55,6 +57,10 @@ impl Canvas {
         if points.len() < 2 {
             return;
         }
+        let around =
+            |[l, t, r, b]: [i32; 4], &(x, y): &BackendCoord| [l.min(x), t.min(y), r.max(x), b.max(y)];
+        let (x, y) = points[0];
+        self.seen.set(Some(points.iter().fold(self.seen.get().unwrap_or([x, y, x, y]), around)));
         let close = if close { "z" } else { "" };
         self.push(&format!("<path d=\"{}{close}\" style=\"{style}\"/>\n", path_data(points)));
     }
@@ -166,6 +172,17 @@ impl Canvas {
         let sheet = [0.0, 0.0, f64::from(self.size.0), f64::from(self.size.1)];
         let off = whole - common(sheet);
         off.max(0.0) + self.written.borrow().iter().map(|&other| common(other)).sum::<f64>()
+    }
+
+    /// Left, top, width and height of a view that has all lines and areas between these rows of a sheet, and
+    /// a margin for a number at the tip of each arrow. It is wider than high, and wide enough that letters do
+    /// not become large.
+    pub(crate) fn view(&self, rows: [i32; 2]) -> [i32; 4] {
+        let [left, top, right, bottom] = self.seen.get().unwrap_or_default();
+        let (top, bottom) = (rows[0].max(top - 260), rows[1].min(bottom + 260));
+        let high = bottom - top;
+        let wide = (right - left + 520).max(high * 6 / 5).max(3000);
+        [(left + right - wide) / 2, top, wide, high]
     }
 
     /// The whole document. `name` prefixes its ids.

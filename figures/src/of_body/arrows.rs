@@ -68,18 +68,10 @@ fn large(canvas: &Canvas, subject: &Subject<'_>, plane: [Axis; 2], degrees: f64)
     let arrows = Pair::new(subject, plane, degrees);
     let tips = pair(canvas, centre, 215.0, &arrows, [3.6, 3.6]);
     canvas.arc(centre, 112.0, arrows.omega, arrows.momentum, Pen::new(Ink::Text, 2.2));
-    let near = |tip: P| {
-        let places = [
-            (10.0, 6.0),
-            (10.0, 26.0),
-            (10.0, -14.0),
-            (10.0, 46.0),
-            (10.0, -34.0),
-            (-40.0, -14.0),
-            (-70.0, -26.0),
-            (-90.0, 40.0),
-        ];
-        places.map(|(right, down)| (tip.0 + right, tip.1 + down))
+    let near = |tip: P| -> [P; 8] {
+        let right = [10.0, 10.0, 10.0, 10.0, 10.0, -40.0, -70.0, -90.0];
+        let down = [6.0, 26.0, -14.0, 46.0, -34.0, -14.0, -26.0, 40.0];
+        std::array::from_fn(|k| (tip.0 + right[k], tip.1 + down[k]))
     };
     canvas.label_at_first(&near(tips[0]), &Label::new("spin $!ω$").ink(Ink::Omega));
     let momentum = Label::new("momentum $!L$").ink(Ink::Momentum).halo(Ink::Paper);
@@ -94,10 +86,8 @@ fn large(canvas: &Canvas, subject: &Subject<'_>, plane: [Axis; 2], degrees: f64)
     }
     let by_the_arc = polar(centre, 140.0, 0.5 * (arrows.omega + arrows.momentum));
     let gap = Label::new(format!("gap {}", arrows.gap())).bold().halo(Ink::Paper);
-    let mut places = [(-6.0, 6.0), (-100.0, -8.0), (10.0, 30.0), (-120.0, 30.0), (20.0, 60.0)];
-    if close {
-        places[0] = (14.0, 24.0);
-    }
+    let first = if close { (14.0, 24.0) } else { (-6.0, 6.0) };
+    let places = [first, (-100.0, -8.0), (10.0, 30.0), (-120.0, 30.0), (20.0, 60.0)];
     canvas.label_at_first(&places.map(|(right, down)| (by_the_arc.0 + right, by_the_arc.1 + down)), &gap);
     arrows
 }
@@ -119,8 +109,8 @@ pub(crate) fn turned(subject: &Subject<'_>) -> Drawing {
     let plane = [Axis::Smallest, Axis::Largest];
     let canvas = Canvas::sized(500, 540);
     large(&canvas, subject, plane, 30.0);
-    let label = Label::new("the spin turned from one axis to the other, and the gap:").size(15.5);
-    canvas.label((14.0, 402.0), &label);
+    let words = "the spin turned from one axis to the other, and the gap:";
+    canvas.label((14.0, 402.0), &Label::new(words).size(15.5));
     let mut gaps = Vec::new();
     for i in 0..7_u32 {
         let degrees = f64::from(15 * i);
@@ -128,9 +118,9 @@ pub(crate) fn turned(subject: &Subject<'_>) -> Drawing {
         outline(&canvas, subject, plane, centre, 24.0);
         let arrows = Pair::new(subject, plane, degrees);
         pair(&canvas, centre, 40.0, &arrows, [1.6, 3.6]);
-        let label = Label::new(format!("{degrees:.0}°")).ink(Ink::Omega).middle();
-        canvas.label((centre.0, centre.1 + 44.0), &label);
-        canvas.label((centre.0, centre.1 + 66.0), &Label::new(arrows.gap()).bold().middle().size(15.5));
+        let at = |down: f64| (centre.0, centre.1 + down);
+        canvas.label(at(44.0), &Label::new(format!("{degrees:.0}°")).ink(Ink::Omega).middle());
+        canvas.label(at(66.0), &Label::new(arrows.gap()).bold().middle().size(15.5));
         gaps.push(format!("{} at {degrees:.0}°", arrows.gap()));
     }
     canvas.described(format!(

@@ -27,10 +27,9 @@ pub(crate) fn time(subject: &Subject<'_>) -> Drawing {
         canvas.disc(at, 5.0, Fill::new(Ink::Paper), Some(Pen::new(Ink::Text, 2.0)));
     }
     let decade = 2.0 * 10_f64.ln() / (subject.growth() * subject.spin);
-    let right = (480.0, 108.0);
-    canvas.label(right, &Label::new("a slip ten times smaller:").end());
+    canvas.label((480.0, 108.0), &Label::new("a slip ten times smaller:").end());
     let label = Label::new(format!("{} longer", units::TIME.say(decade))).end().bold();
-    canvas.label((right.0, right.1 + 22.0), &label);
+    canvas.label((480.0, 130.0), &label);
     canvas.described(format!(
         "Time between two flips of {} spun about its middle axis, {}, against the slip: from {} at a slip of 0.1 to {} at 1e-9, \
          nearly a straight line over a logarithmic axis, {} for each factor of ten.",

@@ -86,6 +86,8 @@ fn the_box_of_the_book_has_the_numbers_of_the_book() {
     // It reads nothing from elsewhere: the only address is the name of SVG.
     assert!(page.matches("://").count() == page.matches("http://www.w3.org/2000/svg").count());
     assert!(!page.contains("NaN"));
+    // The drawings of the body and of its paths are cropped, the plot is not.
+    assert!(page.matches("viewBox=\"0 ").count() == 1 && page.matches("viewBox=").count() == 3);
     // Turned by a right angle, its products are rounding.
     let turned = self::page("turn = [0, 0, 1, 90]\nsides = [2, 1, 3]\nmass = 1");
     assert!(turned.contains("<td>1.083</td><td>0.000</td><td>0.000</td>"));
