@@ -1,10 +1,8 @@
-//! The book's worked example: the box, its three moments, the angle between spin and momentum; and its
-//! tensor, which lives in the body, turned to the world.
+//! The book's worked example: the box, its three moments, and the angle between spin and momentum.
 //!
 //! `cargo run --example the_box`
 
-use nalgebra::{UnitQuaternion, Vector3};
-use tumbling::Body;
+use nalgebra::Vector3;
 use tumbling::solid::{Cuboid, Solid};
 
 fn main() -> Result<(), tumbling::Error> {
@@ -25,16 +23,6 @@ fn main() -> Result<(), tumbling::Error> {
         let angle =
             if angle > 0.0 && angle < 1e-3 { format!("{angle:.3e}°") } else { format!("{angle:.1}°") };
         println!("{spin:<24}{momentum:<26}{angle}");
-    }
-    println!("\nturned about z   world Ixx   Iyy     Ixy       spin of L = (1, 0, 0)");
-    for degrees in [0.0, 22.5, 45.0, 67.5, 90.0_f64] {
-        let attitude = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), degrees.to_radians());
-        let world = inertia.turned(attitude)?.matrix();
-        let omega = Body::new(inertia, attitude, &Vector3::x())?.omega_world();
-        println!(
-            "{degrees:>12.1}°   {:.3}       {:.3}   {:+.3}    ({:+.3}, {:+.3}, {:+.3})",
-            world.m11, world.m22, world.m12, omega.x, omega.y, omega.z
-        );
     }
     Ok(())
 }
