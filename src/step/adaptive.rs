@@ -84,9 +84,7 @@ impl Run {
         tolerance: f64,
     ) -> Result<Self, Error> {
         let mut state = *start;
-        if normalize(&mut state.attitude) == 0.0 {
-            positive(Subject::AttitudeLength, 0.0)?;
-        }
+        unit_length(&mut state.attitude)?;
         let momentum = if system.is_free() { Self::length(&state.momentum) } else { 0.0 };
         Ok(Self {
             system,
@@ -130,8 +128,7 @@ impl Run {
         if sum.periodic.is_empty() && sum.gradients.is_empty() {
             return (Arc::clone(&self.system), self.time);
         }
-        let torques = self.system.torques().iter().map(|torque| torque.starting_at(self.time)).collect();
-        (Arc::new(System::of_numbers(*self.system.moments(), torques)), 0.0)
+        (Arc::new(self.system.starting_at(self.time)), 0.0)
     }
 
     /// Takes a step of `h` seconds to the time `next`.
@@ -193,8 +190,13 @@ impl Run {
     }
 }
 
+/// Brings the attitude to length 1, unless its length is zero.
+pub(super) fn unit_length<T: Analytic>(attitude: &mut Quaternion<T>) -> Result<(), Error> {
+    positive(Subject::AttitudeLength, normalize(attitude).min(f64::MAX)).map(drop)
+}
+
 /// Brings the attitude to length 1; returns its length before.
-pub(super) fn normalize<T: Analytic>(attitude: &mut Quaternion<T>) -> f64 {
+fn normalize<T: Analytic>(attitude: &mut Quaternion<T>) -> f64 {
     let square = attitude.coords.dot(&attitude.coords);
     if !(1e-30..=1e30).contains(&square.size()) {
         return normalize_extreme(attitude);

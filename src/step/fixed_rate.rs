@@ -1,6 +1,6 @@
 //! A step at a fixed rate, for games and simulations: accurate at 60 Hz for ordinary bodies and spins.
 
-use super::adaptive::normalize;
+use super::adaptive::unit_length;
 use super::methods::moser_veselov::Prepared;
 use crate::body::State;
 use crate::error::{Error, Refusal, Subject};
@@ -61,11 +61,8 @@ pub fn fixed_rate<T: Analytic>(system: &System<T>, start: &State<T>, h: T) -> Re
 #[cold]
 fn brought_to_length_1<T: Analytic>(system: &System<T>, start: &State<T>, h: T) -> Result<State<T>, Error> {
     let mut unit = start.clone().checked()?;
-    let length = normalize(&mut unit.attitude);
-    if length > 0.0 {
-        return fixed_rate(system, &unit, h);
-    }
-    Err(Refusal::NotPositive { what: Subject::AttitudeLength, value: length }.into())
+    unit_length(&mut unit.attitude)?;
+    fixed_rate(system, &unit, h)
 }
 
 // Not inlined: the code of a free body is the shorter for it.

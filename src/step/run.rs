@@ -1,10 +1,10 @@
 //! A stepper with adaptive steps: its run, the state at any time within the run's last step, and flips.
 
-use super::adaptive::{AdaptiveRun, Tracked, check_tolerance, normalize};
+use super::adaptive::{AdaptiveRun, Tracked, check_tolerance, unit_length};
 use super::stepper::{Rule, Stepper};
 use super::system::System;
 use crate::body::{Body, State};
-use crate::error::{Error, Refusal, Subject, finite, positive};
+use crate::error::{Error, Refusal, Subject, finite};
 use crate::inertia::{Inertia, PrincipalMoments};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
@@ -82,9 +82,7 @@ impl Stepper {
         let body = Body::new(inertia, UnitQuaternion::identity(), &Vector3::zeros())?;
         let stepper = Self::adaptive(&body, tolerance, budget)?;
         let mut state = (*start).checked()?;
-        if normalize(&mut state.attitude) == 0.0 {
-            positive(Subject::AttitudeLength, 0.0)?;
-        }
+        unit_length(&mut state.attitude)?;
         let stepper = Self { system, state, ..stepper };
         stepper.checked().map(|_| stepper)
     }

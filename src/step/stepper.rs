@@ -3,7 +3,7 @@
 use super::adaptive::AdaptiveRun;
 use super::fixed_rate::fixed_rate;
 use crate::body::{Body, State};
-use crate::error::{Error, Subject, finite, finite_vector, positive, representable};
+use crate::error::{Error, Refusal, Subject, finite, finite_vector, positive, representable};
 use crate::inertia::Frame;
 use crate::step::method::Method;
 use crate::step::system::System;
@@ -197,10 +197,16 @@ impl Stepper {
     }
 
     /// The cause of a step that failed on a torque that is not finite where it began or at the time where it
-    /// would have ended.
+    /// would have ended; or, by a method of fixed steps, on an orbit whose turn until then is not finite.
     fn torque_not_finite(&self, after: f64) -> Option<Error> {
-        [0.0, after - self.time].into_iter().find_map(|later| {
-            finite_vector(Subject::Torque, &self.system.torque_after(&self.state, &later)).err()
+        let adaptive = matches!(self.rule, Rule::Adaptive { .. });
+        [self.time, after].into_iter().find_map(|time| {
+            let exact = self.system.starting_at(time).torque(&self.state);
+            let rounded = self.system.torque_after(&self.state, &(time - self.time));
+            let too_late = !adaptive && rounded.iter().any(|x| !x.is_finite());
+            let why = "a fixed step takes phases and turns of orbits from the time; they are beyond `f64`";
+            let refused = Refusal::Undefined { what: Subject::Torque, why }.when(too_late);
+            finite_vector(Subject::Torque, &exact).and(refused).err()
         })
     }
 

@@ -60,6 +60,12 @@ impl System<f64> {
         let system = Self::of_numbers(moments.vector(), torques);
         representable(Subject::Torque, &[system.sum.largest()]).map(|()| system)
     }
+
+    /// The system whose time zero is `time` seconds, with phases from the exact product of rate and time.
+    pub(crate) fn starting_at(&self, time: f64) -> Self {
+        let torques = self.torques.iter().map(|torque| torque.starting_at(time)).collect();
+        Self::of_numbers(self.moments, torques)
+    }
 }
 
 impl<T: Field> System<T> {

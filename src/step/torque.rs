@@ -248,6 +248,9 @@ impl Torque<f64> {
             Self::GravityGradient { strength, direction, orbit } => {
                 Self::GravityGradient { strength, direction: Circle::of(&direction, &orbit).at(start), orbit }
             }
+            Self::During { start: first, end, torque } => {
+                Self::during(first - start, end - start, torque.starting_at(start))
+            }
             same => same,
         }
     }

@@ -1,7 +1,7 @@
 //! Extreme inputs: every answer is finite, with a unit attitude where that is promised; everything else is
 //! refused.
 
-use super::{finite, steppers};
+use super::{by, finite, steppers};
 use crate::common::{anything, attitude, generic_spin, moments};
 use nalgebra::Vector3;
 use proptest::prelude::*;
@@ -102,9 +102,7 @@ proptest! {
         let inertia = leaning.map_or(Ok(inertia), |axes| inertia.turned(axes));
         if let Ok(body) = inertia.and_then(|inertia| Body::new(inertia, unit, &momentum)) {
             for method in steppers() {
-                let of = |method| Stepper::new(&body, method);
-                let stepper = method.map_or_else(|| Stepper::fixed_rate(&body), of);
-                let stepper = stepper.and_then(|stepper| stepper.with_torques(system.torques().to_vec()));
+                let stepper = by(&body, method).and_then(|stepper| stepper.with_torques(system.torques().to_vec()));
                 for state in stepper.into_iter().flat_map(|mut stepper| stepper.run(h, 2).collect::<Vec<_>>()) {
                     prop_assert!(state.as_ref().map_or(true, finite), "{method:?}: {state:?}");
                 }

@@ -94,6 +94,11 @@ fn steppers() -> impl Iterator<Item = Option<Method>> {
     to_the_truth.copied().map(Some).chain([None])
 }
 
+/// By a method, or at a fixed rate.
+fn by(body: &Body, method: Option<Method>) -> Result<Stepper, Error> {
+    method.map_or_else(|| Stepper::fixed_rate(body), |method| Stepper::new(body, method))
+}
+
 fn finite(state: &State<f64>) -> bool {
     state.attitude.coords.iter().chain(&state.momentum).all(|x| x.is_finite())
 }

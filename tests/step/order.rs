@@ -1,7 +1,7 @@
 //! The order of every method under torques that depend on time, attitude and spin. The proofs prove the
 //! orders on power series; these tests observe them in `f64`.
 
-use super::{adaptive, apart, in_axes, seen_along, steppers, turn_by, under};
+use super::{adaptive, apart, by, in_axes, seen_along, steppers, turn_by, under};
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use tumbling::Body;
 use tumbling::step::{Method, State, Stepper, Torque};
@@ -16,11 +16,7 @@ fn order(
     count: u32,
 ) -> (f64, f64) {
     let error = |count: u32| {
-        let stepper = match method {
-            Some(method) => Stepper::new(body, method),
-            None => Stepper::fixed_rate(body),
-        };
-        let mut stepper = stepper.unwrap().with_torques(torques.to_vec()).unwrap();
+        let mut stepper = by(body, method).unwrap().with_torques(torques.to_vec()).unwrap();
         let end = stepper.run(t / f64::from(count), count as usize).last().unwrap().unwrap();
         apart(&end, truth)
     };

@@ -1,6 +1,6 @@
 //! A body of any tensor stepped in its own axes, under torques given by functions of time, attitude and spin.
 
-use super::{apart, finite, free, in_axes, seen_along, spinning, steppers};
+use super::{apart, by, finite, free, in_axes, seen_along, spinning, steppers};
 use crate::common::*;
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
@@ -120,6 +120,32 @@ fn a_run_makes_no_room_for_its_steps_and_a_refused_one_leaves_the_body_where_it_
 }
 
 #[test]
+fn a_gravity_gradient_that_begins_too_late_is_refused_for_its_phase_and_not_for_its_torque() {
+    let (strength, direction, orbit) = (3.8e-6, Vector3::x(), Vector3::new(2e-4, -3e-4, 1.1e-3));
+    let torque = Torque::GravityGradient { strength, direction, orbit };
+    let (body, from) = (spinning([1.0, 2.0, 2.5], &Vector3::zeros()), 1e200);
+    for (name, rule) in RULES {
+        for torque in [torque.clone(), Torque::during(from, 2.0 * from, torque.clone())] {
+            let mut stepper = rule(&body).unwrap();
+            stepper.step_to(from).unwrap();
+            let text = stepper.with_torques([torque]).unwrap().step_to(1.01 * from).unwrap_err().to_string();
+            let why = if name == "adaptive" { "its budget of steps is used up" } else { "takes phases" };
+            assert!(text.contains(why), "{name}: {text}");
+        }
+    }
+}
+
+#[test]
+fn a_body_at_rest_stays_there_for_the_shortest_time() {
+    let body = spinning([1.0, 2.0, 2.5], &Vector3::zeros());
+    for time in [5e-324, 1e-320, -1e-310, 1.0] {
+        for (name, rule) in RULES {
+            assert_eq!(rule(&body).unwrap().step_to(time), Ok(body.state()), "{name}, {time:e} s");
+        }
+    }
+}
+
+#[test]
 fn single_precision_follows_double_for_every_method_and_at_a_fixed_rate() {
     let moments = Vector3::new(1.0, 2.0, 2.5);
     let double = System::of_numbers(moments, vec![Torque::gravity(&Vector3::x(), 0.1)]);
@@ -196,11 +222,7 @@ fn a_torque_that_is_not_a_number_is_named_as_the_cause_by_every_method() {
     // A thruster whose law ends at 0.25 s.
     let law = |time: f64, _: &Matrix3<f64>, _: &Vector3<f64>| Vector3::y() * (0.25 - time).sqrt();
     for method in steppers() {
-        let stepper = match method {
-            Some(method) => Stepper::new(&body, method),
-            None => Stepper::fixed_rate(&body),
-        };
-        let mut stepper = stepper.unwrap().with_torques([Torque::function(law)]).unwrap();
+        let mut stepper = by(&body, method).unwrap().with_torques([Torque::function(law)]).unwrap();
         let error = stepper.run(0.1, 4).find_map(Result::err).unwrap();
         assert_eq!(error.kind(), ErrorKind::NotFinite, "{method:?}: {error}");
         assert_eq!(error.subject(), Subject::Torque, "{method:?}");

@@ -57,7 +57,7 @@ impl AdaptiveRun {
     ) -> Result<Self, Error> {
         check_tolerance(tolerance)?;
         (*start).checked()?;
-        let system = Arc::new(system);
+        let system = Arc::new(system.starting_at(system.time));
         let (acting, until) = piece(&system, 0.0, end);
         let mut run = Run::new(acting, start, until, tolerance)?;
         match tracked {
@@ -181,23 +181,26 @@ impl AdaptiveRun {
     }
 }
 
-/// The system under the torques that act from the time `from` to the next switch on the way to `end`, s after
-/// the start of a run; and the time of this switch, or the end. The system's own time is zero at `from`.
+/// The system under the torques that act from the time `from` to the next switch on the way to `end`, with
+/// its own time zero at `from`; and the time of this switch, or the end.
 fn piece(system: &Arc<System<f64>>, from: f64, end: f64) -> (Arc<System<f64>>, f64) {
-    let timed = system.torques().iter().any(|torque| matches!(torque, Torque::During { .. }));
-    if !timed && system.time == 0.0 {
+    if !system.torques().iter().any(|torque| matches!(torque, Torque::During { .. })) {
         return (Arc::clone(system), end);
     }
     let until = next_switch(system, from, end);
-    (Arc::new(acting(system, from, until)), until)
+    let (first, last) = if from < until { (from, until) } else { (until, from) };
+    let acts = |(torque, [start, end]): (&Torque<f64>, [f64; 2])| {
+        (start <= first && last <= end).then(|| torque.starting_at(from))
+    };
+    let torques = system.torques().iter().map(window).filter_map(acts).collect();
+    (Arc::new(System::of_numbers(*system.moments(), torques)), until)
 }
 
-/// A torque without its `During`s, and the times between which all of them let it act, s after the system's
-/// time.
-fn window<'a>(system: &System<f64>, torque: &'a Torque<f64>) -> (&'a Torque<f64>, [f64; 2]) {
+/// A torque without its `During`s, and the times between which all of them let it act, s.
+fn window(torque: &Torque<f64>) -> (&Torque<f64>, [f64; 2]) {
     let (mut torque, mut first, mut last) = (torque, f64::NEG_INFINITY, f64::INFINITY);
     while let Torque::During { start, end, torque: inner } = torque {
-        (first, last) = (first.max(start - system.time), last.min(end - system.time));
+        (first, last) = (first.max(*start), last.min(*end));
         torque = inner;
     }
     (torque, [first, last])
@@ -208,22 +211,8 @@ fn next_switch(system: &System<f64>, from: f64, duration: f64) -> f64 {
     let ahead = |time: &f64| {
         if duration < 0.0 { *time < from && *time > duration } else { *time > from && *time < duration }
     };
-    let switches = system.torques().iter().flat_map(|torque| window(system, torque).1).filter(ahead);
+    let switches = system.torques().iter().flat_map(|torque| window(torque).1).filter(ahead);
     switches.fold(duration, |next, time| if (time - from).abs() < (next - from).abs() { time } else { next })
-}
-
-/// The system under the torques that act throughout the time between the two.
-fn acting(system: &System<f64>, from: f64, until: f64) -> System<f64> {
-    let (first, last) = if from < until { (from, until) } else { (until, from) };
-    let torques: Vec<_> = system
-        .torques()
-        .iter()
-        .filter_map(|torque| {
-            let (torque, [start, end]) = window(system, torque);
-            (start <= first && last <= end).then(|| torque.starting_at(system.time).starting_at(from))
-        })
-        .collect();
-    System::of_numbers(*system.moments(), torques)
 }
 
 /// The number of stiff steps after which damping is solved for.

@@ -156,7 +156,8 @@ impl Taylor {
         } else if rate > 0.0 && rate.is_finite() {
             times_power_of_two(1.0, -exponent(rate))
         } else {
-            run.ahead().abs()
+            // Not below the numbers whose inverse is finite.
+            run.ahead().abs().max(f64::MIN_POSITIVE)
         };
         // Accelerations are multiplied by the square of the unit: below this limit they would lose their
         // digits.
