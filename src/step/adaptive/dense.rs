@@ -57,7 +57,7 @@ impl AdaptiveRun {
     ) -> Result<Self, Error> {
         check_tolerance(tolerance)?;
         (*start).checked()?;
-        let system = Arc::new(system.starting_at(system.time));
+        let system = Arc::new(if system.time == 0.0 { system } else { system.starting_at(system.time) });
         let (acting, until) = piece(&system, 0.0, end);
         let mut run = Run::new(acting, start, until, tolerance)?;
         match tracked {
