@@ -45,7 +45,7 @@ const OTHERWISE = {
   why: [{ says: "let go" }, { says: "the sphere grows", go: moved("#why-size") }],
   coin: [{ says: "played" }, { says: "the tilt changed", go: moved("#coin-tilt") }],
   steps: [{ says: "the step changed", go: moved("#steps-step") }],
-  top: [{ says: "let go" }, { says: "pushed round", go: moved("#top-push") }],
+  top: [{ says: "let go" }, { says: "pushed round", first: (page) => page.click("#live-top summary"), go: moved("#top-push") }],
   judge: [], // nothing of it moves
 };
 
