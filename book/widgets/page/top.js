@@ -27,12 +27,10 @@ tumblingLive.widget("top", async (stage, from) => {
         "draws waves: it always goes round the same way", "draws cusps: it stands still where it is highest", "draws loops: it goes back where it is highest",
         "swings as a pendulum’s, without spin", "rises toward upright and falls back",
     ];
-    const FINE = 0.004; // s from one sample to the next
-    const ROUGH = 0.008; // the same while a slider moves
+    const [FINE, ROUGH] = [0.004, 0.008]; // s from one sample to the next; the second while a slider moves
     const [PIECE, INSTANTS] = [800, 1000]; // as in top/src/lib.rs
     const TRAIL = 3; // s of the path that are drawn
-    const [ASTRAY, UPRIGHT] = [5, 10]; // degrees
-    const [UNTIL, UNTIL_DRAGGED] = [1.5, 16];
+    const [ASTRAY, UPRIGHT, UNTIL, UNTIL_DRAGGED] = [5, 10, 1.5, 16]; // degrees; s
     const DEGREES = 180 / Math.PI;
     const ROUND = Array.from({ length: 73 }, (_, i) => [Math.cos(Math.PI * i / 36), Math.sin(Math.PI * i / 36)]);
 
@@ -232,8 +230,10 @@ tumblingLive.widget("top", async (stage, from) => {
         const [kind, least, greatest, period, round, , critical, ...shape] = found;
         state.facts = { kind, leans: [least, greatest], critical };
         state.solid ??= tumblingLive.drum(shape);
-        run();
         closed();
+        // While a slider moves, steps too short to be told from the closed form in the picture are not taken.
+        if (state.fine > FINE && !drag.checked && spin.value * step.value <= 200) [state.axes, state.each] = [state.exact, state.fine];
+        else run();
         const wakes = state.stepped.findIndex((sample) => sample[4] < critical);
         state.wakes = wakes < 0 ? NaN : wakes * state.each;
         state.astray = !drag.checked && (state.axes.length * state.each < UNTIL
