@@ -7,7 +7,7 @@ const parts = (page, selector) => page.locator(selector).evaluate((svg) => {
   return {
     size: svg.getAttribute("viewBox").split(" ").slice(2).map(Number),
     dim: Number(getComputedStyle(svg).opacity) < 0.9,
-    all: [...svg.children].map((part) => ({
+    all: [...svg.querySelectorAll(":not(g)")].map((part) => ({
       kind: part.localName,
       classes: [...part.classList],
       colour: getComputedStyle(part).stroke,

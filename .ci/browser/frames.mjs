@@ -24,7 +24,7 @@ const played = (widget) => (page) => page.click(`#${widget}-play`);
 /** Moves a slider to and fro, as fast as any hand; a step that it is at already is no news, as in a browser. */
 const moved = (selector) => (page) => page.evaluate((selector) => {
   const input = document.querySelector(selector);
-  const [from, to] = [Number(input.min), Number(input.max)];
+  const [from, to] = input.max ? [Number(input.min), Number(input.max)] : [1, 4]; // a field for any number has no end
   const frame = (now) => {
     const before = input.value;
     input.value = from + (to - from) * (0.5 + 0.5 * Math.sin(now / 300));
@@ -45,7 +45,7 @@ const OTHERWISE = {
   why: [{ says: "let go" }, { says: "the sphere grows", go: moved("#why-size") }],
   coin: [{ says: "played" }, { says: "the tilt changed", go: moved("#coin-tilt") }],
   steps: [{ says: "the step changed", go: moved("#steps-step") }],
-  top: [{ says: "let go" }, { says: "pushed round", go: moved("#top-push") }],
+  top: [{ says: "let go" }, { says: "pushed round", first: (page) => page.click("#live-top summary"), go: moved("#top-push") }],
   judge: [], // nothing of it moves
 };
 

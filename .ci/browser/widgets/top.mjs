@@ -93,7 +93,8 @@ export async function top(page, wants) {
   await page.waitForFunction(() => document.querySelector("#top-step").value === "2", null, { timeout: 60000 }).catch(() => {});
   wants(`another's is taken over: ${await tell("kind")}`, (await tell("kind")).includes("steadily") && (await page.inputValue("#top-step")) === "2");
 
-  // All ends of all controls.
+  // All ends of all controls, of those too that are folded.
+  await page.click("#live-top summary");
   for (const slowed of [true, false]) {
     await page.locator("#top-drag").setChecked(slowed);
     for (const [spin, lean, push, step] of [[0, 0, 0, 16], [400, 150, 15, 16], [0, 150, -15, 0.5], [400, 0, 15, 8], [0, 90, 0, 4], [400, 90, -15, 2]]) {

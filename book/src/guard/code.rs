@@ -15,7 +15,7 @@ use syn::{BinOp, Expr, ExprLit, Lit, Token};
 #[derive(Debug, Default)]
 pub(crate) struct Code {
     pub(crate) phrases: Vec<Phrase>,
-    /// The expected strings of assertions of one word, or with a colon.
+    /// The expected strings of assertions of one word, or of several lines.
     pub(crate) answers: Vec<String>,
     /// Code that looks like evidence and is not: the line, from zero, the words, and what would be right.
     pub(crate) hollow: Vec<(usize, String, &'static str)>,
@@ -218,8 +218,8 @@ impl<'a> Reader<'a> {
             Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => {
                 let at = self.literal(text.span());
                 let phrase = Phrase::new(&text.value(), true, at.line, certainty);
-                // With a colon it is what a program prints.
-                let says = phrase.text.contains(' ') && !phrase.text.contains(':');
+                // In lines of its own it is what a program prints.
+                let says = phrase.text.contains(' ') && !text.value().contains('\n');
                 if digits::plain(&phrase.text).is_empty() && !says {
                     self.code.answers.push(phrase.text);
                 } else {

@@ -37,7 +37,7 @@ pub(super) fn replace(source: &Source<'_>, all: &[Exercise]) -> Result<String, S
 fn section(exercises: &[&Exercise]) -> String {
     let first = exercises.first().map(|first| first.command()).unwrap_or_default();
     let mut out = format!(
-        "Each has a file in `book/exercises/stubs`, and a command that checks it, the first this one:\n\n```sh\n{first}\n```\n\n\
+        "Each is a file in `book/exercises/stubs`. This checks the first:\n\n```sh\n{first}\n```\n\n\
          [How to run them](about.md#exercises).\n",
     );
     for exercise in exercises {
@@ -82,7 +82,7 @@ mod tests {
             let mine = exercise.place().0 == "two-arrows";
             assert_eq!(out.contains(exercise.solution().trim_end()), mine, "{}", exercise.name);
         }
-        assert!(out.starts_with("# A\n\n## Exercises\n\nEach has a file") && !out.contains("{{#"));
+        assert!(out.starts_with("# A\n\n## Exercises\n\nEach is a file") && !out.contains("{{#"));
         let here: Vec<_> =
             tumbling_exercises::all().unwrap().into_iter().filter(|e| e.place().0 == "two-arrows").collect();
         assert!(out.contains(&here[0].command()) && out.matches("cargo exercise").count() == 1, "{out}");

@@ -146,7 +146,6 @@ tumblingLive.bodies ??= (() => {
             },
             measure() {
                 dots = Math.max(Math.min(devicePixelRatio || 1, MOST) * it.coarse, Math.min(devicePixelRatio || 1, 1));
-                width = canvas.clientWidth;
                 height = shape(width);
                 canvas.style.height = `${height}px`;
                 [canvas.width, canvas.height] = [Math.round(width * dots), Math.round(height * dots)];
@@ -156,7 +155,8 @@ tumblingLive.bodies ??= (() => {
         };
         let seen = "";
         new ResizeObserver(() => {
-            const size = `${canvas.clientWidth} ${devicePixelRatio}`;
+            width = canvas.clientWidth; // read here alone: after a text was written it would have the page laid out
+            const size = `${width} ${devicePixelRatio}`;
             if (size !== seen) it.measure();
             seen = size;
         }).observe(canvas);

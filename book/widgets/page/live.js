@@ -47,16 +47,12 @@ globalThis.tumblingLive ??= (() => {
     /** A number as Rust prints it with so many decimals: ties go to the even digit. The minus is a true one. */
     function fixed(number, decimals) {
         if (!Number.isFinite(number) || Math.abs(number) >= 1e15) return String(number).replace("-", "−");
-        const exact = Math.abs(number).toFixed(100);
-        let digits = exact.slice(0, exact.indexOf(".") + 1 + decimals);
-        const rest = exact.slice(exact.indexOf(".") + 1 + decimals);
-        const half = `5${"0".repeat(rest.length - 1)}`;
-        if (rest > half || (rest === half && "13579".includes(digits.replace(".", "").at(-1)))) {
-            const up = BigInt(digits.replace(".", "")) + 1n;
-            const text = String(up).padStart(decimals + 1, "0");
-            digits = `${text.slice(0, text.length - decimals)}.${text.slice(text.length - decimals)}`;
+        const size = Math.abs(number);
+        let digits = size.toFixed(decimals); // exact, but for ties, which it rounds up
+        if (Number.isInteger(size * 2 ** (decimals + 1))) { // a tie has no more binary places
+            const [, below, rest] = size.toFixed(decimals + 1).match(/^(.*?)\.?(\d)$/);
+            if (rest === "5" && "02468".includes(below.at(-1))) digits = below;
         }
-        digits = digits.replace(/\.$/, "");
         return number < 0 && /[1-9]/.test(digits) ? `−${digits}` : digits;
     }
 
@@ -101,20 +97,23 @@ globalThis.tumblingLive ??= (() => {
         return [tipX, tipY];
     }
 
-    /** Has a drawing redrawn, in the page's own pixels, when its width changes. Returns what redraws it. */
+    /**
+     * Has a drawing redrawn, in the page's own pixels, when its width changes. Returns what redraws it. What `redraw` returns stays in the
+     * drawing, and is given to it the next time, while the size is the same.
+     */
     function drawing(svg, height, redraw) {
-        let width = 0;
+        let [width, stays] = [0, undefined];
         const again = () => {
             if (width === 0) return;
             const high = height(width);
-            svg.setAttribute("viewBox", `0 0 ${width} ${high}`);
-            svg.style.height = `${high}px`;
-            svg.replaceChildren();
-            redraw(width, high);
+            for (const child of [...svg.children]) if (child !== stays) child.remove();
+            stays = redraw(width, high, stays);
         };
         new ResizeObserver(() => {
             if (svg.clientWidth !== width) {
-                width = svg.clientWidth;
+                [width, stays] = [svg.clientWidth, undefined];
+                svg.setAttribute("viewBox", `0 0 ${width} ${height(width)}`);
+                svg.style.height = `${height(width)}px`;
                 again();
             }
         }).observe(svg);

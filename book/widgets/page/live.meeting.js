@@ -43,7 +43,12 @@ tumblingLive.meeting = (canvas, colours, half, names, { get, moved, ended }) => 
                 pixels[row * dots + column] = grey[Math.round(16 + 16 * (LIGHT[0] * x + LIGHT[1] * y + LIGHT[2] * out) / Math.sqrt(x * x + y * y + out * out))];
             }
         }
-        Object.assign(kept, { seen: key, ellipsoid: { near, image, pixels, bare: pixels.slice(), warmed } });
+        // At each dot: the square of the least length at which a sphere is nearer than the ellipsoid.
+        const hidden = near.map((z, dot) => {
+            const [u, v] = [2 * (dot % dots) + 1, 2 * Math.floor(dot / dots) + 1].map((place) => reach * (place / dots - 1));
+            return u * u + v * v + Math.max(z, 0) ** 2;
+        });
+        Object.assign(kept, { seen: key, ellipsoid: { hidden, image, pixels, bare: pixels.slice(), warmed } });
         return kept.ellipsoid;
     }
     /**
@@ -58,18 +63,18 @@ tumblingLive.meeting = (canvas, colours, half, names, { get, moved, ended }) => 
         clearTimeout(kept.later);
         Object.assign(kept, { key, at: performance.now(), coarse: soon, later: soon ? setTimeout(() => picture.draw(), 250) : 0 });
         if (sheet.width !== dots) [sheet.width, sheet.height] = [dots, dots];
-        const { near, image, pixels, bare, warmed } = ellipsoid(eye, dots);
+        const { hidden, image, pixels, bare, warmed } = ellipsoid(eye, dots);
         pixels.set(bare);
         const [right, up, toward] = LIGHT.map((part) => 16 * part / length);
         const side = (part) => Math.max(0, Math.min(dots, Math.round(0.5 * dots * (1 + part / reach)))); // the dot at a height, or at a place across
         for (let row = side(-length); row < side(length); row += 1) {
             const v = reach * (1 - (2 * row + 1) / dots);
             const wide = Math.sqrt(Math.max(0, length * length - v * v));
-            for (let column = side(-wide); column < side(wide); column += 1) {
+            for (let column = side(-wide), end = side(wide); column < end; column += 1) {
+                const dot = row * dots + column;
+                if (length * length <= hidden[dot]) continue;
                 const u = reach * ((2 * column + 1) / dots - 1);
-                const round = wide * wide - u * u;
-                const z = round > 0 ? Math.sqrt(round) : -Infinity;
-                if (z > near[row * dots + column]) pixels[row * dots + column] = warmed[Math.round(16 + right * u + up * v + toward * z)];
+                pixels[dot] = warmed[Math.round(16 + right * u + up * v + toward * Math.sqrt(Math.max(0, wide * wide - u * u)))];
             }
         }
         sheet.getContext("2d").putImageData(image, 0, 0);
@@ -86,21 +91,24 @@ tumblingLive.meeting = (canvas, colours, half, names, { get, moved, ended }) => 
         surfaces(Math.hypot(...at), eye, Math.round(side * Math.min(devicePixelRatio || 1, 2)));
         pen.drawImage(sheet, (width - side) / 2, (height - side) / 2, side, side);
         pen.lineWidth = 2.6;
-        const loop = curve.map((p) => ({ to: on(p), front: faces(p) }));
-        const loops = [loop, loop.map(({ to: [x, y], front }) => ({ to: [width - x, height - y], front: !front }))];
-        pen.strokeStyle = colours.omega;
-        for (const front of [false, true]) {
-            pen.globalAlpha = front ? 1 : 0.22;
-            pen.beginPath();
-            for (const loop of loops) {
-                loop.forEach((place, i) => {
-                    if (place.front !== front) return;
-                    const before = loop.at(i - 1);
-                    if (i === 0 || before.front !== front) pen.moveTo(...before.to);
-                    pen.lineTo(...place.to);
-                });
+        // The curve and its mirror image through the middle, which is in front where the curve is behind.
+        const [behind, before] = [new Path2D(), new Path2D()];
+        let last = { to: on(curve.at(-1)), front: null };
+        for (const p of curve) {
+            const here = { to: on(p), front: faces(p) };
+            const [line, image] = here.front ? [before, behind] : [behind, before];
+            if (here.front !== last.front) {
+                line.moveTo(...last.to);
+                image.moveTo(width - last.to[0], height - last.to[1]);
             }
-            pen.stroke();
+            line.lineTo(...here.to);
+            image.lineTo(width - here.to[0], height - here.to[1]);
+            last = here;
+        }
+        pen.strokeStyle = colours.omega;
+        for (const [line, alpha] of [[behind, 0.22], [before, 1]]) {
+            pen.globalAlpha = alpha;
+            pen.stroke(line);
         }
         names.forEach(([name, colour], k) => {
             for (const sign of [1, -1]) {

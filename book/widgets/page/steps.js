@@ -69,37 +69,58 @@ tumblingLive.widget("steps", async (stage) => {
     const line = (svg, name, points) => draw("path", svg, { class: name, d: `M${points.map((p) => p.map((x) => x.toFixed(1)).join(" ")).join("L")}` });
     const cross = (svg, x, y) => draw("path", svg, { class: "live-ran live-wrongly live-cross", d: `M${x - 5} ${y - 5}l10 10m0 -10l-10 10` });
 
-    const drawPath = drawing(svgs[0], (width) => Math.round(Math.max(110, Math.min(0.26 * width, 180))), (width, height) => {
+    const drawPath = drawing(svgs[0], (width) => Math.round(Math.max(110, Math.min(0.26 * width, 180))), (width, height, stays) => {
         const svg = svgs[0];
         const most = exact.reduce((most, x) => Math.max(most, Math.abs(x)), 0);
         const reach = height / 2 - 8;
         const at = (time, value) => [6 + (width - 12) * time / UNTIL, height / 2 - reach * Math.max(-1.15, Math.min(1.15, value / (1.1 * most)))];
-        draw("path", svg, { class: "live-axis", d: `M6 ${height / 2}H${width - 6}` });
-        line(svg, "live-exact", Array.from(exact, (value, i) => at(UNTIL * i / (exact.length - 1), value)));
+        const still = resting(svg, stays, (part) => {
+            draw("path", part, { class: "live-axis", d: `M6 ${height / 2}H${width - 6}` });
+            line(part, "live-exact", Array.from(exact, (value, i) => at(UNTIL * i / (exact.length - 1), value)));
+        });
         const name = chosen.reason || off(chosen) ? "live-ran live-wrongly" : "live-ran";
         const points = Array.from(chosen.spins, (value, i) => at(i * chosen.step, value));
         line(svg, name, points.length > 1 ? points : [points[0], points[0]]);
         if (chosen.count <= 100) for (const [x, y] of points) draw("circle", svg, { class: `${name} live-tip`, cx: x, cy: y, r: 2.5 });
         if (chosen.reason) cross(svg, ...points.at(-1));
+        return still;
     });
 
+    /** What the step does not change, drawn anew only with another method or motion. */
+    function resting(svg, stays, add) {
+        if (stays?.curve === curve) return stays;
+        stays?.remove();
+        const part = draw("g", svg, {});
+        svg.prepend(part);
+        add(part);
+        return Object.assign(part, { curve });
+    }
+
     const KINDS = ["energy", "length", "attitude"];
-    const drawErrors = drawing(svgs[1], (width) => Math.round(Math.max(220, Math.min(0.5 * width, 320))), (width, height) => {
+    const drawErrors = drawing(svgs[1], (width) => Math.round(Math.max(220, Math.min(0.5 * width, 320))), (width, height, stays) => {
         const svg = svgs[1];
         const [left, right, top, bottom] = [46, width - 14, 14, height - 40];
         const [from, to] = [Math.log10(UNTIL / CURVE[0]) - 0.1, Math.log10(UNTIL / CURVE.at(-1)) + 0.1];
         const x = (step) => left + (right - left) * (Math.log10(step) - from) / (to - from);
         const y = (error) => bottom - (bottom - top) * (Math.max(LEAST, Math.min(MOST, error > 0 ? Math.log10(error) : error === 0 ? LEAST : MOST)) - LEAST) / (MOST - LEAST);
         const power = (n) => `10${raised(n)}`;
-        for (let n = LEAST; n <= MOST; n += 4) {
-            draw("path", svg, { class: "live-grid", d: `M${left} ${y(10 ** n)}H${right}` });
-            draw("text", svg, { x: left - 6, y: y(10 ** n) + 5, "text-anchor": "end" }, n === 0 ? "1" : power(n));
-        }
-        for (const step of [0.01, 0.1, 1]) {
-            draw("path", svg, { class: "live-grid", d: `M${x(step)} ${top}V${bottom}` });
-            draw("text", svg, { x: x(step), y: bottom + 17, "text-anchor": "middle" }, `${step} s`);
-        }
-        draw("text", svg, { x: (left + right) / 2, y: bottom + 34, "text-anchor": "middle" }, "step");
+        const still = resting(svg, stays, (part) => {
+            for (let n = LEAST; n <= MOST; n += 4) {
+                draw("path", part, { class: "live-grid", d: `M${left} ${y(10 ** n)}H${right}` });
+                draw("text", part, { x: left - 6, y: y(10 ** n) + 5, "text-anchor": "end" }, n === 0 ? "1" : power(n));
+            }
+            for (const step of [0.01, 0.1, 1]) {
+                draw("path", part, { class: "live-grid", d: `M${x(step)} ${top}V${bottom}` });
+                draw("text", part, { x: x(step), y: bottom + 17, "text-anchor": "middle" }, `${step} s`);
+            }
+            draw("text", part, { x: (left + right) / 2, y: bottom + 34, "text-anchor": "middle" }, "step");
+            for (const kind of KINDS) {
+                const held = curve.filter((one) => !one.reason);
+                if (held.length > 1) line(part, `live-curve live-curve-${kind}`, held.map((one) => [x(one.step), y(one[kind])]));
+                for (const one of held) mark(part, kind, x(one.step), y(one[kind]), 3);
+            }
+            for (const one of curve) if (one.reason) cross(part, x(one.step), top + 4);
+        });
         draw("path", svg, { class: "live-now", d: `M${x(chosen.step)} ${top}V${bottom}` });
         // The order that the library gives, through the attitude's error at this step.
         if (!chosen.reason && told.order > 0 && chosen.attitude > 0) {
@@ -108,13 +129,7 @@ tumblingLive.widget("steps", async (stage) => {
             const ends = [LEAST, MOST].map((n) => within(logStep + (n - logError) / told.order));
             line(svg, "live-guide", ends.map((end) => [x(10 ** end), y(10 ** (logError + told.order * (end - logStep)))]));
         }
-        for (const kind of KINDS) {
-            const held = curve.filter((one) => !one.reason);
-            if (held.length > 1) line(svg, `live-curve live-curve-${kind}`, held.map((one) => [x(one.step), y(one[kind])]));
-            for (const one of held) mark(svg, kind, x(one.step), y(one[kind]), 3);
-            if (!chosen.reason) mark(svg, kind, x(chosen.step), y(chosen[kind]), 6);
-        }
-        for (const one of curve) if (one.reason) cross(svg, x(one.step), top + 4);
+        if (!chosen.reason) for (const kind of KINDS) mark(svg, kind, x(chosen.step), y(chosen[kind]), 6);
         if (chosen.reason) cross(svg, x(chosen.step), top + 4);
         const slope = steepness();
         if (slope !== null) {
@@ -125,6 +140,7 @@ tumblingLive.widget("steps", async (stage) => {
                 "text-anchor": room ? "end" : "start",
             }, `slope ${fixed(slope, 1)}`);
         }
+        return still;
     });
 
     function mark(svg, kind, x, y, size) {

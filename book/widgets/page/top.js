@@ -8,7 +8,9 @@ tumblingLive.widget("top", async (stage, from) => {
     const control = (id) => stage.querySelector(`#top-${id}`);
     const [play, scrub, pace, step, drag, spin, lean, push] = ["play", "scrub", "pace", "step", "drag", "spin", "lean", "push"].map(control);
     const canvas = (what) => stage.querySelector(`[data-draws=${what}]`);
-    const shown = (what) => stage.querySelector(`[data-shows=${what}]`);
+    const places = Object.fromEntries(Array.from(stage.querySelectorAll("[data-shows]"), (place) => [place.dataset.shows, place]));
+    const shown = (what) => places[what];
+    const choices = [...stage.querySelectorAll("[data-start]")];
     const wrong = stage.querySelector(".live-wrong");
     const say = sayer(stage);
 
@@ -25,13 +27,12 @@ tumblingLive.widget("top", async (stage, from) => {
         "draws waves: it always goes round the same way", "draws cusps: it stands still where it is highest", "draws loops: it goes back where it is highest",
         "swings as a pendulum’s, without spin", "rises toward upright and falls back",
     ];
-    const FINE = 0.004; // s from one sample to the next
-    const ROUGH = 0.008; // the same while a slider moves
+    const [FINE, ROUGH] = [0.004, 0.008]; // s from one sample to the next; the second while a slider moves
     const [PIECE, INSTANTS] = [800, 1000]; // as in top/src/lib.rs
     const TRAIL = 3; // s of the path that are drawn
-    const [ASTRAY, UPRIGHT] = [5, 10]; // degrees
-    const [UNTIL, UNTIL_DRAGGED] = [1.5, 16];
+    const [ASTRAY, UPRIGHT, UNTIL, UNTIL_DRAGGED] = [5, 10, 1.5, 16]; // degrees; s
     const DEGREES = 180 / Math.PI;
+    const ROUND = Array.from({ length: 73 }, (_, i) => [Math.cos(Math.PI * i / 36), Math.sin(Math.PI * i / 36)]);
 
     const state = { t: 0, turn: 20, tilt: 28, steady: false, facts: null, exact: [], stepped: [], fine: FINE, each: FINE, told: 0, curved: true, solid: null };
     const given = () => [Number(spin.value), Number(lean.value), state.steady ? NaN : Number(push.value)];
@@ -43,6 +44,8 @@ tumblingLive.widget("top", async (stage, from) => {
         const [w, x, y, z] = [q[at], q[at + 1], q[at + 2], q[at + 3]];
         return [2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)];
     };
+    /** Whether two axes are less than ASTRAY apart: no root for each of the hundreds that are compared. */
+    const near = ([x, y, z], [u, v, w]) => (x - u) ** 2 + (y - v) ** 2 + (z - w) ** 2 < (2 * Math.sin(ASTRAY / 2 / DEGREES)) ** 2;
     const leanOf = ([x, y, z]) => DEGREES * Math.atan2(Math.hypot(x, y), z);
     const between = (a, b) => DEGREES * 2 * Math.asin(Math.min(1, 0.5 * Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2])));
 
@@ -97,7 +100,7 @@ tumblingLive.widget("top", async (stage, from) => {
     const body = paper(canvas("body"), (width) => Math.round(Math.min(0.95 * width, 340)), (pen, width, height) => {
         if (!state.facts) return;
         const { facts: { leans }, t } = state;
-        const low = Math.max(...(drag.checked ? [180] : leans)) > 80; // it needs the room below its point too
+        const low = drag.checked || leans[1] > 80; // it needs the room below its point too
         const eye = orbit(upright([0, 0, 1]), state.turn, state.tilt);
         const scale = Math.max(Math.min((low ? 0.5 : 0.76) * height, 0.5 * width / (low ? 1 : 0.8)) - 12, 1);
         const [cx, cy] = [width / 2, low ? height / 2 : height - 0.16 * height];
@@ -105,7 +108,7 @@ tumblingLive.widget("top", async (stage, from) => {
         const near = (p) => dot(eye[2], p) >= 0;
         const now = Math.min(Math.floor(t / state.each + 1e-9), state.axes.length - 1);
         const trail = state.axes.slice(Math.max(0, now - Math.round(TRAIL / state.each)), now + 1);
-        const circle = (angle) => Array.from({ length: 73 }, (_, i) => [Math.sin(angle) * Math.cos(Math.PI * i / 36), Math.sin(angle) * Math.sin(Math.PI * i / 36), Math.cos(angle)]);
+        const circle = (angle) => ROUND.map(([x, y]) => [Math.sin(angle) * x, Math.sin(angle) * y, Math.cos(angle)]);
         /** A line over the sphere: where its points are seen, and which are on this side. */
         const over = (points, colour, wide, dim, dashes = []) => ({ places: points.map(at), sides: points.map(near), colour, wide, dim, dashes });
         const drawn = drag.checked ? [] : [...leans.map((angle) => over(circle(angle / DEGREES), colours.fg, 1, 0.8, [5, 4])), over(state.exact, colours.faint, 6, 0.55)];
@@ -227,12 +230,14 @@ tumblingLive.widget("top", async (stage, from) => {
         const [kind, least, greatest, period, round, , critical, ...shape] = found;
         state.facts = { kind, leans: [least, greatest], critical };
         state.solid ??= tumblingLive.drum(shape);
-        run();
         closed();
+        // While a slider moves, steps too short to be told from the closed form in the picture are not taken.
+        if (state.fine > FINE && !drag.checked && spin.value * step.value <= 200) [state.axes, state.each] = [state.exact, state.fine];
+        else run();
         const wakes = state.stepped.findIndex((sample) => sample[4] < critical);
         state.wakes = wakes < 0 ? NaN : wakes * state.each;
         state.astray = !drag.checked && (state.axes.length * state.each < UNTIL
-            || state.axes.some((axis, i) => !(between(axis, state.exact[Math.min(Math.round(i * state.each / state.fine), state.exact.length - 1)]) < ASTRAY)));
+            || state.axes.some((axis, i) => !near(axis, state.exact[Math.min(Math.round(i * state.each / state.fine), state.exact.length - 1)])));
         shown("closed").hidden = drag.checked;
         shown("stepped").className = state.astray ? "live-key-wrong" : "live-key-stepped";
         shown("stepped").textContent = drag.checked ? "stepped: with drag there is no closed form" : state.astray ? "stepped, astray" : "stepped";
@@ -243,9 +248,9 @@ tumblingLive.widget("top", async (stage, from) => {
         shown("leans").textContent = greatest - least < 0.05 ? angle(greatest) : `${angle(least)} to ${angle(greatest)}`;
         shown("nods").textContent = Number.isNaN(period) || kind === 4 ? "never" : `every ${fixed(period, 3)} s`;
         shown("round").textContent = `${fixed(round, 2)} rad/s`;
-        for (const what of ["leans", "nods", "round"]) shown(what).parentElement.hidden = drag.checked; // nothing of it stays
+        for (const what of ["leans", "nods", "round"]) shown(what).parentElement.hidden = drag.checked; // they do not stay
         shown("critical").textContent = `${fixed(critical, 0)} rad/s`;
-        scrub.max = until();
+        if (Number(scrub.max) !== until()) scrub.max = until();
         state.curved = state.fine === FINE || (!state.curved && !drag.checked);
         if (state.curved) curve.prepare();
         return at(Math.min(state.t, until()));
@@ -253,6 +258,7 @@ tumblingLive.widget("top", async (stage, from) => {
     /** The numbers beside the sliders, and which button they are as. */
     function caption(found) {
         const tell = (input, what, text) => {
+            if (shown(what).textContent === text) return;
             shown(what).textContent = text;
             input.setAttribute("aria-valuetext", text);
         };
@@ -260,7 +266,7 @@ tumblingLive.widget("top", async (stage, from) => {
         tell(spin, "spin", `${spin.value} rad/s`);
         tell(lean, "lean", `${lean.value}°`);
         tell(push, "push", state.steady ? (found ? `${fixed(found[5], 2)} rad/s, the steady rate` : "no steady rate") : Number(push.value) === 0 ? "not at all" : `${fixed(Number(push.value), 1)} rad/s`);
-        for (const button of stage.querySelectorAll("[data-start]")) {
+        for (const button of choices) {
             const set = STARTS[button.dataset.start];
             const same = [...given(), drag.checked].every((x, i) => Object.is(x, set[i]) || x === set[i]);
             button.setAttribute("aria-pressed", String(same));
@@ -303,9 +309,7 @@ tumblingLive.widget("top", async (stage, from) => {
         late: () => body.coarse > 0.5 && coarsen(body.coarse * 0.7),
         pressed: () => say(at(state.t)),
     });
-    function pause() {
-        clocked.pause();
-    }
+    const pause = () => clocked.pause();
     function coarsen(to) {
         if (body.coarse === to) return;
         body.coarse = to;
@@ -317,9 +321,11 @@ tumblingLive.widget("top", async (stage, from) => {
     let later = 0;
     function keep() {
         clearTimeout(later);
-        const said = { spin: spin.value, lean: lean.value, push: state.steady ? "steady" : push.value, drag: Number(drag.checked), step: step.value };
         // Browsers count how often an address changes.
-        later = setTimeout(() => history.replaceState(null, "", MARK + new URLSearchParams(said)), 400);
+        later = setTimeout(() => {
+            const said = { spin: spin.value, lean: lean.value, push: state.steady ? "steady" : push.value, drag: Number(drag.checked), step: step.value };
+            history.replaceState(null, "", MARK + new URLSearchParams(said));
+        }, 400);
     }
     function fromAddress() {
         if (!location.hash.startsWith(MARK)) return;
@@ -345,28 +351,24 @@ tumblingLive.widget("top", async (stage, from) => {
     }
     /** While a slider moves on there are fewer samples, drawn coarser, and the curve has each second frame; where it rests all of them. */
     function slid() {
-        const now = performance.now();
-        const on = now - moved < 250;
-        moved = now;
-        if (!on) return change();
-        clearTimeout(resting);
-        resting = setTimeout(fully, 260);
-        state.fine = ROUGH;
-        coarsen(0.5);
-        begin();
-        keep();
+        if (performance.now() - moved < 250) {
+            clearTimeout(resting);
+            resting = setTimeout(fully, 260);
+            state.fine = ROUGH;
+            coarsen(0.5);
+            begin();
+            keep();
+        } else change();
+        moved = performance.now(); // what it took is no rest
     }
     step.addEventListener("input", change);
-    for (const field of [spin, lean]) field.addEventListener("input", slid);
+    push.addEventListener("input", () => { state.steady = false; });
+    for (const field of [spin, lean, push]) field.addEventListener("input", slid);
     drag.addEventListener("input", () => {
         state.t = whole();
         change();
     });
-    push.addEventListener("input", () => {
-        state.steady = false;
-        slid();
-    });
-    for (const button of stage.querySelectorAll("[data-start]")) {
+    for (const button of choices) {
         button.addEventListener("click", () => {
             pause();
             let pushed;
@@ -388,12 +390,11 @@ tumblingLive.widget("top", async (stage, from) => {
         state.tilt = Math.max(-80, Math.min(80, state.tilt + 0.5 * down));
         body.draw();
     });
-    addEventListener("hashchange", () => {
+    function arrive() {
         fromAddress();
         state.t = whole();
         begin();
-    });
-    fromAddress();
-    state.t = whole();
-    begin();
+    }
+    addEventListener("hashchange", arrive);
+    arrive();
 });
