@@ -7,12 +7,12 @@ use crate::rule::{Alteration, Base, Confidence, Explanation, Rule, Subject, When
 use crate::thresholds::*;
 use nalgebra::{UnitQuaternion, Vector3};
 
-/// One of: the exact motion with one number altered, if that explains nearly all of its error; an accurate
-/// rule, with the error of its steps; rows that scatter, and by how much; none.
+/// One of: the exact motion with one number altered, or with what brings a rule near, if that explains nearly
+/// all of its error; an accurate rule, with the error of its steps; rows that scatter, and by how much; none.
 pub(super) fn unnamed(
     subject: &Subject,
     pairs: &[Pair],
-    found: &[Explanation],
+    (found, near): (&[Explanation], Option<Explanation>),
     ranked: Ranked,
     whole: &Whole,
     floor: Floor,
@@ -21,7 +21,7 @@ pub(super) fn unnamed(
         return (ranked, Confidence::NoneFits, None);
     };
     let alone = |best: &Explanation| Ranked { best: *best, alike: Vec::new(), second: Some(*exact) };
-    let (altered, times) = altered(subject, pairs, found);
+    let (altered, times) = altered(subject, pairs, found, near.as_ref());
     if let Some(altered) = altered.filter(|x| times > ALTERED[1] && x.median < NEAR) {
         let mut altered = alone(altered);
         // The exact motion does not show where in an unknown rule's step the damping acts.
@@ -67,12 +67,13 @@ fn scatter(pairs: &[Pair], off: impl Fn(&Pair) -> Option<Vector3<f64>>) -> Optio
     (next < -TAKEN_BACK * own && count >= SCATTERED_ROWS).then(|| (own / (6.0 * count)).sqrt())
 }
 
-/// The exact motion with one number altered that explains the record best, and how many times as well as
+/// The exact motion, with one number altered or as it is near, that explains the record best, and how many times as well as
 /// without that number.
 fn altered<'a>(
     subject: &Subject,
     pairs: &[Pair],
     found: &'a [Explanation],
+    near: Option<&'a Explanation>,
 ) -> (Option<&'a Explanation>, f64) {
     let is_one = |altered| {
         use Alteration::{Damped, Term, TermOrTimes, Times};
@@ -84,7 +85,7 @@ fn altered<'a>(
         let times = without.map(|y| (y.median / x.median).min(y.percentile_95 / x.percentile_95));
         times.fold(f64::INFINITY, f64::min)
     };
-    let best = found.iter().filter(one).max_by(|a, b| times(a).total_cmp(&times(b)));
+    let best = found.iter().filter(one).chain(near).max_by(|a, b| times(a).total_cmp(&times(b)));
     (best, best.map_or(0.0, times))
 }
 
