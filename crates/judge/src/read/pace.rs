@@ -77,7 +77,9 @@ impl Reading {
         let own = self.pairs(pairs, moments);
         let ratio = times_the_turn(&own);
         let turn = median(&mut own.iter().filter_map(Pair::turn).map(|turn| turn.norm()));
-        let times = whole_of_long_turns(ratio, turn).or(rounded(ratio)).unwrap_or(ratio);
+        let known = whole_of_long_turns(ratio, turn).or(rounded(ratio));
+        // Where a step's own error is as large as what parts fractions, another number is not known.
+        let times = known.or((TURN_ERROR * turn * turn < FRACTION_NEAR).then_some(ratio))?;
         let limited = is_limited(ratio, &own);
         if !(times.is_normal() && times > 0.0) || limited || self.with_units(ratio) != self {
             return None;

@@ -5,9 +5,9 @@ use crate::law::LawName;
 use crate::read::{Floor, Known, Pair, Row, angle_between, rounded};
 use crate::rule::confidence::confidence_in;
 use crate::rule::fitted::some;
-use crate::rule::jumps::{Jump, far_off, pushes, without};
+use crate::rule::jumps::{Jump, off, pushes, without};
 use crate::rule::tried::{alike_to_best, explained, tried};
-use crate::rule::unnamed::{attitudes_scatter, times_the_term, unnamed};
+use crate::rule::unnamed::{attitudes_scatter, by_alteration, drifts_from, going, times_the_term, unnamed};
 use crate::rule::{
     Advice, Alteration, Base, Confidence, Rule, Subject, When, engine_names, engines, first_named, settings,
 };
@@ -307,24 +307,6 @@ fn changes(subject: &Subject, pairs: &[Pair], rule: &Rule) -> [Vector2<f64>; 2] 
     steps.fold([Vector2::zeros(); 2], |[own, seen], [from, end, to]| [own + end - from, seen + to - from])
 }
 
-/// Whether a record drifts differently from a rule that is near: if the rule has no fitted numbers, the
-/// remainder must be random, and the laws of the rule must hold.
-fn drifts_from(subject: &Subject, pairs: &[Pair], best: &Explanation, whole: &Whole) -> bool {
-    let rule = best.rule;
-    let is_plain = rule.alteration.is_none() && !matches!(rule.base, Base::MomentumForSpin(_));
-    let [own, seen] = changes(subject, pairs, &rule);
-    let drifts = is_plain && (own - seen).amax() > BIASED[0] * best.median * (pairs.len() as f64).sqrt();
-    drifts || whole.unkept.iter().any(|law| rule.keeps(*law))
-}
-
-/// The exact motion with the alteration of a rule that is near, unless that rule is nearer by far: else it is
-/// the alteration that comes near, with the steps of any accurate rule.
-fn by_alteration(subject: &Subject, pairs: &[Pair], best: &Explanation) -> Option<Explanation> {
-    best.rule.alteration?;
-    let exact = explained(subject, pairs, Rule { base: Base::Exact, ..best.rule })?;
-    (best.relative_to(&exact) < NEAR_RATIO).then_some(exact)
-}
-
 /// Tries every candidate on the sample.
 pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &Whole) -> Option<Diagnosis> {
     let floor = known.floor;
@@ -336,16 +318,13 @@ pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &W
     let (mut ranked, mut error) = (Ranked::of(&found, floor)?, None);
     ranked.second = ranked.second.and_then(|second| explained(subject, pairs, second.rule));
     let (mut confidence, mut jumps) = confidence_in(subject, pairs, &ranked, known, whole);
-    let near = Some(&ranked.best).filter(|_| confidence == Confidence::Near);
-    let of_alteration = near.and_then(|best| by_alteration(subject, pairs, best));
-    if near.is_some_and(|best| of_alteration.is_some() || drifts_from(subject, pairs, best, whole)) {
+    let of_alteration =
+        by_alteration(subject, pairs, &ranked.best).filter(|_| confidence == Confidence::Near);
+    let drifts = || drifts_from(changes(subject, pairs, &ranked.best.rule), pairs.len(), &ranked.best, whole);
+    if confidence == Confidence::Near && (of_alteration.is_some() || drifts()) {
         confidence = Confidence::NoneFits;
     }
-    // Friction that overshoots at rest reverses the spin in each step, which is not scatter.
-    let is_back =
-        |x: &Pair| x.from.omega.dot(&x.to.omega) <= RIGHT_ROUND * x.from.omega.norm() * x.to.omega.norm();
-    let going: Vec<_> = pairs.iter().filter(|x| !is_back(x)).copied().collect();
-    let going = if going.is_empty() { pairs } else { &going };
+    let going = &going(pairs);
     if confidence == Confidence::NoneFits && !sought {
         let found = (&found[..], of_alteration);
         (ranked, confidence, error) = unnamed(subject, going, found, ranked, whole, floor);
@@ -359,8 +338,7 @@ pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &W
         confidence = settled(subject, pairs, &mut ranked, whole, floor);
         if confidence == Confidence::MostSteps {
             // Those that break a law may not be among the few that are tried.
-            let (rule, most) = (ranked.best.rule, floor.limits()[1]);
-            jumps = far_off(subject, all, &rule, most, JUMP_EVERY[0]).unwrap_or_default();
+            jumps = off(subject, all, &ranked.best.rule, floor);
             steps = all.len();
         }
     } else if confidence == Confidence::MostSteps {
