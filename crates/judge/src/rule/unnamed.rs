@@ -152,7 +152,8 @@ pub(super) fn drifts_from(
 /// The exact motion with the alteration of a rule that is near, unless that rule is nearer by far: else it is
 /// the alteration that comes near, with the steps of any accurate rule.
 pub(super) fn by_alteration(subject: &Subject, pairs: &[Pair], best: &Explanation) -> Option<Explanation> {
-    best.rule.alteration?;
+    // How the attitude turns is no number that is fitted.
+    best.rule.alteration.filter(|alteration| !matches!(alteration, Alteration::Turned(_)))?;
     let exact = explained(subject, pairs, Rule { base: Base::Exact, ..best.rule })?;
     (best.relative_to(&exact) < NEAR_RATIO).then_some(exact)
 }
