@@ -168,6 +168,9 @@ pub(crate) const WHOLE_NEAR: f64 = 0.05;
 pub(crate) const FRACTION_NEAR: f64 = 0.01;
 pub(crate) const WHOLE_MOST: f64 = 64.0;
 pub(crate) const WHOLE_SURE: f64 = 12.0;
+/// What a step's own error makes of that ratio at most, in squares of the turn, rad: a straight turn a
+/// twelfth, Moser and Veselov's a sixth, explicit steps of a body that gains energy more.
+pub(crate) const TURN_ERROR: f64 = 0.25;
 /// How far from 1 a factor of the times must be: a coarse step's own error is less.
 pub(crate) const PACE_APART: f64 = 0.15;
 /// Share of the turn that an engine's limit or a straight step leaves of it at least, and the turn of a step,

@@ -45,6 +45,16 @@ pub(crate) fn rounded(ratio: f64) -> Option<f64> {
     fractions.into_iter().find(|x| near(x, FRACTION_NEAR))
 }
 
+/// The whole number, or one over one, that a ratio is next to where each step turns by this much, rad: the
+/// errors of the steps grow with the square of that, and are larger than what parts most fractions.
+fn whole_of_long_turns(ratio: f64, turn: f64) -> Option<f64> {
+    let [count, whole] = whole(ratio);
+    let half = ratio.max(1.0 / ratio) * 2.0;
+    let is_half = (half / half.round() - 1.0).abs() < FRACTION_NEAR;
+    let slack = (TURN_ERROR * turn * turn).min(0.5 / count);
+    (count > 1.0 && !is_half && (ratio / whole - 1.0).abs() < slack).then_some(whole)
+}
+
 /// How many times as far as the spin says the attitude turns about it, in the middle step.
 pub(crate) fn times_the_turn(pairs: &[Pair]) -> f64 {
     median(&mut pairs.iter().filter_map(|pair| {
@@ -66,7 +76,10 @@ impl Reading {
     pub(super) fn paced(self, pairs: &[Step], moments: &Vector3<f64>) -> Option<Self> {
         let own = self.pairs(pairs, moments);
         let ratio = times_the_turn(&own);
-        let times = rounded(ratio).unwrap_or(ratio);
+        let turn = median(&mut own.iter().filter_map(Pair::turn).map(|turn| turn.norm()));
+        let known = whole_of_long_turns(ratio, turn).or(rounded(ratio));
+        // Where a step's own error is as large as what parts fractions, another number is not known.
+        let times = known.or((TURN_ERROR * turn * turn < FRACTION_NEAR).then_some(ratio))?;
         let limited = is_limited(ratio, &own);
         if !(times.is_normal() && times > 0.0) || limited || self.with_units(ratio) != self {
             return None;
@@ -77,7 +90,9 @@ impl Reading {
         let (alike, size) = by_exact_motion(&all, moments, false);
         let [apart, otherwise] = [times, 1.0 / times].map(|x| (x - 1.0).abs());
         let off = all.iter().filter_map(Pair::inconsistency).collect();
-        let one = middle_and_most(off).is_some_and(|[_, most]| most < PACE_APART);
+        // What times next to that ratio leave is the steps' own error.
+        let agree = TURNS_AGREE + (ratio / times - 1.0).abs();
+        let one = middle_and_most(off).is_some_and(|[half, most]| half < agree && most < PACE_APART);
         let changes = one && alike > LAW_AGREES && (size - 1.0).abs() < PACE_OF_LAW.min(otherwise / 2.0);
         (apart > PACE_APART && changes).then_some(way)
     }

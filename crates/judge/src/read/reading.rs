@@ -227,7 +227,7 @@ impl Reading {
         if plain < TURNS_AGREE || plain.is_infinite() && self.leads_to_the_ends(pairs, moments) {
             return self;
         }
-        if let Some(paced) = self.paced(pairs, moments).filter(|way| free && off(way) < TURNS_AGREE) {
+        if let Some(paced) = self.paced(pairs, moments).filter(|_| free) {
             return paced;
         }
         let mut ways = Vec::new();

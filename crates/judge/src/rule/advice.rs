@@ -85,9 +85,9 @@ advices! {
     STRAIGHT: "The gyroscopic term is evaluated at the start of the step, which adds energy to a body that wobbles; and the \
          linear update turns the body by too little. Rotate the momentum instead (three exact turns a step), \
          and turn the body by the exact rotation of its spin, (cos a/2, sin a/2 times the axis)." in REMEDY;
-    KEEPS_ALL: "It keeps energy and momentum to rounding. Its phase has an error, which shrinks with the step." in STEPS;
-    KEEPS_SIZES: "It keeps the energy and the momentum's length to rounding. The momentum's direction in the world and the \
-         phase have errors, which shrink with the step." in STEPS;
+    KEEPS_ALL: "Its phase has an error, which shrinks with the step; energy and momentum have those of rounding alone." in STEPS;
+    KEEPS_SIZES: "The momentum's direction in the world and the phase have errors, which shrink with the step; the energy and \
+         the momentum's length have those of rounding alone." in STEPS;
     KEEPS_MOMENTUM: "Energy and phase have errors, which shrink with the step; the momentum has those of rounding alone." in STEPS;
     OF_ORDER: "Its errors add up: use shorter steps, or for long runs a method that keeps the laws." in STEPS;
     NO_TERM: "There is no gyroscopic term: a body never flips, and its momentum is not conserved unless it spins about a principal \

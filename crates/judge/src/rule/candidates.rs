@@ -207,14 +207,14 @@ impl Subject {
     }
 
     /// How far a rule's second step is from the recorded one, if its first is the recorded one: the spin that
-    /// it takes for that is the rule's own. In rad, relative to the angle turned.
-    fn residual_of_turns(&self, rule: &Rule, pair: &Pair, ahead: &Quaternion<f64>) -> Option<f64> {
-        let middle = pair.to.attitude?;
+    /// it takes for that is the rule's own. As a turn in rad and what is left of the first step, relative to
+    /// the angle turned.
+    pub(crate) fn left_of_turns(&self, rule: &Rule, pair: &Pair) -> Option<(Vector3<f64>, f64)> {
         let ([_, omega], least) = self.spins_of_turn(rule, pair)?;
+        let from = self.next(rule, &Row { omega, ..pair.to }, pair.h)?;
+        let to = Row { attitude: Some(pair.to.ahead?.1), ..pair.to };
         let turn = pair.from.omega.norm() * pair.h;
-        let (q, _) = self.after(rule, &Row { attitude: Some(middle), omega, ..pair.to }, pair.h)?;
-        let off = (angle_between(&q, ahead) + least) / turn;
-        off.is_finite().then_some(off)
+        Some((Pair { from, to, h: pair.h }.turn()? / turn, least / turn))
     }
 
     /// The spins before and after with which a rule's step is the recorded turn, and what is left of it, rad.
@@ -239,8 +239,9 @@ impl Subject {
     /// before and after, of the attitude in rad, relative to the angle turned where that is over 1. Infinite
     /// where the rule takes no such step.
     pub(crate) fn residual(&self, rule: &Rule, pair: &Pair) -> f64 {
-        if let Some((_, ahead)) = pair.to.ahead {
-            return self.residual_of_turns(rule, pair, &ahead).unwrap_or(f64::INFINITY);
+        if pair.to.ahead.is_some() {
+            let off = self.left_of_turns(rule, pair).map(|(second, first)| second.norm() + first);
+            return off.filter(|off| off.is_finite()).unwrap_or(f64::INFINITY);
         }
         let Some((mut q, omega)) = self.after(rule, &pair.from, pair.h) else { return f64::INFINITY };
         let based = |omega| self.based(rule.base, &Row { omega, ..pair.from }, pair.h);

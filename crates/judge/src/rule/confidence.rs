@@ -2,7 +2,7 @@
 
 use crate::read::{Floor, Known, Pair};
 use crate::rule::diagnosis::{Ranked, Whole};
-use crate::rule::jumps::{Jump, jumps, without};
+use crate::rule::jumps::{Jump, far_off, without};
 use crate::rule::tried::explained;
 use crate::rule::unnamed::are_interpolated;
 use crate::rule::{Alteration, Base, Explanation, PHYSICS_ENGINES, Rule, Subject, Turn};
@@ -91,7 +91,7 @@ pub(super) fn confidence_in(
     let closely = best.median <= rounding && (!is_exact || best.median <= FITS_EXACT[0] * floor.size);
     let fitted = usize::from(has_fitted_number(&best.rule, known.clock.per_row));
     let most = floor.limits()[1];
-    let jumps = if closely { jumps(subject, pairs, &best.rule, most, JUMP_EVERY[0]) } else { None };
+    let jumps = if closely { far_off(subject, pairs, &best.rule, most, JUMP_EVERY[0]) } else { None };
     let own = without(pairs, jumps.as_deref().unwrap_or_default());
     let of_own = explained(subject, &own, best.rule).unwrap_or(*best);
     let much = |above: f64| explains_much(subject, &own, &of_own, floor, above);

@@ -5,9 +5,9 @@ use crate::law::LawName;
 use crate::read::{Floor, Known, Pair, Row, angle_between, rounded};
 use crate::rule::confidence::confidence_in;
 use crate::rule::fitted::some;
-use crate::rule::jumps::{Jump, pushes, without};
+use crate::rule::jumps::{Jump, off, pushes, without};
 use crate::rule::tried::{alike_to_best, explained, tried};
-use crate::rule::unnamed::{attitudes_scatter, times_the_term, unnamed};
+use crate::rule::unnamed::{attitudes_scatter, by_alteration, drifts_from, going, times_the_term, unnamed};
 use crate::rule::{
     Advice, Alteration, Base, Confidence, Rule, Subject, When, engine_names, engines, first_named, settings,
 };
@@ -108,11 +108,12 @@ pub(crate) struct Whole {
 }
 
 impl Diagnosis {
-    /// Whether the steps are the exact motion's, to the rounding of the record: any rule with smaller errors
-    /// would look the same.
+    /// Whether the steps, but for jumps, are the exact motion's to the rounding of the record: any rule with
+    /// smaller errors would look the same.
     #[must_use]
     pub fn is_exact(&self) -> bool {
-        self.confidence == Confidence::ToRounding && self.best.rule == Rule::EXACT
+        matches!(self.confidence, Confidence::ToRounding | Confidence::MostSteps)
+            && self.best.rule == Rule::EXACT
     }
 
     /// Whether the rule of a record that fails is unknown: that the exact motion is the nearest known rule is
@@ -231,9 +232,13 @@ fn settled(subject: &Subject, all: &[Pair], ranked: &mut Ranked, whole: &Whole, 
     // Rules that keep the laws follow the exact motion's curve at their own rate, and with wrong times at any
     // rate: a number that is not round identifies none.
     let near = NEAR_A_TERM[0].max(FITS_EXACT[0] * floor.size);
-    let own = best.alteration.filter(|_| best.base == Base::Exact);
+    let own = best.alteration.filter(|_| Rule::plain(best.base).keeps(LawName::Separatrix));
     let is_round = |x: f64| rounded(x).is_some_and(|round| (x / round - 1.0).abs() <= near);
-    let between = matches!(own, Some(Alteration::TermOrTimes(x)) if !is_round(x));
+    let between = match own {
+        Some(Alteration::TermOrTimes(x)) => !is_round(x),
+        Some(Alteration::Times(x)) => best.base != Base::Exact && !is_round(x),
+        _ => false,
+    };
     let kept_all = whole.unkept.is_empty();
     match whole.broken.iter().any(kept) {
         _ if between => Confidence::SmallErrors,
@@ -302,36 +307,27 @@ fn changes(subject: &Subject, pairs: &[Pair], rule: &Rule) -> [Vector2<f64>; 2] 
     steps.fold([Vector2::zeros(); 2], |[own, seen], [from, end, to]| [own + end - from, seen + to - from])
 }
 
-/// Whether a record drifts differently from a rule that is near: if the rule has no fitted numbers, the
-/// remainder must be random, and the laws of the rule must hold.
-fn drifts_from(subject: &Subject, pairs: &[Pair], best: &Explanation, whole: &Whole) -> bool {
-    let rule = best.rule;
-    let is_plain = rule.alteration.is_none() && !matches!(rule.base, Base::MomentumForSpin(_));
-    let [own, seen] = changes(subject, pairs, &rule);
-    let drifts = is_plain && (own - seen).amax() > BIASED[0] * best.median * (pairs.len() as f64).sqrt();
-    drifts || whole.unkept.iter().any(|law| rule.keeps(*law))
-}
-
 /// Tries every candidate on the sample.
 pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &Whole) -> Option<Diagnosis> {
     let floor = known.floor;
     // From attitudes alone, each rule's spin must be solved for in each step: fewer steps are tried.
     let sought = all.iter().any(|pair| pair.to.ahead.is_some());
     let pairs = &*if sought { some(all, TRIED_TURNS) } else { all.to_vec() };
+    let mut steps = pairs.len();
     let found = tried(subject, pairs, known, sought);
     let (mut ranked, mut error) = (Ranked::of(&found, floor)?, None);
     ranked.second = ranked.second.and_then(|second| explained(subject, pairs, second.rule));
     let (mut confidence, mut jumps) = confidence_in(subject, pairs, &ranked, known, whole);
-    if confidence == Confidence::Near && drifts_from(subject, pairs, &ranked.best, whole) {
+    let of_alteration =
+        by_alteration(subject, pairs, &ranked.best).filter(|_| confidence == Confidence::Near);
+    let drifts = || drifts_from(changes(subject, pairs, &ranked.best.rule), pairs.len(), &ranked.best, whole);
+    if confidence == Confidence::Near && (of_alteration.is_some() || drifts()) {
         confidence = Confidence::NoneFits;
     }
-    // Friction that overshoots at rest reverses the spin in each step, which is not scatter.
-    let is_back =
-        |x: &Pair| x.from.omega.dot(&x.to.omega) <= RIGHT_ROUND * x.from.omega.norm() * x.to.omega.norm();
-    let going: Vec<_> = pairs.iter().filter(|x| !is_back(x)).copied().collect();
-    let going = if going.is_empty() { pairs } else { &going };
+    let going = &going(pairs);
     if confidence == Confidence::NoneFits && !sought {
-        (ranked, confidence, error) = unnamed(subject, going, &found, ranked, whole, floor);
+        let found = (&found[..], of_alteration);
+        (ranked, confidence, error) = unnamed(subject, going, found, ranked, whole, floor);
     }
     if confidence == Confidence::NoneFits {
         jumps = pushes(subject, pairs, &found, floor);
@@ -340,6 +336,11 @@ pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &W
     let term = if shows { times_the_term(subject, going) } else { None };
     if confidence == Confidence::ToRounding {
         confidence = settled(subject, pairs, &mut ranked, whole, floor);
+        if confidence == Confidence::MostSteps {
+            // Those that break a law may not be among the few that are tried.
+            jumps = off(subject, all, &ranked.best.rule, floor);
+            steps = all.len();
+        }
     } else if confidence == Confidence::MostSteps {
         confidence = between_jumps(subject, &without(pairs, &jumps), &mut ranked, floor);
         jumps.retain(|_| confidence != Confidence::NoneFits);
@@ -348,8 +349,8 @@ pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &W
     let turns = pairs.iter().any(|pair| pair.from.attitude.is_some());
     let scatter = !sought && attitudes_scatter(subject, pairs, best.rule.base, floor);
     let header = known.said.engine.as_deref().unwrap_or_default();
-    let named =
-        confidence.names_a_rule() && (confidence != Confidence::ToRounding || best.rule != Rule::EXACT);
+    // As the exact motion's, steps are those of any rule with errors below rounding.
+    let named = confidence.names_a_rule() && best.rule != Rule::EXACT;
     let own: Vec<_> = engines(header, std::iter::once(&best.rule).chain(&alike));
     let leading = first_named(&best.rule, if named { &alike } else { &[] }, own.first().map(|own| own.0));
     Some(Diagnosis {
@@ -357,7 +358,7 @@ pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &W
         alike: alike.iter().map(|rule| rule.times(subject.unit)).collect(),
         second: second.map(|x| Explanation { rule: x.rule.times(subject.unit), ..x }),
         confidence,
-        steps: pairs.len(),
+        steps,
         share: whole.share,
         engines: engine_names(&own, &leading),
         settings: if whole.fails && named { settings(&own, &leading) } else { Vec::new() },

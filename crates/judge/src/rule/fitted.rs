@@ -48,6 +48,24 @@ fn number(subject: &Subject, pairs: &[Pair], start: f64, rule: &dyn Fn(f64) -> R
     if own.len() == pairs.len() { Some(first) } else { fit(&own, first) }
 }
 
+/// A damped rule with the damping that attitudes alone show by its own turns: it is fitted to the spins that
+/// the exact motion has in them, and those of a straight turn are larger by a share that grows with the spin.
+pub(super) fn refitted(subject: &Subject, pairs: &[Pair], rule: Rule) -> Rule {
+    let few = some(pairs, COMPARED.0);
+    let sought = few.iter().all(|pair| pair.to.ahead.is_some());
+    let Some(Alteration::Damped { factor, when, steps, term, .. }) = rule.alteration.filter(|_| sought)
+    else {
+        return rule;
+    };
+    let h = few.first().map_or(f64::NAN, |pair| pair.h / f64::from(steps));
+    let with =
+        |factor| rule.base.but(Alteration::Damped { factor, rate: rate(factor, h), when, steps, term });
+    let misses = |factor: &SVector<f64, 1>| {
+        few.iter().map(|pair| Some(subject.left_of_turns(&with(factor.x), pair)?.0)).collect()
+    };
+    least([factor].into(), &misses, &|x| x, RULE_GAIN).map_or(rule, |found| with(found.x))
+}
+
 /// Rules with one number, or none: damping, another gyroscopic term, another turn, a cap.
 pub(crate) fn compound(subject: &Subject, pairs: &[Pair], rounding: f64) -> Vec<Rule> {
     let few = &*some(pairs, FITTED_STEPS);

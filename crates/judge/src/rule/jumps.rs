@@ -26,12 +26,12 @@ pub(super) fn without(pairs: &[Pair], jumps: &[Jump]) -> Vec<Pair> {
 pub(super) fn pushes(subject: &Subject, pairs: &[Pair], found: &[Explanation], floor: Floor) -> Vec<Jump> {
     let exact = found.iter().find(|x| x.rule == Rule::EXACT).filter(|x| x.percentile_95 < NEAR);
     let most = exact.map(|x| JUMP_IN_LIMITS * x.percentile_95.max(floor.limits()[1]));
-    most.and_then(|most| jumps(subject, pairs, &Rule::EXACT, most, JUMP_EVERY[1])).unwrap_or_default()
+    most.and_then(|most| far_off(subject, pairs, &Rule::EXACT, most, JUMP_EVERY[1])).unwrap_or_default()
 }
 
 /// The steps that do not follow the rule; `None` if they do not look like pushes: rare, far larger than the
 /// errors of the other steps, and apart from each other.
-pub(super) fn jumps(
+pub(super) fn far_off(
     subject: &Subject,
     all: &[Pair],
     rule: &Rule,
@@ -47,4 +47,9 @@ pub(super) fn jumps(
     // Of attitudes alone one push is in two turns.
     let apart = off.windows(3).all(|three| three[2].line > three[0].line + 2);
     (off.is_empty() || rare && apart).then_some(off)
+}
+
+/// The steps that are off a rule that all those tried follow.
+pub(super) fn off(subject: &Subject, all: &[Pair], rule: &Rule, floor: Floor) -> Vec<Jump> {
+    far_off(subject, all, rule, floor.limits()[1], JUMP_EVERY[0]).unwrap_or_default()
 }

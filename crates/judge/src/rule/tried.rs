@@ -1,7 +1,7 @@
 //! Which rules are tried on a record, in which order, and how far each is from it.
 
 use crate::read::{Floor, Known, Pair, middle_and_most};
-use crate::rule::fitted::{in_steps, some};
+use crate::rule::fitted::{in_steps, refitted, some};
 use crate::rule::{
     Alteration, Base, Explanation, Rule, Subject, Turn, compound, in_parts, momentum_for_spin, of_parts,
     other_bodies, plain,
@@ -73,7 +73,7 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
         found.extend(in_parts);
     }
     let unaltered = found.len();
-    found.extend(equals(&found, floor).into_iter().filter_map(explained));
+    found.extend(equals(subject, pairs, &found, floor).into_iter().filter_map(explained));
     for rules in [compound, other_bodies] {
         if free && !fits(&found) {
             // Times that are nearly right are wrong where that is all there is.
@@ -87,7 +87,8 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
         let rules = in_steps(subject, pairs, floor.size, per_row);
         found.extend(tried_in_parts(subject, pairs, rules, floor));
     }
-    found.extend(equals(&found[unaltered..], floor).into_iter().filter_map(explained));
+    let equal = equals(subject, pairs, &found[unaltered..], floor);
+    found.extend(equal.into_iter().filter_map(explained));
     let with_attitude = pairs.first().is_some_and(|pair| pair.from.attitude.is_some());
     // A turn that is nearly all of it is a better answer than none.
     let exact = found.iter().find(|x| x.rule == Rule::EXACT).map_or(0.0, |x| x.median);
@@ -105,13 +106,15 @@ pub(super) fn tried(subject: &Subject, pairs: &[Pair], known: &Known, sought: bo
 
 /// Rules that make the steps of one that fits, though not by name: a straight turn by the new spin is one by
 /// the old where the spins are a row late, and the other way round, and the position stage cuts a long step
-/// by itself; of another body, or of other times, those that make the spin of one that fits.
-fn equals(found: &[Explanation], floor: Floor) -> Vec<Rule> {
+/// by itself; of altered rules, those that make the spin of one that fits, or is the nearest.
+fn equals(subject: &Subject, pairs: &[Pair], found: &[Explanation], floor: Floor) -> Vec<Rule> {
+    let least = found.iter().map(|x| x.median).fold(NEAR, f64::min);
     let equal = |x: &Explanation| match x.rule.base {
         base if x.rule.alteration.is_some() => {
             let others = Base::every().map(|other| other.in_parts(base.parts()));
             let same = |other: &Base| other.spin().is_some() && other.spin() == base.spin();
-            others.filter(same).map(|base| Rule { base, ..x.rule }).collect()
+            let with = |base| refitted(subject, pairs, Rule { base, ..x.rule });
+            others.filter(same).map(with).collect()
         }
         Base::Straight(Method::SemiImplicitEuler, parts) => {
             vec![Base::Method(Method::ExplicitEuler, parts).but(Alteration::Turned(Turn::Late))]
@@ -122,10 +125,12 @@ fn equals(found: &[Explanation], floor: Floor) -> Vec<Rule> {
         Base::PositionStage(1) => PARTS.map(|parts| Rule::plain(Base::PositionStage(parts))).to_vec(),
         _ => Vec::new(),
     };
-    let is_open = |x: &Explanation| {
-        matches!(x.rule.alteration, None | Some(Alteration::OtherMoments(..) | Alteration::Times(_)))
+    let is_open = |x: &Explanation| match x.rule.alteration {
+        None => x.fits(floor),
+        Some(Alteration::Turned(_)) => false,
+        Some(_) => !x.rule.is_of_spin() && (x.fits(floor) || x.median <= ALIKE[0] * least),
     };
-    let all = found.iter().filter(|x| x.fits(floor) && is_open(x)).flat_map(equal);
+    let all = found.iter().filter(|x| is_open(x)).flat_map(equal);
     all.filter(|rule| found.iter().all(|x| x.rule != *rule)).collect()
 }
 

@@ -5,14 +5,14 @@ use crate::rule::diagnosis::{Ranked, Whole};
 use crate::rule::tried::explained;
 use crate::rule::{Alteration, Base, Confidence, Explanation, Rule, Subject, When};
 use crate::thresholds::*;
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::{UnitQuaternion, Vector2, Vector3};
 
-/// One of: the exact motion with one number altered, if that explains nearly all of its error; an accurate
-/// rule, with the error of its steps; rows that scatter, and by how much; none.
+/// One of: the exact motion with one number altered, or with what brings a rule near, if that explains nearly
+/// all of its error; an accurate rule, with the error of its steps; rows that scatter, and by how much; none.
 pub(super) fn unnamed(
     subject: &Subject,
     pairs: &[Pair],
-    found: &[Explanation],
+    (found, near): (&[Explanation], Option<Explanation>),
     ranked: Ranked,
     whole: &Whole,
     floor: Floor,
@@ -21,7 +21,7 @@ pub(super) fn unnamed(
         return (ranked, Confidence::NoneFits, None);
     };
     let alone = |best: &Explanation| Ranked { best: *best, alike: Vec::new(), second: Some(*exact) };
-    let (altered, times) = altered(subject, pairs, found);
+    let (altered, times) = altered(subject, pairs, found, near.as_ref());
     if let Some(altered) = altered.filter(|x| times > ALTERED[1] && x.median < NEAR) {
         let mut altered = alone(altered);
         // The exact motion does not show where in an unknown rule's step the damping acts.
@@ -67,12 +67,13 @@ fn scatter(pairs: &[Pair], off: impl Fn(&Pair) -> Option<Vector3<f64>>) -> Optio
     (next < -TAKEN_BACK * own && count >= SCATTERED_ROWS).then(|| (own / (6.0 * count)).sqrt())
 }
 
-/// The exact motion with one number altered that explains the record best, and how many times as well as
-/// without that number.
+/// The exact motion, with one number altered or as it is near, that explains the record best, and how many
+/// times as well as without that number.
 fn altered<'a>(
     subject: &Subject,
     pairs: &[Pair],
     found: &'a [Explanation],
+    near: Option<&'a Explanation>,
 ) -> (Option<&'a Explanation>, f64) {
     let is_one = |altered| {
         use Alteration::{Damped, Term, TermOrTimes, Times};
@@ -84,7 +85,7 @@ fn altered<'a>(
         let times = without.map(|y| (y.median / x.median).min(y.percentile_95 / x.percentile_95));
         times.fold(f64::INFINITY, f64::min)
     };
-    let best = found.iter().filter(one).max_by(|a, b| times(a).total_cmp(&times(b)));
+    let best = found.iter().filter(one).chain(near).max_by(|a, b| times(a).total_cmp(&times(b)));
     (best, best.map_or(0.0, times))
 }
 
@@ -132,4 +133,36 @@ pub(super) fn times_the_term(subject: &Subject, pairs: &[Pair]) -> Option<f64> {
     // A torque changes the spin too.
     let seen = subject.torque.is_none() && alike.abs() > LAW_AGREES && (times - 1.0).abs() > TERM_APART;
     seen.then_some(times)
+}
+
+/// Whether a record drifts differently from a rule that is near: if the rule has no fitted numbers, the
+/// remainder must be random, and the laws of the rule must hold.
+pub(super) fn drifts_from(
+    [own, seen]: [Vector2<f64>; 2],
+    steps: usize,
+    best: &Explanation,
+    whole: &Whole,
+) -> bool {
+    let rule = best.rule;
+    let is_plain = rule.alteration.is_none() && !matches!(rule.base, Base::MomentumForSpin(_));
+    let drifts = is_plain && (own - seen).amax() > BIASED[0] * best.median * (steps as f64).sqrt();
+    drifts || whole.unkept.iter().any(|law| rule.keeps(*law))
+}
+
+/// The exact motion with the alteration of a rule that is near, unless that rule is nearer by far: else it is
+/// the alteration that comes near, with the steps of any accurate rule.
+pub(super) fn by_alteration(subject: &Subject, pairs: &[Pair], best: &Explanation) -> Option<Explanation> {
+    // How the attitude turns is no number that is fitted.
+    best.rule.alteration.filter(|alteration| !matches!(alteration, Alteration::Turned(_)))?;
+    let exact = explained(subject, pairs, Rule { base: Base::Exact, ..best.rule })?;
+    (best.relative_to(&exact) < NEAR_RATIO).then_some(exact)
+}
+
+/// The steps without those in which friction that overshoots at rest reverses the spin, which is no scatter;
+/// all, if there are no others.
+pub(super) fn going(pairs: &[Pair]) -> Vec<Pair> {
+    let is_back =
+        |x: &Pair| x.from.omega.dot(&x.to.omega) <= RIGHT_ROUND * x.from.omega.norm() * x.to.omega.norm();
+    let going: Vec<_> = pairs.iter().filter(|x| !is_back(x)).copied().collect();
+    if going.is_empty() { pairs.to_vec() } else { going }
 }

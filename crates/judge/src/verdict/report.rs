@@ -211,7 +211,7 @@ impl Verdict {
             if let (Some(at), Some(exact)) = (flips.first, flips.first_exact) {
                 let by = plain_number(flips.apart);
                 let many = flips.found.min(flips.exact) > FLIP_TIMES as u64;
-                let of = if many { "the first 512 " } else { "" };
+                let of = if many { format!("the first {FLIP_TIMES} ") } else { String::new() };
                 line += &format!("; the first at {at:.4} s (exact: {exact:.4} s), {of}at most {by} s apart");
             }
             line += &flips.lateness();

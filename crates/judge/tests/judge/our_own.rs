@@ -44,8 +44,8 @@ fn every_method_is_graded_as_it_says_of_itself_and_named() {
         let diagnosis = verdict.diagnosis.as_ref().unwrap();
         // What advice says is kept is kept in this record.
         let said = |words| diagnosis.advice[0].words.contains(words);
-        let named =
-            ["keeps energy and momentum", "keeps the energy and", "momentum has those of rounding"].map(said);
+        let named = ["energy and momentum have", "momentum's length have", "momentum has those of rounding"]
+            .map(said);
         all_said = [0, 1, 2].map(|i| all_said[i] || named[i]);
         let (energy, direction) = (named[0] || named[1], named[0] || named[2]);
         let right = (!energy || is_kept(LawName::Energy)) && (!direction || is_kept(LawName::Direction));

@@ -214,15 +214,18 @@ pub fn counted(first: u64, count: u64, is_known: bool, out: &mut impl io::Write)
     Ok(counts)
 }
 
-/// Words of praise in the verdict on a record that fails, and not for its file or for jumps.
+/// Words of praise in the verdict on a record that fails: that something is kept, of any; and that the motion
+/// is exact, unless it fails for its file or for jumps.
 fn praise(verdict: &Verdict) -> Option<&'static str> {
-    let jumps = verdict.diagnosis.as_ref().is_some_and(|found: &Diagnosis| !found.jumps.is_empty());
-    let of_file = !verdict.file_mistakes.is_empty() || !verdict.resets.is_empty();
-    if verdict.outcome != Outcome::Failed || jumps || of_file {
+    if verdict.outcome != Outcome::Failed {
         return None;
     }
+    let jumps = verdict.diagnosis.as_ref().is_some_and(|found: &Diagnosis| !found.jumps.is_empty());
+    let of_file = !verdict.file_mistakes.is_empty() || !verdict.resets.is_empty();
     let text = verdict.to_string().to_lowercase();
+    let found = |words: &'static str| words.split('|').find(|words| text.contains(words));
     let accurate = verdict.diagnosis.as_ref().map(|found| found.confidence) == Some(Confidence::Accurate);
-    let words = "accurate|is: the exact motion|with: the exact motion|nothing to do|it keeps";
-    words.split('|').find(|words| text.contains(words)).or(accurate.then_some("accurate"))
+    let exact = || found("accurate|is: the exact motion|with: the exact motion|nothing to do");
+    let kept = found("it keeps|keeps energy|keeps the energy|is kept|are kept");
+    kept.or_else(|| exact().or(accurate.then_some("accurate")).filter(|_| !jumps && !of_file))
 }
