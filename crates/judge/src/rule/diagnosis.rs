@@ -7,12 +7,13 @@ use crate::rule::confidence::confidence_in;
 use crate::rule::fitted::some;
 use crate::rule::jumps::{Jump, off, pushes, without};
 use crate::rule::tried::{alike_to_best, explained, tried};
-use crate::rule::unnamed::{attitudes_scatter, by_alteration, drifts_from, going, times_the_term, unnamed};
+use crate::rule::unnamed::{
+    attitudes_scatter, by_alteration, changes, drifts_from, going, times_the_term, unnamed,
+};
 use crate::rule::{
     Advice, Alteration, Base, Confidence, Rule, Subject, When, engine_names, engines, first_named, settings,
 };
 use crate::thresholds::*;
-use nalgebra::{Vector2, Vector3};
 
 /// A rule, and the distance of its steps from the record's.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -288,23 +289,28 @@ fn is_biased(subject: &Subject, pairs: &[Pair], rule: &Rule, floor: Floor) -> bo
     })
 }
 
-/// The logarithms by which all steps of a rule together change energy and momentum, and those of the record.
-fn changes(subject: &Subject, pairs: &[Pair], rule: &Rule) -> [Vector2<f64>; 2] {
-    let size = |omega: Vector3<f64>| {
-        let momentum = subject.moments.component_mul(&omega);
-        Vector2::new(omega.dot(&momentum).ln(), momentum.norm().ln())
-    };
-    let step = |(i, pair): (usize, &Pair)| {
-        if pair.to.ahead.is_none() {
-            return Some([pair.from.omega, subject.spin_after(rule, pair)?, pair.to.omega]);
+/// How sure a rule is once the steps are known that are none of its own, and how many steps were searched.
+fn without_jumps(
+    subject: &Subject,
+    [all, pairs]: [&[Pair]; 2],
+    confidence: Confidence,
+    (ranked, jumps): (&mut Ranked, &mut Vec<Jump>),
+    whole: &Whole,
+    floor: Floor,
+) -> (Confidence, usize) {
+    let mut found = confidence;
+    if confidence == Confidence::ToRounding {
+        found = settled(subject, pairs, ranked, whole, floor);
+        if found == Confidence::MostSteps {
+            // Those that break a law may not be among the few that are tried.
+            *jumps = off(subject, all, &ranked.best.rule, floor);
+            return (found, all.len());
         }
-        // A spin made from turns is not the rule's own: that of the next turn is.
-        let next = pairs.get(i + 1).filter(|next| next.from.line == pair.to.line)?;
-        let [(own, _), (next, _)] = [subject.spins_of_turn(rule, pair)?, subject.spins_of_turn(rule, next)?];
-        Some([own[0], own[1], next[0]])
-    };
-    let steps = pairs.iter().enumerate().filter_map(step).map(|all| all.map(size));
-    steps.fold([Vector2::zeros(); 2], |[own, seen], [from, end, to]| [own + end - from, seen + to - from])
+    } else if confidence == Confidence::MostSteps {
+        found = between_jumps(subject, &without(pairs, jumps), ranked, floor);
+        jumps.retain(|_| found != Confidence::NoneFits);
+    }
+    (found, pairs.len())
 }
 
 /// Tries every candidate on the sample.
@@ -313,14 +319,13 @@ pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &W
     // From attitudes alone, each rule's spin must be solved for in each step: fewer steps are tried.
     let sought = all.iter().any(|pair| pair.to.ahead.is_some());
     let pairs = &*if sought { some(all, TRIED_TURNS) } else { all.to_vec() };
-    let mut steps = pairs.len();
     let found = tried(subject, pairs, known, sought);
     let (mut ranked, mut error) = (Ranked::of(&found, floor)?, None);
     ranked.second = ranked.second.and_then(|second| explained(subject, pairs, second.rule));
     let (mut confidence, mut jumps) = confidence_in(subject, pairs, &ranked, known, whole);
     let of_alteration =
         by_alteration(subject, pairs, &ranked.best).filter(|_| confidence == Confidence::Near);
-    let drifts = || drifts_from(changes(subject, pairs, &ranked.best.rule), pairs.len(), &ranked.best, whole);
+    let drifts = || drifts_from(subject, pairs, &ranked.best, whole);
     if confidence == Confidence::Near && (of_alteration.is_some() || drifts()) {
         confidence = Confidence::NoneFits;
     }
@@ -334,17 +339,9 @@ pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &W
     }
     let shows = confidence == Confidence::NoneFits && jumps.is_empty() && !sought;
     let term = if shows { times_the_term(subject, going) } else { None };
-    if confidence == Confidence::ToRounding {
-        confidence = settled(subject, pairs, &mut ranked, whole, floor);
-        if confidence == Confidence::MostSteps {
-            // Those that break a law may not be among the few that are tried.
-            jumps = off(subject, all, &ranked.best.rule, floor);
-            steps = all.len();
-        }
-    } else if confidence == Confidence::MostSteps {
-        confidence = between_jumps(subject, &without(pairs, &jumps), &mut ranked, floor);
-        jumps.retain(|_| confidence != Confidence::NoneFits);
-    }
+    let steps;
+    (confidence, steps) =
+        without_jumps(subject, [all, pairs], confidence, (&mut ranked, &mut jumps), whole, floor);
     let Ranked { best, alike, second } = ranked.placed(&found, floor).timed(whole, &mut confidence);
     let turns = pairs.iter().any(|pair| pair.from.attitude.is_some());
     let scatter = !sought && attitudes_scatter(subject, pairs, best.rule.base, floor);
@@ -353,16 +350,19 @@ pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &W
     let named = confidence.names_a_rule() && best.rule != Rule::EXACT;
     let own: Vec<_> = engines(header, std::iter::once(&best.rule).chain(&alike));
     let leading = first_named(&best.rule, if named { &alike } else { &[] }, own.first().map(|own| own.0));
+    let said = |rule: &Rule| rule.written(!sought).times(subject.unit);
     Some(Diagnosis {
-        best: Explanation { rule: best.rule.times(subject.unit), ..best },
-        alike: alike.iter().map(|rule| rule.times(subject.unit)).collect(),
-        second: second.map(|x| Explanation { rule: x.rule.times(subject.unit), ..x }),
+        best: Explanation { rule: said(&best.rule), ..best },
+        alike: alike.iter().map(said).collect(),
+        second: second
+            .map(|x| Explanation { rule: said(&x.rule), ..x })
+            .filter(|x| !alike.iter().any(|y| said(y) == x.rule)),
         confidence,
         steps,
         share: whole.share,
         engines: engine_names(&own, &leading),
         settings: if whole.fails && named { settings(&own, &leading) } else { Vec::new() },
-        leading: leading.iter().map(|rule| rule.times(subject.unit)).collect(),
+        leading: leading.iter().map(said).collect(),
         error,
         advice: Advice::of(confidence, &best.rule, floor, whole, [!jumps.is_empty(), turns, scatter]),
         term,

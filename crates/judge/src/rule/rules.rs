@@ -214,6 +214,13 @@ impl Rule {
         )
     }
 
+    /// As it is in a record with spins, or without: there none stands a row late or early.
+    pub(crate) fn written(mut self, spins: bool) -> Self {
+        self.alteration =
+            self.alteration.filter(|x| spins || !matches!(x, Alteration::Turned(Turn::Late | Turn::Early)));
+        self
+    }
+
     /// Of a body whose moments are this many times as large.
     pub(crate) fn times(mut self, unit: f64) -> Self {
         if let Some(Alteration::OtherMoments(moments, _)) = &mut self.alteration {

@@ -135,17 +135,32 @@ pub(super) fn times_the_term(subject: &Subject, pairs: &[Pair]) -> Option<f64> {
     seen.then_some(times)
 }
 
+/// The logarithms by which all steps of a rule together change energy and momentum, and those of the record.
+pub(super) fn changes(subject: &Subject, pairs: &[Pair], rule: &Rule) -> [Vector2<f64>; 2] {
+    let size = |omega: Vector3<f64>| {
+        let momentum = subject.moments.component_mul(&omega);
+        Vector2::new(omega.dot(&momentum).ln(), momentum.norm().ln())
+    };
+    let step = |(i, pair): (usize, &Pair)| {
+        if pair.to.ahead.is_none() {
+            return Some([pair.from.omega, subject.spin_after(rule, pair)?, pair.to.omega]);
+        }
+        // A spin made from turns is not the rule's own: that of the next turn is.
+        let next = pairs.get(i + 1).filter(|next| next.from.line == pair.to.line)?;
+        let [(own, _), (next, _)] = [subject.spins_of_turn(rule, pair)?, subject.spins_of_turn(rule, next)?];
+        Some([own[0], own[1], next[0]])
+    };
+    let steps = pairs.iter().enumerate().filter_map(step).map(|all| all.map(size));
+    steps.fold([Vector2::zeros(); 2], |[own, seen], [from, end, to]| [own + end - from, seen + to - from])
+}
+
 /// Whether a record drifts differently from a rule that is near: if the rule has no fitted numbers, the
 /// remainder must be random, and the laws of the rule must hold.
-pub(super) fn drifts_from(
-    [own, seen]: [Vector2<f64>; 2],
-    steps: usize,
-    best: &Explanation,
-    whole: &Whole,
-) -> bool {
+pub(super) fn drifts_from(subject: &Subject, pairs: &[Pair], best: &Explanation, whole: &Whole) -> bool {
     let rule = best.rule;
+    let [own, seen] = changes(subject, pairs, &rule);
     let is_plain = rule.alteration.is_none() && !matches!(rule.base, Base::MomentumForSpin(_));
-    let drifts = is_plain && (own - seen).amax() > BIASED[0] * best.median * (steps as f64).sqrt();
+    let drifts = is_plain && (own - seen).amax() > BIASED[0] * best.median * (pairs.len() as f64).sqrt();
     drifts || whole.unkept.iter().any(|law| rule.keeps(*law))
 }
 
