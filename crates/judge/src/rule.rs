@@ -21,6 +21,6 @@ pub use engines::{Limits, PHYSICS_ENGINES, PhysicsEngine};
 pub(crate) use engines::{parted, turned_straight};
 pub(crate) use fitted::{compound, inside, momentum_for_spin, other_bodies, tensor};
 pub use jumps::Jump;
-pub(crate) use names::{TERMS, engine_names, engines, first_named, readable, settings};
+pub(crate) use names::{TERMS, engine_names, engines, first_named, readable, settings, with_unseen};
 pub use rules::{Alteration, Base, Rule, Steps, Turn, When};
 pub(crate) use rules::{distinct, frozen, in_parts, of_parts, plain};

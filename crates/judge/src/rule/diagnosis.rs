@@ -12,6 +12,7 @@ use crate::rule::unnamed::{
 };
 use crate::rule::{
     Advice, Alteration, Base, Confidence, Rule, Subject, When, engine_names, engines, first_named, settings,
+    with_unseen,
 };
 use crate::thresholds::*;
 
@@ -351,12 +352,11 @@ pub(crate) fn diagnose(subject: &Subject, all: &[Pair], known: &Known, whole: &W
     let own: Vec<_> = engines(header, std::iter::once(&best.rule).chain(&alike));
     let leading = first_named(&best.rule, if named { &alike } else { &[] }, own.first().map(|own| own.0));
     let said = |rule: &Rule| rule.written(!sought).times(subject.unit);
+    let all = with_unseen(sought, &said(&best.rule), alike.iter().map(said));
     Some(Diagnosis {
         best: Explanation { rule: said(&best.rule), ..best },
-        alike: alike.iter().map(said).collect(),
-        second: second
-            .map(|x| Explanation { rule: said(&x.rule), ..x })
-            .filter(|x| !alike.iter().any(|y| said(y) == x.rule)),
+        second: second.map(|x| Explanation { rule: said(&x.rule), ..x }).filter(|x| !all.contains(&x.rule)),
+        alike: all,
         confidence,
         steps,
         share: whole.share,

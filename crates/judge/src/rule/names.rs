@@ -224,3 +224,34 @@ fn limits(limits: &Limits) -> String {
     let all = [turn, limits.component.map(cut), spin, rate];
     all.into_iter().flatten().collect::<Vec<_>>().join("; ")
 }
+
+/// The rules that fit as well, each once; in a record without spins with those that make the same attitudes
+/// by spins a row apart: a straight turn by the new spin is explicit Euler's by the old.
+pub(crate) fn with_unseen(sought: bool, best: &Rule, alike: impl Iterator<Item = Rule>) -> Vec<Rule> {
+    use Method::{ExplicitEuler, SemiImplicitEuler};
+    let unseen = |rule: &Rule| {
+        let base = match rule.base {
+            Base::Straight(SemiImplicitEuler, parts) => Base::Method(ExplicitEuler, parts),
+            Base::Method(ExplicitEuler, parts) => Base::Straight(SemiImplicitEuler, parts),
+            _ => return None,
+        };
+        // The place of damping is a row apart too.
+        let alteration = rule.alteration.map(|x| match x {
+            Alteration::Damped { factor, rate, steps, term, .. } => {
+                Alteration::Damped { factor, rate, when: When::Open, steps, term }
+            }
+            other => other,
+        });
+        sought.then_some(Rule { base, alteration })
+    };
+    let alike: Vec<_> = alike.collect();
+    let more: Vec<_> = std::iter::once(best).chain(&alike).filter_map(unseen).collect();
+    let (mut all, mut names) = (Vec::new(), vec![best.name()]);
+    for rule in alike.into_iter().chain(more) {
+        if !names.contains(&rule.name()) {
+            names.push(rule.name());
+            all.push(rule);
+        }
+    }
+    all
+}

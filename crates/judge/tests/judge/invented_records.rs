@@ -8,7 +8,7 @@ fn invented_records_are_named_by_their_rule_or_among_its_equals_and_those_of_unk
     // Of equal steps, of times, rows and limits that look like others, and of faults below the digits.
     let known =
         "700187 4004525 4005479 4008321 4011431 4019535 91000906 129044 7203771 7208620 7211699 7211700 \
-        7213897 7215798 7216016 7216920 7219238 7204734 7206389 7207137 8203108 8200747 8214116 8218934"
+        7213897 7215798 7216016 7216920 7219238 7204734 7206389 7207137 8203108 8200747 8214116 8218934 8401598 8401985"
             .split_whitespace()
             .map(|x| (x.parse().unwrap(), true));
     let outside = [5_001_917, 5_003_241, 1_795_807_711, 7_302_663].map(|seed| (seed, false));

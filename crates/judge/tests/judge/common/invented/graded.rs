@@ -129,7 +129,7 @@ impl Invented {
             (Some(said), times) if times.is_none_or(|times| (said / times - 1.0).abs() > 1e-2) => {
                 return Named::Wrongly;
             }
-            (None, Some(_)) if !any => return if sure { Named::Wrongly } else { Named::Not },
+            (None, Some(_)) if !any && !of_fault => return if sure { Named::Wrongly } else { Named::Not },
             _ => {}
         }
         let Truth::Known(base) = self.truth else { return self.outside(found, verdict.record.rounding) };
