@@ -6,7 +6,7 @@ import { readFileSync, statSync } from "node:fs";
 import path from "node:path";
 import { gzipSync } from "node:zlib";
 
-const MOST = { "two-arrows": 5_000, judge: 477_000 };
+const MOST = { "two-arrows": 5_000, judge: 478_000 };
 // Without the judge, which reads files of any kind and size. Each has the words of all errors, and what steps has all kinds of torques.
 const MOST_TOGETHER = 237_000;
 const [folder, ...names] = process.argv.slice(2);
