@@ -5,7 +5,7 @@ use crate::law::LawName;
 use crate::read::{Floor, Known, Pair, Row, angle_between, rounded};
 use crate::rule::confidence::confidence_in;
 use crate::rule::fitted::some;
-use crate::rule::jumps::{Jump, off, pushes, without};
+use crate::rule::jumps::{Jump, far_off, pushes, without};
 use crate::rule::tried::{alike_to_best, explained, tried};
 use crate::rule::unnamed::{
     attitudes_scatter, by_alteration, changes, drifts_from, going, times_the_term, unnamed,
@@ -304,7 +304,8 @@ fn without_jumps(
         found = settled(subject, pairs, ranked, whole, floor);
         if found == Confidence::MostSteps {
             // Those that break a law may not be among the few that are tried.
-            *jumps = off(subject, all, &ranked.best.rule, floor);
+            *jumps = far_off(subject, all, &ranked.best.rule, floor.limits()[1], JUMP_EVERY[0])
+                .unwrap_or_default();
             return (found, all.len());
         }
     } else if confidence == Confidence::MostSteps {

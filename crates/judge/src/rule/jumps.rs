@@ -48,8 +48,3 @@ pub(super) fn far_off(
     let apart = off.windows(3).all(|three| three[2].line > three[0].line + 2);
     (off.is_empty() || rare && apart).then_some(off)
 }
-
-/// The steps that are off a rule that all those tried follow.
-pub(super) fn off(subject: &Subject, all: &[Pair], rule: &Rule, floor: Floor) -> Vec<Jump> {
-    far_off(subject, all, rule, floor.limits()[1], JUMP_EVERY[0]).unwrap_or_default()
-}
