@@ -35,9 +35,6 @@ fn digits_that_were_printed_are_refused_by_default_and_taken_within_a_stated_tol
         let (again, again_by) = Inertia::within(&nearest.matrix(), 0.0).unwrap();
         assert_eq!((again, again_by), (nearest, 0.0));
     }
-    // If the excess is large, the digits are not the reason, and the message does not mention them.
-    let error = Inertia::from_moments(1.0, 2.0, 3.5).unwrap_err();
-    assert!(!error.to_string().contains("within"), "{error}");
     for bad in [f64::NAN, -1e-3, f64::INFINITY] {
         assert!(Inertia::within(&Matrix3::identity(), bad).is_err(), "{bad}");
     }

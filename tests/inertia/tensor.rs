@@ -111,12 +111,6 @@ fn a_spin_without_direction_has_no_angle() {
     let tensor = Inertia::from_moments(1.0, 2.0, 2.5).unwrap();
     refused(tensor.angle_to_momentum(&Vector3::zeros()), ErrorKind::Undefined, "the spin is the zero vector");
     refused(tensor.about_axis(&Vector3::zeros()), ErrorKind::Undefined, "the axis is the zero vector");
-    let rod = Inertia::from_moments(1.0, 1.0, 0.0).unwrap();
-    refused(
-        rod.angle_to_momentum(&Vector3::z()),
-        ErrorKind::Undefined,
-        "the angular momentum is the zero vector",
-    );
     assert!(exact(tensor.angle_to_momentum(&Vector3::new(1.0, 5e-324, 0.0)).unwrap()).is_positive());
 }
 

@@ -4,7 +4,6 @@ use super::{apart, by, finite, free, in_axes, seen_along, spinning, steppers};
 use crate::common::*;
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
-use tumbling::exact::FreeMotion;
 use tumbling::step::{Method, State, Stepper, System, Torque, fixed_rate};
 use tumbling::{Body, Error, ErrorKind, Inertia, Subject};
 
@@ -22,33 +21,6 @@ const RULES: [(&str, Rule); 6] = [
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(32))]
-
-    #[test]
-    fn a_stepper_answers_in_the_axes_of_the_tensor_whatever_they_are(
-        moments in moments(), axes in attitude(), q in attitude(), omega in generic_spin(),
-    ) {
-        let body = Body::spinning(in_axes(moments, &axes), q, &omega).unwrap();
-        let mut stepper = Stepper::new(&body, Method::Gauss6).unwrap();
-        prop_assert!(apart(&stepper.state(), &body.state()) < 1e-13);
-        prop_assert!((stepper.omega() - body.omega_body()).norm() < 1e-12);
-        let end = stepper.run(0.05, 40).last().unwrap().unwrap();
-        let truth = FreeMotion::of(&body).unwrap().at(2.0).unwrap();
-        // Attitude, spin and momentum of the closed form, in the same axes.
-        let moment = body.inertia().momentum(&truth.omega);
-        let truth = State { attitude: truth.attitude.into_inner(), momentum: moment };
-        prop_assert!(apart(&end, &truth) < 1e-7);
-        // Of a method that conserves the momentum in the world; Gauss's conserve its length alone.
-        let mut splitting = Stepper::new(&body, Method::RotationSplitting4).unwrap();
-        let _ = splitting.run(0.05, 40).last().unwrap().unwrap();
-        let now = splitting.body().unwrap();
-        prop_assert!((now.momentum_world() - body.momentum_world()).norm() < 1e-12 * body.momentum_world().norm());
-        // Backward: reading it has not changed the motion.
-        for state in stepper.run(-0.05, 40) {
-            state.unwrap();
-        }
-        prop_assert!(apart(&stepper.state(), &body.state()) < 1e-12);
-        prop_assert!(stepper.time().abs() < 1e-15);
-    }
 
     #[test]
     fn a_turn_of_the_bodys_axes_turns_the_answer_and_nothing_else(

@@ -105,34 +105,6 @@ fn a_push_that_ends_lets_a_stiff_run_without_end_go_on() {
     }
 }
 
-/// Finite or refused, and soon, however strong the damping and whatever else acts.
-#[test]
-fn extreme_damping_is_finite_or_refused_and_soon() {
-    let pulls = [
-        Torque::gravity(&Vector3::new(0.05, 0.3, 0.1), 1e3),
-        Torque::InBody(Vector3::new(1e-12, 1e12, 3.0)),
-        Torque::Dissipation(1e3),
-    ];
-    for pull in &pulls {
-        for exponent in (-6..=300).step_by(6) {
-            for damping in [[1.0, 0.0, 0.5], [1e-9, 1.0, 1e-6], [1.0, 1.0, 1.0]] {
-                let damping = Vector3::from(damping) * 10.0_f64.powi(exponent);
-                let Ok(system) = System::with(
-                    PrincipalMoments::new(1.0, 2.0, 2.5).unwrap(),
-                    vec![pull.clone(), Torque::Damping(damping)],
-                ) else {
-                    continue;
-                };
-                let start = spinning(&system, [1.0, -2.0, 0.5]);
-                if let Ok(end) = adaptive(&system, &start, 1.0, 1e-9, &mut 3_000) {
-                    assert!(end.momentum.iter().all(|x| x.is_finite()), "{end:?}");
-                    assert!((end.attitude.norm() - 1.0).abs() < 1e-14, "{end:?}");
-                }
-            }
-        }
-    }
-}
-
 /// Once the body is at rest, any further time needs no steps.
 #[test]
 fn a_spin_that_damping_stops_at_once_is_at_rest_to_the_end() {

@@ -2,70 +2,8 @@
 
 use crate::common::{BOTH, SPIN, apart, one, states};
 use nalgebra::Vector3;
-use proptest::prelude::*;
 use tumbling::step::Torque;
-use tumbling_scenes::{Error, InitialState, Outputs, Scene, Strategy, Times};
-
-fn agree(a: &Scene, b: &Scene) -> f64 {
-    let (a, b) = (a.plan(0).unwrap(), b.plan(0).unwrap());
-    states(&a).iter().zip(&states(&b)).map(|(a, b)| apart(a, b)).fold(0.0, f64::max)
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60))]
-
-    /// A torque that fades meets the free motion.
-    #[test]
-    fn a_fading_torque_meets_the_free_motion(
-        a in 0.6..1.0_f64, c in 1.1..1.5_f64, w in prop::array::uniform3(0.3..2.0_f64),
-        torque in prop::array::uniform3(-1.0..1.0_f64), accuracy in prop::sample::select(vec![1e-3, 1e-6, 1e-9]),
-    ) {
-        let body = InitialState::spinning(Vector3::new(a, 1.05, c), w.into());
-        let free = one(body, vec![], Times::every(1.0, 5.0), BOTH, accuracy);
-        for torque in [
-            Torque::InBody(Vector3::from(torque) * (1e-3 * accuracy)),
-            Torque::Aligning { arm: Vector3::from(torque) * (1e-3 * accuracy), field: Vector3::new(0.0, 0.0, -1.0) },
-            Torque::Damping(Vector3::from(torque).abs() * (1e-3 * accuracy)),
-        ] {
-            let driven = one(body, vec![torque], Times::every(1.0, 5.0), BOTH, accuracy);
-            prop_assert!(agree(&free, &driven) < 2.0 * accuracy);
-        }
-    }
-}
-
-/// Damping creeps for all of the run, or fades within a hundredth of it.
-#[test]
-fn fast_damping_against_a_field_or_a_push_is_as_right_as_requested() {
-    let body = InitialState::spinning(Vector3::new(1.0, 2.0, 2.5), Vector3::new(3.0, 5.0, 2.0));
-    let needle = Torque::Aligning { arm: Vector3::x(), field: Vector3::new(0.0, 10.0, 0.0) };
-    let even = Torque::Damping(Vector3::new(1000.0, 1000.0, 1000.0));
-    let (push, uneven) = (Vector3::new(1.0, 2.0, 3.0), Vector3::new(5000.0, 1000.0, 2000.0));
-    let pushed = vec![Torque::InBody(push), Torque::Damping(uneven)];
-    for (torques, times) in [
-        (vec![needle, even], vec![1e-3, 1e-2, 1.0, 10.0, 50.0, 100.0]),
-        (pushed.clone(), vec![1e-3, 1e-2, 0.1, 1.0, 3.0]),
-    ] {
-        let to = |accuracy| {
-            let times = Times::Given(times.clone());
-            one(body, torques.clone(), times, Outputs { energy: true, ..BOTH }, accuracy)
-        };
-        let (scene, fine) = (to(1e-3), to(1e-9));
-        let (plan, truth) = (scene.plan(0).unwrap(), fine.plan(0).unwrap());
-        assert!(plan.explain().contains("collocation where damping is much faster"), "{}", plan.explain());
-        let (mut fastest, mut richest) = (0.0_f64, 0.0_f64);
-        for (state, right) in states(&plan).iter().zip(states(&truth)) {
-            let (spin, energy) = (right.spin.unwrap(), right.energy.unwrap());
-            (fastest, richest) = (fastest.max(spin.norm()), richest.max(energy));
-            assert!((state.spin.unwrap() - spin).norm() < 1e-3 * fastest);
-            assert!((state.energy.unwrap() - energy).abs() < 1e-3 * richest);
-            assert!(state.attitude.unwrap().angle_to(&right.attitude.unwrap()) < 1e-3);
-        }
-    }
-    // In the end the push holds the drag, about each axis: c w = torque, but for the gyroscopic 1e-6.
-    let scene = one(body, pushed, Times::Given(vec![3.0]), SPIN, 1e-3);
-    let end = scene.plan(0).unwrap().states().last().unwrap().unwrap();
-    assert!((end.spin.unwrap() - push.component_div(&uneven)).norm() < 1e-5);
-}
+use tumbling_scenes::{Error, InitialState, Outputs, Strategy, Times};
 
 /// A push so weak that one step would do: two runs met at the one requested instant, and both were wrong by
 /// three times what was requested.

@@ -99,18 +99,6 @@ fn pull(time: f64, tensor: &Matrix3<f64>) -> Vector3<f64> {
     n.cross(&(tensor * n))
 }
 
-#[test]
-fn the_end_does_not_depend_on_the_states_requested_on_the_way() {
-    let still = Torque::GravityGradient { strength: 2.0, direction: REST, orbit: Vector3::zeros() };
-    let gradient = Torque::gravity_gradient(&toward(), &ORBIT);
-    let end = |parts: u32| {
-        let times = (1..=parts).map(|k| 4.0 * (f64::from(k) / f64::from(parts))).collect();
-        let scene = one(lopsided(), vec![gradient.clone(), still.clone()], Times::Given(times), BOTH, 1e-7);
-        states(&scene.plan(0).unwrap()).pop().unwrap()
-    };
-    assert_eq!(end(1), end(16));
-}
-
 /// One thruster within the first second, one across two of the times, a spring that lets go; and for all of
 /// the time a magnet in its field, a body that goes round and one that stands still, and a push to and fro.
 #[test]
