@@ -9,7 +9,7 @@ use num_traits::{One, Zero};
 use tumbling::attitude::{rate, rotation_matrix};
 use tumbling::dynamics::{euler::angular_acceleration, observe::energy};
 
-fn complex(re: &Fraction, im: &Fraction) -> Quaternion<Fraction> {
+fn complex([re, im]: &[Fraction; 2]) -> Quaternion<Fraction> {
     Quaternion::new(re.clone(), im.clone(), Fraction::zero(), Fraction::zero())
 }
 
@@ -76,20 +76,22 @@ pub(super) fn turning() -> Scope {
         .with_all([("P", growth(&axis, &axis.clone().map(|x| time.of(&x)))), ("W", weight), ("h", arm)])
         .with_all([(r"\dot{\phi}_1", first - &added), (r"\dot{\phi}_2", second + &added)])
         .with_all([(r"\dot{\phi}_3", third + added * two), ("I_1", i1), ("I_3", i3)])
-        .with_all(["w", "x", "y", "z"].map(|name| (name, Fraction::variable(name))))
         .with_each(r"\omega", &omega)
         .with_each("v", &vertical)
-        .with("i", complex(&Fraction::zero(), &Fraction::one()))
-        .with("V", complex(&vertical.x, &vertical.y))
+        .with("i", complex(&[Fraction::zero(), Fraction::one()]))
+        .with("V", complex(&[vertical.x.clone(), vertical.y.clone()]))
         .under(unit);
-    let conjugate = |[re, im]: &[Fraction; 2]| complex(re, &-im.clone());
+    let conjugate = |[re, im]: &[Fraction; 2]| complex(&[re.clone(), -im.clone()]);
     let scope = now.all().into_iter().fold(scope, |scope, (name, z)| {
-        scope.with(name, complex(&z[0], &z[1])).with(&format!(r"\bar{{{name}}}"), conjugate(z))
+        scope.with(name, complex(z)).with(&format!(r"\bar{{{name}}}"), conjugate(z))
     });
-    rates
-        .all()
-        .into_iter()
-        .fold(scope, |scope, (name, z)| scope.with(&format!(r"\dot{{{name}}}"), complex(&z[0], &z[1])))
+    let dotted = |all: Scope, (name, z): (&str, &_)| all.with(&format!(r"\dot{{{name}}}"), complex(z));
+    rates.all().into_iter().fold(scope, dotted)
+}
+
+/// The same, with the height as a complex number.
+pub(super) fn leaning() -> Scope {
+    turning().with("c", complex(&[rotation_matrix(&attitude().0)[(2, 2)].clone(), Fraction::zero()]))
 }
 
 /// The square of the rate of the height.
@@ -102,10 +104,11 @@ fn with_constants<const N: usize>(x: Fraction, constants: [(&str, Fraction); N])
     constants.into_iter().fold(x, |x, (name, value)| x.substitute(&name.into(), &value))
 }
 
-fn near(height: &Fraction) -> Scope {
+/// That square by a distance of this name, `x`, from a height.
+fn near(name: &str, height: &Fraction) -> Scope {
     let [n, g, l, e, x] = variables(["n", "g", "l", "e", "x"]);
     let scope = Scope::default().with(r"\dot{c}", Value::Root(cubic(height)));
-    scope.with_all([("n", n), ("g", g), ("l", l), ("e", e), ("x", x)])
+    scope.with_all([("n", n), ("g", g), ("l", l), ("e", e), (name, x)])
 }
 
 /// That square by the height above the start, with the constants of the start.
@@ -121,19 +124,19 @@ pub(super) fn from_the_start() -> Scope {
     };
     Scope::default()
         .with(r"\dot{c}", Value::Root(put(&(&c0 + &x))))
-        .with_all([(r"\dot{c}_0", &v1 * &o2 - &v2 * &o1), ("F", by_height), ("c_0", c0), ("x", x), ("n", n)])
-        .with_all([("g", g), ("v_1", v1), ("v_2", v2), (r"\omega_1", o1), (r"\omega_2", o2)])
+        .with_all([(r"\dot{c}_0", &v1 * &o2 - &v2 * &o1), ("F", by_height), ("c_0", c0), (r"\delta", x)])
+        .with_all([("n", n), ("g", g), ("v_1", v1), ("v_2", v2), (r"\omega_1", o1), (r"\omega_2", o2)])
         .under(level)
 }
 
 /// The same by the depth below the top.
 pub(super) fn from_the_top() -> Scope {
-    near(&(Fraction::one() - Fraction::variable("x")))
+    near(r"\epsilon", &(Fraction::one() - Fraction::variable("x")))
 }
 
 /// The same by the height above the bottom.
 pub(super) fn from_the_bottom() -> Scope {
-    near(&(Fraction::variable("x") - Fraction::one()))
+    near(r"\zeta", &(Fraction::variable("x") - Fraction::one()))
 }
 
 /// The roots by the lowest, the span to the third and the part of it that the second has; the constants by

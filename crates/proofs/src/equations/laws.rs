@@ -260,7 +260,7 @@ laws! {
     COMPLEMENTARY_B1 = law("b_1", &[closed::complementary_attitude], "ComplementaryPair::sums");
     COMPLEMENTARY_B2 = law("b_2", &[closed::complementary_attitude], "ComplementaryPair::sums");
     HEAVY_VERTICAL = law("V", &[heavy::turning], "the vertical seen from the body, by attitude::rotation_matrix");
-    HEAVY_HEIGHT = law("c", &[heavy::turning], "the same, along the axis");
+    HEAVY_HEIGHT = law("c", &[heavy::leaning], "the same, along the axis");
     HEAVY_ALONG = lemma("n", &[heavy::turning], "the momentum about the axis");
     HEAVY_PULL = lemma("g", &[heavy::turning], "the torque of the weight");
     HEAVY_ALPHA = law(r"\dot{\alpha}", &[heavy::turning], "attitude::rate");

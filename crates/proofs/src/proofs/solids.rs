@@ -58,7 +58,7 @@ proofs! {
             r"The moments of every tube are those of a cylinder less those of its hole, for the mass that is left, $I_1 = I_2 = \tfrac{1}{12} m (3 o^2 + 3 i^2 + h^2)$ and $I_3 = \tfrac{1}{2} m (o^2 + i^2)$.";
             but "the hole filled": tube(|m, _, o, h| cylinder_moments(m, o, h)),
         "cone": cone(cone_moments, 4),
-            r"The centre of every full cone is a quarter of the way up, $C = (0, 0, \tfrac{1}{4} h)$; by integrating over it, its moments about that centre are $I_1 = I_2 = \tfrac{3}{80} m (4 r^2 + h^2)$ and $I_3 = \tfrac{3}{10} m r^2$.";
+            r"The centre of every full cone is a quarter of the way up, $C = (0, 0, \tfrac{1}{4} h)$; by integrating over it, its moments about that centre are $I_1 = I_2 = \tfrac{3}{80} m (4 r^2 + h^2)$ and $I_3 = \tfrac{3}{10} m r^2$. That the library puts its centre there is tested, and no part of it.";
             but "the centre a third of the way up": cone(cone_moments, 3),
             but "radius and height swapped": cone(|m, r, h| cone_moments(m, h, r), 4),
         "capsule": capsule(capsule_moments),
