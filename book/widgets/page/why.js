@@ -116,7 +116,7 @@ tumblingLive.widget("why", async (stage, from) => {
         size.value = length;
         for (const button of choices) button.setAttribute("aria-pressed", String(STARTS[button.dataset.start].at === at));
         const ends = ["The sphere touches the ellipsoid at two points: a spin there stays.", "The curve is a loop about the heavy rod: a spin on it never leaves.",
-            "The curves cross at the light rod: a spin near the cross is led away.", "The curve is a loop about the axis across both rods: a spin on it never leaves."];
+            "The curves cross at the light rod: a spin near this saddle is led away.", "The curve is a loop about the axis across both rods: a spin on it never leaves."];
         const near = (k) => Math.abs(length / half[k] - 1) < 1e-3;
         const told = words ?? ends[near(2) || near(1) ? 0 : near(0) ? 2 : depth < moments[0] ? 1 : 3];
         if (shown("words").textContent !== told) size.setAttribute("aria-valuetext", shown("words").textContent = told);
