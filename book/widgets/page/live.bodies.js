@@ -76,7 +76,8 @@ tumblingLive.bodies ??= (() => {
             dip.fillRect(0, 0, 1, 1);
             return [...dip.getImageData(0, 0, 1, 1).data.slice(0, 3)];
         };
-        const colours = {};
+        const stamps = new Map();
+        const colours = { stamps };
         function dye() {
             const of = (name) => {
                 probe.style.color = name.startsWith("--") ? `var(${name})` : name;
@@ -105,6 +106,7 @@ tumblingLive.bodies ??= (() => {
             colours.font = `14px ${style.fontFamily}`;
             const symbols = getComputedStyle(document.documentElement).getPropertyValue("--fig-symbols").trim() || "serif";
             colours.symbols = `italic bold 17px ${symbols}`;
+            stamps.clear();
             dip.font = colours.symbols;
             colours.half = Object.fromEntries(["L", "ω"].map((name) => [name, [dip.measureText(name).width / 2 + 1, 9]]));
         }
@@ -198,6 +200,12 @@ tumblingLive.bodies ??= (() => {
                 else pen.lineTo(cx + xs[list[i]], cy + ys[list[i]]);
             }
         };
+        const outline = ({ at, hole }) => {
+            for (const list of hole ? [at, hole] : [at]) {
+                trace(list);
+                pen.closePath();
+            }
+        };
         pen.lineJoin = "round";
         pen.strokeStyle = colours.faint;
         pen.lineWidth = 0.7;
@@ -217,23 +225,28 @@ tumblingLive.bodies ??= (() => {
                 pen.fill();
                 continue;
             }
+            pen.lineWidth = 0.8;
+            const edges = []; // all at once: the faces that are seen do not lie over each other, and to set a colour takes long
             for (const face of part.faces) {
                 const near = dot(toward, face.normal);
                 if (near <= 0) continue;
                 const light = 0.5 + 0.5 * (LIGHT[0] * dot(right, face.normal) + LIGHT[1] * dot(up, face.normal) + LIGHT[2] * near);
+                const shade = colours[face.kind][Math.round(32 * Math.max(0, Math.min(1, light)))];
                 pen.beginPath();
-                trace(face.at);
-                pen.closePath();
-                if (face.hole) {
-                    trace(face.hole);
-                    pen.closePath();
-                }
-                pen.fillStyle = pen.strokeStyle = colours[face.kind][Math.round(32 * Math.max(0, Math.min(1, light)))];
+                outline(face);
+                pen.fillStyle = shade;
                 pen.fill("evenodd");
-                pen.lineWidth = 0.8;
-                if (!face.smooth) pen.strokeStyle = colours.edge;
-                pen.stroke();
+                if (!face.smooth) edges.push(face);
+                else {
+                    pen.strokeStyle = shade;
+                    pen.stroke();
+                }
             }
+            if (edges.length === 0) continue;
+            pen.strokeStyle = colours.edge;
+            pen.beginPath();
+            edges.forEach(outline);
+            pen.stroke();
         }
         return { xs, ys, cx, cy };
     }
@@ -252,10 +265,7 @@ tumblingLive.bodies ??= (() => {
         const labels = [];
         const label = (name, x, y, colour) => {
             const [wide, high] = colours.half[name];
-            pen.font = colours.symbols;
-            pen.textAlign = "center";
-            pen.fillStyle = colour;
-            pen.fillText(name, x, y + 6);
+            tumblingLive.word(pen, colours.stamps, name, colours.symbols, colour, [x, y]);
             labels.push({ name, left: x - wide, right: x + wide, top: y - high, bottom: y + high });
         };
         let first = null; // the direction of the first, and how far beside it no other name may stand

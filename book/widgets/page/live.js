@@ -97,6 +97,29 @@ globalThis.tumblingLive ??= (() => {
         return [tipX, tipY];
     }
 
+    const MOST = 2; // screen pixels for each of the page's
+    /**
+     * Writes a word on a canvas: about `[x, y]`, or to the left or right of it (`side` −1 or 1); a `halo` parts it from what is behind. It is drawn
+     * once and kept among the `stamps`: to set a font in each frame takes longer than to draw a body.
+     */
+    function word(pen, stamps, text, font, colour, [x, y], side = 0, halo = "") {
+        const key = [text, font, colour, halo].join();
+        let stamp = stamps.get(key);
+        if (!stamp) {
+            stamps.set(key, stamp = document.createElement("canvas"));
+            const [ink, size] = [stamp.getContext("2d"), parseFloat(font.match(/[\d.]+(?=px)/)[0])];
+            ink.font = font;
+            [stamp.width, stamp.height] = [MOST * Math.ceil(ink.measureText(text).width + 8), MOST * 2 * size];
+            ink.scale(MOST, MOST);
+            Object.assign(ink, { font, textAlign: "center", fillStyle: colour, strokeStyle: halo, lineWidth: 2.6 });
+            const place = [stamp.width / 2 / MOST, 1.35 * size];
+            if (halo) ink.strokeText(text, ...place);
+            ink.fillText(text, ...place);
+        }
+        const [wide, high] = [stamp.width / MOST, stamp.height / MOST];
+        pen.drawImage(stamp, x - wide / 2 + side * (wide / 2 - 4), y - high / 2, wide, high);
+    }
+
     /**
      * Has a drawing redrawn, in the page's own pixels, when its width changes. Returns what redraws it. What `redraw` returns stays in the
      * drawing, and is given to it the next time, while the size is the same.
@@ -125,14 +148,18 @@ globalThis.tumblingLive ??= (() => {
     /** Says a text to those who do not see it, once nothing has changed for a while. */
     function sayer(stage) {
         const place = stage.querySelector(".live-said");
-        let later = 0;
+        let [due, pending] = [0, 0];
+        function rested() {
+            const left = due - performance.now();
+            pending = left > 0 ? setTimeout(rested, left) : 0;
+            if (pending) return;
+            place.textContent = place.dataset.next;
+            delete place.dataset.next;
+        }
         return (text) => {
-            clearTimeout(later);
+            due = performance.now() + 700;
             place.dataset.next = text;
-            later = setTimeout(() => {
-                place.textContent = text;
-                delete place.dataset.next;
-            }, 700);
+            pending ||= setTimeout(rested, 700); // one for all the texts of a slider that moves
         };
     }
 
@@ -204,6 +231,6 @@ globalThis.tumblingLive ??= (() => {
     return {
         carry: (name, text) => carried.set(name, text),
         widget: (name, maker) => makers.set(name, maker),
-        load, bytes, module, fixed, raised, short, draw, arrow, drawing, sayer,
+        load, bytes, module, fixed, raised, short, draw, arrow, word, drawing, sayer,
     };
 })();

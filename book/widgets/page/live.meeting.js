@@ -15,6 +15,7 @@ tumblingLive.meeting = (canvas, colours, half, names, { get, moved, ended }) => 
     const LIGHT = unit([-0.45, 0.75, 0.6]);
     const reach = 1.04 * Math.max(...half);
     const sheet = document.createElement("canvas");
+    const ink = sheet.getContext("2d");
     const kept = { key: "", at: -Infinity, coarse: false, later: 0 };
 
     /** The ellipsoid alone, from where it was last seen: its picture, how near each point is to the reader, and the shades of the sphere over it. */
@@ -60,24 +61,31 @@ tumblingLive.meeting = (canvas, colours, half, names, { get, moved, ended }) => 
         const soon = performance.now() - kept.at < 200;
         if (key === kept.key && (soon || !kept.coarse)) return;
         const dots = soon ? Math.round(fine / (devicePixelRatio > 1 ? 4 : 3)) : fine;
-        clearTimeout(kept.later);
-        Object.assign(kept, { key, at: performance.now(), coarse: soon, later: soon ? setTimeout(() => picture.draw(), 250) : 0 });
+        Object.assign(kept, { key, at: performance.now(), coarse: soon });
+        if (soon) kept.later ||= setTimeout(finely, 250); // one for all the changes of a slider that moves
         if (sheet.width !== dots) [sheet.width, sheet.height] = [dots, dots];
         const { hidden, image, pixels, bare, warmed } = ellipsoid(eye, dots);
         pixels.set(bare);
         const [right, up, toward] = LIGHT.map((part) => 16 * part / length);
+        const square = length * length;
         const side = (part) => Math.max(0, Math.min(dots, Math.round(0.5 * dots * (1 + part / reach)))); // the dot at a height, or at a place across
         for (let row = side(-length); row < side(length); row += 1) {
             const v = reach * (1 - (2 * row + 1) / dots);
-            const wide = Math.sqrt(Math.max(0, length * length - v * v));
+            const wide = Math.sqrt(Math.max(0, square - v * v));
+            const shade = 16.5 + up * v; // half more: cut off, it is rounded
             for (let column = side(-wide), end = side(wide); column < end; column += 1) {
                 const dot = row * dots + column;
-                if (length * length <= hidden[dot]) continue;
+                if (square <= hidden[dot]) continue;
                 const u = reach * ((2 * column + 1) / dots - 1);
-                pixels[dot] = warmed[Math.round(16 + right * u + up * v + toward * Math.sqrt(Math.max(0, wide * wide - u * u)))];
+                pixels[dot] = warmed[(shade + right * u + toward * Math.sqrt(Math.max(0, wide * wide - u * u))) | 0];
             }
         }
-        sheet.getContext("2d").putImageData(image, 0, 0);
+        ink.putImageData(image, 0, 0);
+    }
+    function finely() {
+        const left = kept.at + 250 - performance.now();
+        kept.later = left > 0 ? setTimeout(finely, left) : 0;
+        if (!kept.later) picture.draw();
     }
 
     const picture = paper(canvas, (width) => Math.round(Math.min(0.9 * width, 330)), (pen, width, height) => {
@@ -87,23 +95,25 @@ tumblingLive.meeting = (canvas, colours, half, names, { get, moved, ended }) => 
         const side = Math.min(width, height);
         const scale = side / 2 / reach;
         const on = (p) => [width / 2 + scale * dot(eye[0], p), height / 2 - scale * dot(eye[1], p)];
-        const faces = (p) => by(p, eye[2]) > 0;
+        const outward = [wide * eye[2][0], high * eye[2][1], deep * eye[2][2]];
+        const faces = (p) => dot(p, outward) > 0;
         surfaces(Math.hypot(...at), eye, Math.round(side * Math.min(devicePixelRatio || 1, 2)));
         pen.drawImage(sheet, (width - side) / 2, (height - side) / 2, side, side);
         pen.lineWidth = 2.6;
         // The curve and its mirror image through the middle, which is in front where the curve is behind.
         const [behind, before] = [new Path2D(), new Path2D()];
-        let last = { to: on(curve.at(-1)), front: null };
+        let [[x, y], was] = [on(curve.at(-1)), null];
         for (const p of curve) {
-            const here = { to: on(p), front: faces(p) };
-            const [line, image] = here.front ? [before, behind] : [behind, before];
-            if (here.front !== last.front) {
-                line.moveTo(...last.to);
-                image.moveTo(width - last.to[0], height - last.to[1]);
+            const front = faces(p);
+            const [line, image] = front ? [before, behind] : [behind, before];
+            if (front !== was) {
+                line.moveTo(x, y);
+                image.moveTo(width - x, height - y);
             }
-            line.lineTo(...here.to);
-            image.lineTo(width - here.to[0], height - here.to[1]);
-            last = here;
+            [x, y] = on(p);
+            line.lineTo(x, y);
+            image.lineTo(width - x, height - y);
+            was = front;
         }
         pen.strokeStyle = colours.omega;
         for (const [line, alpha] of [[behind, 0.22], [before, 1]]) {
@@ -120,15 +130,10 @@ tumblingLive.meeting = (canvas, colours, half, names, { get, moved, ended }) => 
                 pen.arc(...on(end), 4, 0, 2 * Math.PI);
                 pen.fill();
                 if (!faces(end)) continue;
-                pen.fillStyle = colours.fg;
-                pen.strokeStyle = colours.bg;
-                pen.font = colours.font;
-                // So far to the side that a small loop about the dot, and the point on it, leave it free.
+                // So far to the side that a small loop about the dot, and the point on it, leave it free; where a large loop passes, its halo does.
                 const aside = x > 0.6 * width ? -1 : x < 0.4 * width ? 1 : 0;
-                pen.textAlign = { "-1": "right", 0: "center", 1: "left" }[aside];
-                const place = [x + 24 * aside, y + (aside ? 5 : y > height / 2 ? 18 : -8)];
-                pen.strokeText(name, ...place); // and where a large loop passes, the name stands clear of it
-                pen.fillText(name, ...place);
+                const place = [x + 24 * aside, y + (aside ? 0 : y > height / 2 ? 13 : -13)];
+                tumblingLive.word(pen, colours.stamps, name, colours.font, colours.fg, place, aside, colours.bg);
             }
         });
         pen.globalAlpha = faces(now) ? 1 : 0.4;

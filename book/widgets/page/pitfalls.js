@@ -38,7 +38,8 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
             READ.map(([what, words]) => `<div><dt class="live-of-${what}">${words}</dt> <dd data-of="${what}"></dd></div>`).join("")}</dl><svg class="live-drawing live-low" aria-hidden="true"></svg>`;
         place.querySelector("p").textContent = name;
         stage.querySelector(".live-engines").append(place);
-        const row = { which, place, side: {} };
+        const cells = Object.fromEntries(READ.map(([what]) => [what, place.querySelector(`[data-of=${what}]`)]));
+        const row = { which, place, cells, title: place.querySelector("p"), side: {} };
         row.paper = paper(place.querySelector("canvas"), (width) => Math.round(Math.min(0.96 * width, 210)), (...it) => turned(row, ...it));
         row.redraw = drawing(place.querySelector("svg"), (width) => Math.max(50, Math.round(Math.min(0.34 * width, 80))),
             (width, height) => path(row, width, height));
@@ -117,7 +118,6 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
         tell(push, "push", plain(p), "rad/s");
         tell(step, "step", plain(stepping), "s");
         tell(until, "until", plain(length), "s");
-        return show();
     }
 
     /** A chosen number, as it was chosen. */
@@ -202,29 +202,35 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
     function show() {
         const time = now();
         const flipped = exact.flips.filter((t) => t <= time);
-        const words = [];
         for (const row of rows) {
             const put = (what, text, right) => {
-                const place = row.place.querySelector(`[data-of=${what}]`);
-                if (place.textContent !== text) place.textContent = text;
-                place.classList.toggle("live-broken", !right);
+                if (row.cells[what].textContent !== text) row.cells[what].textContent = text;
+                row.cells[what].classList.toggle("live-broken", !right);
             };
             const kept = row.angle * Math.PI / 180 < BROKEN && Math.abs(row.size - 1) < BROKEN;
             const energy = range(row.low, row.high);
             put("energy", energy, energy === "kept");
             put("angle", kept ? "kept" : momentum(row), kept);
             put("flips", `${row.flips} of ${flipped.length}`, row.flips === flipped.length);
-            row.place.querySelector(".live-title").textContent = NAMES[row.which] + (row.refused ? ": too large for an f64" : "");
-            const turned = row.flips > 0 ? `, the first after ${fixed(row.turned, 1)} s` : "";
-            words.push(`${NAMES[row.which]}: energy from ${100 + Number(fixed(100 * (row.low - 1), 0).replace("−", "-"))} % to ${
-                100 + Number(fixed(100 * (row.high - 1), 0).replace("−", "-"))} %, momentum turned by ${fixed(row.angle, 1)}°, ${row.flips} flips${turned}. Its spin began ${fixed(row.first.off, 1)}° off.`);
+            const title = NAMES[row.which] + (row.refused ? ": too large for an f64" : "");
+            if (row.title.textContent !== title) row.title.textContent = title;
         }
         for (const row of rows) follow(row);
         shown("time").textContent = `${fixed(time, 1)} s of ${plain(length)} s`;
         end.disabled = steps >= last();
-        play.textContent = frame ? "Pause" : still.matches ? "Step" : "Play";
+        const name = frame ? "Pause" : still.matches ? "Step" : "Play";
+        if (play.textContent !== name) play.textContent = name;
         play.disabled = steps >= last();
-        return `After ${fixed(time, 1)} s. ${words.join(" ")} Right would be ${flipped.length} flips.`;
+    }
+    /** The same, and says it to those who do not see it: only at rest, as the words take long. */
+    function report() {
+        show();
+        say(`After ${fixed(now(), 1)} s. ${rows.map(inWords).join(" ")} Right would be ${exact.flips.filter((t) => t <= now()).length} flips.`);
+    }
+    function inWords(row) {
+        const turned = row.flips > 0 ? `, the first after ${fixed(row.turned, 1)} s` : "";
+        return `${NAMES[row.which]}: energy from ${100 + Number(fixed(100 * (row.low - 1), 0).replace("−", "-"))} % to ${
+            100 + Number(fixed(100 * (row.high - 1), 0).replace("−", "-"))} %, momentum turned by ${fixed(row.angle, 1)}°, ${row.flips} flips${turned}. Its spin began ${fixed(row.first.off, 1)}° off.`;
     }
 
     function stop() {
@@ -235,12 +241,12 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
     play.addEventListener("click", () => {
         if (frame) {
             stop();
-            say(show());
+            report();
             return;
         }
         if (still.matches) {
             go(Math.min(last(), steps + Math.ceil(last() / 10)));
-            say(show());
+            report();
             return;
         }
         // Time passes as it does for the reader, but never by leaps.
@@ -255,8 +261,8 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
             // Nobody reads numbers that change with every frame, and each would have the page laid out anew.
             if (frame && instant - numbers < 100) return rows.forEach(follow);
             numbers = instant;
-            const words = show();
-            if (!frame) say(words);
+            if (frame) show();
+            else report();
         };
         frame = requestAnimationFrame(tick);
         show();
@@ -264,9 +270,13 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
     end.addEventListener("click", () => {
         stop();
         go(last());
-        say(show());
+        report();
     });
-    reset.addEventListener("click", () => say(begin()));
+    function restart() {
+        begin();
+        report();
+    }
+    reset.addEventListener("click", restart);
     still.addEventListener("change", () => {
         stop();
         show();
@@ -274,10 +284,10 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
     for (const button of stage.querySelectorAll("[data-start]")) {
         button.addEventListener("click", () => {
             [body, about, spin, push, step, until].forEach((input, i) => { input.value = STARTS[button.dataset.start][i]; });
-            say(begin());
+            restart();
         });
     }
-    for (const input of [body, about, spin, push, step, until]) input.addEventListener("input", () => say(begin()));
+    for (const input of [body, about, spin, push, step, until]) input.addEventListener("input", restart);
     // Out of sight it rests.
     const rest = () => {
         if (!frame) return;
@@ -287,4 +297,5 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
     document.addEventListener("visibilitychange", () => document.hidden && rest());
     new IntersectionObserver(([{ isIntersecting }]) => isIntersecting || rest()).observe(stage);
     begin();
+    show();
 });

@@ -7,9 +7,10 @@ tumblingLive.widget("top", async (stage, from) => {
     const { dot, rows, through, upright, orbit, palette, paper, path, paint, clock, dragged } = tumblingLive.bodies;
     const control = (id) => stage.querySelector(`#top-${id}`);
     const [play, scrub, pace, step, drag, spin, lean, push] = ["play", "scrub", "pace", "step", "drag", "spin", "lean", "push"].map(control);
-    const canvas = (what) => stage.querySelector(`[data-draws=${what}]`);
-    const places = Object.fromEntries(Array.from(stage.querySelectorAll("[data-shows]"), (place) => [place.dataset.shows, place]));
-    const shown = (what) => places[what];
+    const [pictures, places] = ["draws", "shows"].map((what) => Object.fromEntries(Array.from(stage.querySelectorAll(`[data-${what}]`), (it) => [it.dataset[what], it])));
+    const [canvas, shown] = [pictures, places].map((all) => (what) => all[what]);
+    /** What is set is laid out and styled anew, even where it was the same. */
+    const put = (what, text) => shown(what).textContent !== text && (shown(what).textContent = text);
     const choices = [...stage.querySelectorAll("[data-start]")];
     const wrong = stage.querySelector(".live-wrong");
     const say = sayer(stage);
@@ -46,7 +47,7 @@ tumblingLive.widget("top", async (stage, from) => {
     };
     /** Whether two axes are less than ASTRAY apart: no root for each of the hundreds that are compared. */
     const near = ([x, y, z], [u, v, w]) => (x - u) ** 2 + (y - v) ** 2 + (z - w) ** 2 < (2 * Math.sin(ASTRAY / 2 / DEGREES)) ** 2;
-    const leanOf = ([x, y, z]) => DEGREES * Math.atan2(Math.hypot(x, y), z);
+    const leanOf = ([x, y, z]) => DEGREES * Math.atan2(Math.sqrt(x * x + y * y), z);
     const between = (a, b) => DEGREES * 2 * Math.asin(Math.min(1, 0.5 * Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2])));
 
     // ---- What the module answers.
@@ -105,28 +106,30 @@ tumblingLive.widget("top", async (stage, from) => {
         const scale = Math.max(Math.min((low ? 0.5 : 0.76) * height, 0.5 * width / (low ? 1 : 0.8)) - 12, 1);
         const [cx, cy] = [width / 2, low ? height / 2 : height - 0.16 * height];
         const at = (p) => [cx + scale * dot(eye[0], p), cy - scale * dot(eye[1], p)];
-        const near = (p) => dot(eye[2], p) >= 0;
         const now = Math.min(Math.floor(t / state.each + 1e-9), state.axes.length - 1);
         const trail = state.axes.slice(Math.max(0, now - Math.round(TRAIL / state.each)), now + 1);
-        const circle = (angle) => ROUND.map(([x, y]) => [Math.sin(angle) * x, Math.sin(angle) * y, Math.cos(angle)]);
-        /** A line over the sphere: where its points are seen, and which are on this side. */
-        const over = (points, colour, wide, dim, dashes = []) => ({ places: points.map(at), sides: points.map(near), colour, wide, dim, dashes });
+        const circle = (angle, wide = Math.sin(angle), high = Math.cos(angle)) => ROUND.map(([x, y]) => [wide * x, wide * y, high]);
+        /** A line over the sphere: what of it is on this side, and what is behind. */
+        function over(points, colour, wide, dim, dashes = []) {
+            const [front, behind] = [new Path2D(), new Path2D()];
+            let [x, y, was, goes] = [0, 0, null, null]; // goes: what the last piece is in
+            for (const p of points) {
+                const [toX, toY, is] = [cx + scale * dot(eye[0], p), cy - scale * dot(eye[1], p), dot(eye[2], p) >= 0];
+                const line = was === null ? null : is || was ? front : behind;
+                if (line && line !== goes) line.moveTo(x, y);
+                line?.lineTo(toX, toY);
+                [x, y, was, goes] = [toX, toY, is, line];
+            }
+            return { front, behind, colour, wide, dim, dashes };
+        }
         const drawn = drag.checked ? [] : [...leans.map((angle) => over(circle(angle / DEGREES), colours.fg, 1, 0.8, [5, 4])), over(state.exact, colours.faint, 6, 0.55)];
         drawn.push(over(trail, ink(), 1.8, 1));
-        /** Of all lines what is on this side, or what is behind. */
-        const lines = (front) => {
+        const lines = (side) => {
             pen.lineJoin = "round";
-            for (const { places, sides, colour, wide, dim, dashes } of drawn) {
-                [pen.strokeStyle, pen.lineWidth, pen.globalAlpha] = [colour, wide, (front ? 1 : 0.4) * dim];
+            for (const { [side]: line, colour, wide, dim, dashes } of drawn) {
+                [pen.strokeStyle, pen.lineWidth, pen.globalAlpha] = [colour, wide, (side === "front" ? 1 : 0.4) * dim];
                 pen.setLineDash(dashes);
-                pen.beginPath();
-                for (let i = 1, goes = false; i < places.length; i += 1) {
-                    const is = (sides[i] || sides[i - 1]) === front;
-                    if (is && !goes) pen.moveTo(...places[i - 1]);
-                    if (is) pen.lineTo(...places[i]);
-                    goes = is;
-                }
-                pen.stroke();
+                pen.stroke(line);
             }
             pen.setLineDash([]);
             pen.globalAlpha = 1;
@@ -136,11 +139,11 @@ tumblingLive.widget("top", async (stage, from) => {
         pen.lineWidth = 3;
         path(pen, [[cx, cy + 3], [cx, height]]);
         pen.stroke();
-        lines(false);
+        lines("behind");
         const q = drag.checked ? steppedAt(t) : exactAt(t);
         // The top is inside the sphere: what is on this side of it is nearer.
         const painted = paint(pen, colours, state.solid, through(eye, rows(q)), [cx, cy], scale);
-        lines(true);
+        lines("front");
         canvas("body").shows = { body: painted, turn: state.turn, tilt: state.tilt, trail, exact: state.exact }; // for those who test it
         pen.fillStyle = ink();
         pen.beginPath();
@@ -159,30 +162,23 @@ tumblingLive.widget("top", async (stage, from) => {
     }, (pen, width, height) => {
         if (!state.facts) return;
         const stepped = state.axes.map(leanOf);
-        const exact = drag.checked ? [] : state.exact.map(leanOf);
-        const all = drag.checked ? stepped : [...exact, ...stepped];
-        const most = all.reduce((a, b) => Math.max(a, b), 0);
-        const least = all.reduce((a, b) => Math.min(a, b), 180);
+        const exact = drag.checked ? [] : state.axes === state.exact ? stepped : state.exact.map(leanOf);
+        let [least, most] = [180, 0];
+        for (const angle of exact === stepped ? stepped : [...exact, ...stepped]) [least, most] = [Math.min(least, angle), Math.max(most, angle)];
         const room = Math.max(0.08 * (most - least), 0.5);
         const [low, high] = [Math.max(0, least - room), most + room];
         const y = (angle) => 8 + (height - 32) * (angle - low) / (high - low); // down, as the axis sinks
-        pen.font = colours.font;
-        pen.lineWidth = 1;
-        pen.fillStyle = colours.fg;
-        pen.textAlign = "right";
+        const write = (...it) => tumblingLive.word(pen, colours.stamps, it.shift(), colours.font, colours.fg, ...it);
         const by = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60].find((by) => (high - low) / by <= 6) ?? 60;
+        [pen.strokeStyle, pen.lineWidth] = [colours.faint, 1];
         for (let angle = Math.ceil(low / by) * by; angle <= high; angle += by) {
-            pen.strokeStyle = colours.faint;
-            pen.globalAlpha = 0.5;
             path(pen, [[44, y(angle)], [width - EDGE, y(angle)]]);
+            pen.globalAlpha = 0.5;
             pen.stroke();
             pen.globalAlpha = 1;
-            pen.fillText(`${fixed(angle, by < 1 ? 1 : 0)}°`, 40, y(angle) + 5);
+            write(`${fixed(angle, by < 1 ? 1 : 0)}°`, [40, y(angle)], -1);
         }
-        for (let t = 0; t <= until(); t += drag.checked ? 4 : 0.5) {
-            pen.textAlign = t === until() ? "right" : "center";
-            pen.fillText(`${t} s`, across(t, width), height - 5);
-        }
+        for (let t = 0; t <= until(); t += drag.checked ? 4 : 0.5) write(`${t} s`, [across(t, width), height - 10], t === until() ? -1 : 0);
         const end = until();
         const draw = (leans, each, colour, wide, dim) => {
             pen.strokeStyle = colour;
@@ -197,13 +193,12 @@ tumblingLive.widget("top", async (stage, from) => {
         draw(exact, state.fine, colours.faint, 6, 0.55);
         draw(stepped, state.each, ink(), 1.8, 1);
         if (drag.checked && state.wakes > 0) {
-            pen.strokeStyle = pen.fillStyle = colours.separatrix;
+            pen.strokeStyle = colours.separatrix;
             pen.setLineDash([4, 3]);
             path(pen, [[across(state.wakes, width), 8], [across(state.wakes, width), height - 24]]);
             pen.stroke();
             pen.setLineDash([]);
-            pen.textAlign = "left";
-            pen.fillText("critical spin", across(state.wakes, width) + 6, height - 32);
+            tumblingLive.word(pen, colours.stamps, "critical spin", colours.font, colours.separatrix, [across(state.wakes, width) + 6, height - 37], 1);
         }
     });
     function again() {
@@ -218,8 +213,8 @@ tumblingLive.widget("top", async (stage, from) => {
         const found = top.answer(0, ...given());
         const why = found ? null : `${top.words()}.${state.facts ? " The drawings are of the last start that was right." : ""}`;
         wrong.hidden = why === null;
-        wrong.textContent = why ?? "";
-        for (const picture of ["body", "lean"]) canvas(picture).classList.toggle("live-dim", why !== null);
+        if (wrong.textContent !== (why ?? "")) wrong.textContent = why ?? "";
+        for (const { classList } of [pictures.body, pictures.lean]) classList.toggle("live-dim", why !== null);
         caption(found);
         if (!found) {
             pause();
@@ -238,18 +233,19 @@ tumblingLive.widget("top", async (stage, from) => {
         state.wakes = wakes < 0 ? NaN : wakes * state.each;
         state.astray = !drag.checked && (state.axes.length * state.each < UNTIL
             || state.axes.some((axis, i) => !near(axis, state.exact[Math.min(Math.round(i * state.each / state.fine), state.exact.length - 1)])));
-        shown("closed").hidden = drag.checked;
-        shown("stepped").className = state.astray ? "live-key-wrong" : "live-key-stepped";
-        shown("stepped").textContent = drag.checked ? "stepped: with drag there is no closed form" : state.astray ? "stepped, astray" : "stepped";
+        if (shown("closed").hidden !== drag.checked) shown("closed").hidden = drag.checked;
+        shown("stepped").classList.toggle("live-key-wrong", state.astray);
+        shown("stepped").classList.toggle("live-key-stepped", !state.astray);
+        put("stepped", drag.checked ? "stepped: with drag there is no closed form" : state.astray ? "stepped, astray" : "stepped");
         const angle = (x) => `${fixed(x, 1)}°`;
         const asleep = kind > 3 && greatest < UPRIGHT && Number(spin.value) >= critical;
-        shown("kind").textContent = !drag.checked ? (asleep ? "is asleep, and " : "") + KINDS[kind] : Number(lean.value) > UPRIGHT ? "sinks, as the drag takes the spin"
-            : Number(spin.value) < critical ? "sways: the spin is below the critical one" : "stands asleep, until the spin is below the critical one";
-        shown("leans").textContent = greatest - least < 0.05 ? angle(greatest) : `${angle(least)} to ${angle(greatest)}`;
-        shown("nods").textContent = Number.isNaN(period) || kind === 4 ? "never" : `every ${fixed(period, 3)} s`;
-        shown("round").textContent = `${fixed(round, 2)} rad/s`;
+        put("kind", !drag.checked ? (asleep ? "is asleep, and " : "") + KINDS[kind] : Number(lean.value) > UPRIGHT ? "sinks, as the drag takes the spin"
+            : Number(spin.value) < critical ? "sways: the spin is below the critical one" : "stands asleep, until the spin is below the critical one");
+        put("leans", greatest - least < 0.05 ? angle(greatest) : `${angle(least)} to ${angle(greatest)}`);
+        put("nods", Number.isNaN(period) || kind === 4 ? "never" : `every ${fixed(period, 3)} s`);
+        put("round", `${fixed(round, 2)} rad/s`);
         for (const what of ["leans", "nods", "round"]) shown(what).parentElement.hidden = drag.checked; // they do not stay
-        shown("critical").textContent = `${fixed(critical, 0)} rad/s`;
+        put("critical", `${fixed(critical, 0)} rad/s`);
         if (Number(scrub.max) !== until()) scrub.max = until();
         state.curved = state.fine === FINE || (!state.curved && !drag.checked);
         if (state.curved) curve.prepare();
@@ -268,8 +264,8 @@ tumblingLive.widget("top", async (stage, from) => {
         tell(push, "push", state.steady ? (found ? `${fixed(found[5], 2)} rad/s, the steady rate` : "no steady rate") : Number(push.value) === 0 ? "not at all" : `${fixed(Number(push.value), 1)} rad/s`);
         for (const button of choices) {
             const set = STARTS[button.dataset.start];
-            const same = [...given(), drag.checked].every((x, i) => Object.is(x, set[i]) || x === set[i]);
-            button.setAttribute("aria-pressed", String(same));
+            const same = String([...given(), drag.checked].every((x, i) => Object.is(x, set[i]) || x === set[i]));
+            if (button.getAttribute("aria-pressed") !== same) button.setAttribute("aria-pressed", same);
         }
     }
     /** Shows an instant; returns it in words. */
@@ -341,6 +337,7 @@ tumblingLive.widget("top", async (stage, from) => {
     let [moved, resting] = [-Infinity, 0];
     function fully() {
         clearTimeout(resting);
+        resting = 0;
         state.fine = FINE;
         coarsen(1);
         say(begin());
@@ -352,14 +349,17 @@ tumblingLive.widget("top", async (stage, from) => {
     /** While a slider moves on there are fewer samples, drawn coarser, and the curve has each second frame; where it rests all of them. */
     function slid() {
         if (performance.now() - moved < 250) {
-            clearTimeout(resting);
-            resting = setTimeout(fully, 260);
+            resting ||= setTimeout(rest, 260); // one for all the moves
             state.fine = ROUGH;
             coarsen(0.5);
             begin();
-            keep();
         } else change();
         moved = performance.now(); // what it took is no rest
+    }
+    function rest() {
+        const left = moved + 260 - performance.now();
+        if (left > 0) resting = setTimeout(rest, left);
+        else change();
     }
     step.addEventListener("input", change);
     push.addEventListener("input", () => { state.steady = false; });

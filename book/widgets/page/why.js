@@ -7,7 +7,8 @@ tumblingLive.widget("why", async (stage, from) => {
     const [exact] = await Promise.all([module("tumble"), load(`${from}live.bodies.js`), load(`${from}live.meeting.js`)]);
     const { meeting, bodies: { dot, unit, upright, orbit, palette, paper, path, arrow, clock, looks } } = tumblingLive;
     const canvas = (what) => stage.querySelector(`[data-draws=${what}]`);
-    const shown = (what) => stage.querySelector(`[data-shows=${what}]`);
+    const places = Object.fromEntries(Array.from(stage.querySelectorAll("[data-shows]"), (place) => [place.dataset.shows, place]));
+    const shown = (what) => places[what];
     const [play, back, size] = ["play", "back", "size"].map((id) => stage.querySelector(`#why-${id}`));
     const choices = [...stage.querySelectorAll("[data-start]")];
     const say = sayer(stage);
@@ -36,14 +37,16 @@ tumblingLive.widget("why", async (stage, from) => {
         const [across, up, toward] = upright(state.at);
         const room = (front) => {
             pen.fillStyle = colours.faint;
+            pen.beginPath();
             for (let k = 0; k < 16; k += 1) {
                 const angle = (k * Math.PI) / 8 + state.rate * state.t; // against the body's turn
                 const post = across.map((x, i) => 0.27 * (Math.cos(angle) * x + Math.sin(angle) * toward[i]));
                 if ((dot(post, eye[2]) > 0) !== front) continue;
-                pen.beginPath();
-                pen.arc(...on(post), front ? 2.6 : 1.7, 0, 2 * Math.PI);
-                pen.fill();
+                const [x, y] = on(post);
+                pen.moveTo(x, y);
+                pen.arc(x, y, front ? 2.6 : 1.7, 0, 2 * Math.PI);
             }
+            pen.fill();
         };
         room(false);
         arrow(pen, on([0, 0, 0]), on(up.map((x) => 0.25 * x)), colours.momentum, 4);
@@ -88,7 +91,7 @@ tumblingLive.widget("why", async (stage, from) => {
         const now = exact.answer(1, t);
         const pulls = exact.answer(11, t, state.rate);
         state.now = moments.map((moment, k) => moment * now[k]);
-        const three = (i) => Array.from(pulls.slice(i, i + 3));
+        const three = (i) => [pulls[i], pulls[i + 1], pulls[i + 2]];
         state.masses = [0, 1, 2, 3].map((i) => ({ place: three(9 * i), out: three(9 * i + 3), aside: three(9 * i + 6), first: i === 2 }));
         const along = [0, 1, 2].reduce((most, k) => (Math.abs(state.at[k]) > Math.abs(state.at[most]) ? k : most));
         const tilt = (180 / Math.PI) * Math.acos(Math.max(-1, Math.min(1, state.now[along] / Math.hypot(...state.at) * Math.sign(state.at[along]))));
@@ -112,11 +115,15 @@ tumblingLive.widget("why", async (stage, from) => {
             state.rate += (over - 2 * Math.PI * Math.round(over / (2 * Math.PI))) / period;
         }
         const points = exact.answer(3, depth < moments[0] ? 2 : 1, depth, 180);
-        state.curve = Array.from({ length: 180 }, (_, i) => [0, 1, 2].map((k) => points[3 * i + k] * moments[k] * Math.sqrt(2 * ENERGY / moments[2])));
-        size.value = length;
-        for (const button of choices) button.setAttribute("aria-pressed", String(STARTS[button.dataset.start].at === at));
+        const [x, y, z] = moments.map((moment) => moment * Math.sqrt(2 * ENERGY / moments[2]));
+        state.curve = Array.from({ length: 180 }, (_, i) => [x * points[3 * i], y * points[3 * i + 1], z * points[3 * i + 2]]);
+        if (Number(size.value) !== length) size.value = length;
+        for (const button of choices) {
+            const pressed = String(STARTS[button.dataset.start].at === at);
+            if (button.getAttribute("aria-pressed") !== pressed) button.setAttribute("aria-pressed", pressed); // what is set is styled anew
+        }
         const ends = ["The sphere touches the ellipsoid at two points: a spin there stays.", "The curve is a loop about the heavy rod: a spin on it never leaves.",
-            "The curves cross at the light rod: a spin near the cross is led away.", "The curve is a loop about the axis across both rods: a spin on it never leaves."];
+            "The curves cross at the light rod: a spin near this saddle is led away.", "The curve is a loop about the axis across both rods: a spin on it never leaves."];
         const near = (k) => Math.abs(length / half[k] - 1) < 1e-3;
         const told = words ?? ends[near(2) || near(1) ? 0 : near(0) ? 2 : depth < moments[0] ? 1 : 3];
         if (shown("words").textContent !== told) size.setAttribute("aria-valuetext", shown("words").textContent = told);
