@@ -25,7 +25,8 @@
 //! `0.2 kg m²`. So the guard needs no list of units. Both kinds of minus sign are equal, a power of ten in
 //! TeX is `3e-13`, and a phrase may begin a sentence.
 //!
-//! Equations are proven from their TeX, with the library's own functions: see `tumbling_proofs::equations`.
+//! Equations are evaluated from their TeX on letters, most with the library's own functions, some of a
+//! formula written a second time or as a lemma: see `tumbling_proofs::equations`.
 //!
 //! The right answer of a question, in words or a number, must be a string that an assertion of its section
 //! expects, and the answer of each problem must contain such a string: see `answers`.
