@@ -58,6 +58,13 @@
     }, true);
 })();
 
+// The name of a test in a table breaks between its words; the page's CSS breaks it anywhere only if one word is too long.
+(function longNames() {
+    for (const code of document.querySelectorAll("td code")) {
+        code.replaceChildren(...code.textContent.split(/(?<=_)/).flatMap((word) => [document.createElement("wbr"), word]));
+    }
+})();
+
 // A drawing opens large over its page, in its colours; Escape, the button or a click beside it leads back. In a window of
 // its own it takes the page's theme along, at the end of its address.
 (function largeFigures() {
