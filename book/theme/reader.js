@@ -61,7 +61,8 @@
 // The name of a test in a table breaks between its words; the page's CSS breaks it anywhere only if one word is too long.
 (function longNames() {
     for (const code of document.querySelectorAll("td code")) {
-        code.replaceChildren(...code.textContent.split(/(?<=_)/).flatMap((word) => [document.createElement("wbr"), word]));
+        const [first, ...others] = code.textContent.split(/(?<=_)/);
+        code.replaceChildren(first, ...others.flatMap((word) => [document.createElement("wbr"), word]));
     }
 })();
 
