@@ -112,7 +112,7 @@ globalThis.tumblingLive ??= (() => {
      * once and kept among the `stamps`: to set a font in each frame takes longer than to draw a body.
      */
     function word(pen, stamps, text, font, colour, [x, y], side = 0, halo = "") {
-        const key = [text, font, colour, halo].join();
+        const key = `${text},${font},${colour},${halo}`;
         let stamp = stamps.get(key);
         if (!stamp) {
             stamps.set(key, stamp = document.createElement("canvas"));

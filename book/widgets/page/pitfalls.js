@@ -253,13 +253,16 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
         let before = null; // the first frame begins it
         let time = now();
         let numbers = -Infinity; // when they were last shown
+        let [late, share] = [0, 0]; // of the last frames, and which half of the pictures is drawn where most came late
         const tick = (instant) => {
+            late = 0.9 * late + 0.1 * (instant - before > 22);
             time = Math.min(length, time + Math.min(0.1, (instant - (before ?? instant)) / 1000));
             before = instant;
             go(Math.min(last(), Math.floor(time / stepping + 1e-9)));
             frame = steps < last() ? requestAnimationFrame(tick) : 0;
             // Nobody reads numbers that change with every frame, and each would have the page laid out anew.
-            if (frame && instant - numbers < 100) return rows.forEach(follow);
+            share = 1 - share;
+            if (frame && instant - numbers < 100) return rows.forEach((row) => (late < 0.5 || row.which % 2 === share) && follow(row));
             numbers = instant;
             if (frame) show();
             else report();
