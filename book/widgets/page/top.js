@@ -177,18 +177,20 @@ tumblingLive.widget("top", async (stage, from) => {
         }
         for (let t = 0; t <= until(); t += drag.checked ? 4 : 0.5) write(`${t} s`, [across(t, width), height - 10], t === until() ? -1 : 0);
         const end = until();
-        const draw = (leans, each, colour, wide, dim) => {
-            pen.strokeStyle = colour;
-            pen.lineWidth = wide;
-            pen.globalAlpha = dim;
-            pen.lineJoin = "round";
-            pen.beginPath();
-            leans.forEach((angle, i) => pen.lineTo(across(i * each, width, end), y(angle)));
-            pen.stroke();
+        const line = (leans, each) => {
+            const it = new Path2D();
+            const [from, by] = [across(0, width, end), across(each, width, end) - across(0, width, end)];
+            for (let i = 0; i < leans.length; i += 1) it.lineTo(from + i * by, y(leans[i]));
+            return it;
+        };
+        const draw = (line, colour, wide, dim) => {
+            [pen.strokeStyle, pen.lineWidth, pen.globalAlpha, pen.lineJoin] = [colour, wide, dim, "round"];
+            pen.stroke(line);
             pen.globalAlpha = 1;
         };
-        draw(exact, state.fine, colours.faint, 6, 0.55);
-        draw(stepped, state.each, ink(), 1.8, 1);
+        const right = line(exact, state.fine);
+        draw(right, colours.faint, 6, 0.55);
+        draw(exact === stepped ? right : line(stepped, state.each), ink(), 1.8, 1);
         if (drag.checked && state.wakes > 0) {
             pen.strokeStyle = colours.separatrix;
             pen.setLineDash([4, 3]);
