@@ -199,7 +199,7 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
         return `${change(size).slice(1)} % too ${size > 1 ? "long" : "short"}`;
     }
 
-    function show() {
+    function show(some = rows) {
         const time = now();
         const flipped = exact.flips.filter((t) => t <= time);
         for (const row of rows) {
@@ -215,7 +215,7 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
             const title = NAMES[row.which] + (row.refused ? ": too large for an f64" : "");
             if (row.title.textContent !== title) row.title.textContent = title;
         }
-        for (const row of rows) follow(row);
+        some.forEach(follow);
         shown("time").textContent = `${fixed(time, 1)} s of ${plain(length)} s`;
         end.disabled = steps >= last();
         const name = frame ? "Pause" : still.matches ? "Step" : "Play";
@@ -262,9 +262,10 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
             frame = steps < last() ? requestAnimationFrame(tick) : 0;
             // Nobody reads numbers that change with every frame, and each would have the page laid out anew.
             share = 1 - share;
-            if (frame && instant - numbers < 100) return rows.forEach((row) => (late < 0.5 || row.which % 2 === share) && follow(row));
+            const some = late < 0.5 ? rows : rows.filter((row) => row.which % 2 === share);
+            if (frame && instant - numbers < 100) return some.forEach(follow);
             numbers = instant;
-            if (frame) show();
+            if (frame) show(some);
             else report();
         };
         frame = requestAnimationFrame(tick);

@@ -270,7 +270,7 @@ tumblingLive.widget("top", async (stage, from) => {
     function at(t) {
         if (!state.facts) return wrong.textContent;
         [state.t, scrub.value] = [t, t];
-        body.draw();
+        if (!state.late || !state.curved) body.draw();
         curve.draw();
         const now = performance.now();
         if (state.fine > FINE || (clocked.playing() && now - state.told < 100)) return "";
@@ -344,13 +344,15 @@ tumblingLive.widget("top", async (stage, from) => {
         fully();
         keep();
     }
-    /** While a slider moves on there are fewer samples, drawn coarser, and the curve has each second frame; where it rests all of them. */
+    /** While a slider moves on there are fewer samples, drawn coarser, and the curve has each second frame, alone where they come late; where it rests all of them. */
     function slid() {
         if (performance.now() - moved < 250) {
             resting ||= setTimeout(rest, 260); // one for all the moves
             state.fine = ROUGH;
             coarsen(0.5);
+            state.late = performance.now() - moved > 22;
             begin();
+            state.late = false;
         } else change();
         moved = performance.now(); // what it took is no rest
     }
