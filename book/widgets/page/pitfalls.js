@@ -80,10 +80,17 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
         if (flips > 0 && row.flips === 0) row.turned = first;
         row.flips += flips;
         // No more points than can be told apart, but the least and the greatest of those that cannot.
-        for (const value of found.slice(HEAD)) {
-            const bin = row.bins[Math.floor(row.count / bundle)] ??= { least: value, most: value };
-            if (value <= bin.least) Object.assign(bin, { least: value, falls: true });
-            if (value >= bin.most) Object.assign(bin, { most: value, falls: false });
+        for (let i = HEAD; i < found.length; i += 1) {
+            const value = found[i];
+            const bin = row.bins[Math.floor(row.count / bundle)] ??= { least: value, most: value, falls: false };
+            if (value <= bin.least) {
+                bin.least = value;
+                bin.falls = true;
+            }
+            if (value >= bin.most) {
+                bin.most = value;
+                bin.falls = false;
+            }
             row.tip = value;
             row.count += 1;
         }
