@@ -26,7 +26,7 @@ async function looked(page, body, spin, push, parts) {
       return {
         t, from: Number(scrub.min), to: Number(scrub.max),
         answer: Array.from(module.answer(1, t)),
-        body: canvas("body").drawn, polhode: canvas("polhode").drawn,
+        body: canvas("body").drawn, polhode: canvas("polhode").drawn, names: canvas("polhode").shows.names,
         dot: moved(".tumble-dot"), opacity: stage.querySelector(".tumble-dot").style.opacity,
         cursor: moved(".tumble-cursor")[0],
         shown: Object.fromEntries(["beat", "next", "time", "flips", "spin"].map((what) => [what, shows(what)])),
@@ -95,10 +95,10 @@ export async function tumbleDrawn(page, wants) {
     wants(`${name}: on an ellipsoid seen as it is`, near(size(right) / size(low), 1, 0.02) && near(dot(right, low) / size(low) ** 2, 0, 0.02));
     wants(`${name}: in the body's attitude`, dot(unit(right), unit(across)) > 0.999 && dot(unit(low), unit(down)) > 0.999);
     const toward = cross(right, low.map((x) => -x));
-    for (const { t, answer, dot: spot, opacity, polhode } of instants) {
+    for (const { t, answer, dot: spot, opacity, polhode, names } of instants) {
       const attitude = answer.slice(3, 7);
       for (const [k, axis] of ["x", "y", "z"].entries()) {
-        const [place] = polhode.filter((part) => part.text === axis).map(({ path: [[x, y]] }) => from(middles.polhode, [x, y - 5]));
+        const place = from(middles.polhode, names[axis]);
         const leads = turned(attitude, [0, 1, 2].map((i) => Number(i === k)));
         const along = [dot(right, leads) / size(right), dot(low, leads) / size(right)];
         if (size(along) > 0.2) wants(`${name}, at ${t}: the axis ${axis} is named where it comes out: ${place}`,

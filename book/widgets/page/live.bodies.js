@@ -276,7 +276,8 @@ tumblingLive.bodies ??= (() => {
             const leads = far > 2 ? [x / far, y / far] : [0, -1];
             if (!first) {
                 first = leads;
-                label(name, cx + beyond(...leads, far, half) * leads[0], cy + beyond(...leads, far, half) * leads[1], colour);
+                const out = beyond(...leads, far, half);
+                label(name, cx + out * leads[0], cy + out * leads[1], colour);
                 continue;
             }
             // From the first's direction on; what is right above it changes sides late.

@@ -30,12 +30,15 @@ globalThis.tumblingLive ??= (() => {
     /** A module, ready to be asked: see exchange/src/lib.rs for the other side. */
     async function module(name) {
         const { exports } = (await WebAssembly.instantiate(await bytes(name), {})).instance;
+        let row = [];
+        /** The row of numbers; where the memory has grown it lies in a new buffer. */
+        const numbers = () => (row.length === 0 ? (row = new Float64Array(exports.memory.buffer, exports.numbers())) : row);
         return {
             /** The numbers answered, or null: then `words` says why. */
             answer(what, ...asked) {
-                new Float64Array(exports.memory.buffer, exports.numbers(), asked.length).set(asked);
+                numbers().set(asked);
                 const count = exports.answer(what);
-                return count === 0 ? null : new Float64Array(exports.memory.buffer, exports.numbers(), count).slice();
+                return count === 0 ? null : numbers().slice(0, count);
             },
             words() {
                 const text = new Uint8Array(exports.memory.buffer, exports.text(), exports.text_length());
@@ -68,12 +71,18 @@ globalThis.tumblingLive ??= (() => {
         return `${digits} · 10${raised(Number(power))}`.replace("-", "−");
     }
 
-    /** An element of a drawing. */
+    /** An element of a drawing: the one that stood there when it was drawn last, where it is of the same kind. Only what is new is set. */
     function draw(kind, parent, attributes, text) {
-        const element = document.createElementNS("http://www.w3.org/2000/svg", kind);
-        for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
-        if (text !== undefined) element.textContent = text;
-        parent.append(element);
+        let element = parent.next; // see `drawing`
+        if (element?.localName === kind) {
+            parent.next = element.nextElementSibling;
+            if (element.firstElementChild) element.replaceChildren();
+        } else parent.insertBefore(element = document.createElementNS("http://www.w3.org/2000/svg", kind), parent.next ?? null);
+        const before = element.drawn ?? {};
+        for (const name in attributes) if (attributes[name] !== before[name]) element.setAttribute(name, attributes[name]);
+        for (const name in before) if (!(name in attributes)) element.removeAttribute(name);
+        if (text !== undefined && element.textContent !== text) element.textContent = text;
+        element.drawn = attributes;
         return element;
     }
 
@@ -103,7 +112,7 @@ globalThis.tumblingLive ??= (() => {
      * once and kept among the `stamps`: to set a font in each frame takes longer than to draw a body.
      */
     function word(pen, stamps, text, font, colour, [x, y], side = 0, halo = "") {
-        const key = [text, font, colour, halo].join();
+        const key = `${text},${font},${colour},${halo}`;
         let stamp = stamps.get(key);
         if (!stamp) {
             stamps.set(key, stamp = document.createElement("canvas"));
@@ -129,8 +138,13 @@ globalThis.tumblingLive ??= (() => {
         const again = () => {
             if (width === 0) return;
             const high = height(width);
-            for (const child of [...svg.children]) if (child !== stays) child.remove();
+            svg.next = stays ? stays.nextElementSibling : svg.firstElementChild;
             stays = redraw(width, high, stays);
+            while (svg.next) { // no more of it is drawn
+                const rest = svg.next;
+                svg.next = rest.nextElementSibling;
+                rest.remove();
+            }
         };
         new ResizeObserver(() => {
             if (svg.clientWidth !== width) {

@@ -80,10 +80,17 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
         if (flips > 0 && row.flips === 0) row.turned = first;
         row.flips += flips;
         // No more points than can be told apart, but the least and the greatest of those that cannot.
-        for (const value of found.slice(HEAD)) {
-            const bin = row.bins[Math.floor(row.count / bundle)] ??= { least: value, most: value };
-            if (value <= bin.least) Object.assign(bin, { least: value, falls: true });
-            if (value >= bin.most) Object.assign(bin, { most: value, falls: false });
+        for (let i = HEAD; i < found.length; i += 1) {
+            const value = found[i];
+            const bin = row.bins[Math.floor(row.count / bundle)] ??= { least: value, most: value, falls: false };
+            if (value <= bin.least) {
+                bin.least = value;
+                bin.falls = true;
+            }
+            if (value >= bin.most) {
+                bin.most = value;
+                bin.falls = false;
+            }
             row.tip = value;
             row.count += 1;
         }
@@ -199,7 +206,7 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
         return `${change(size).slice(1)} % too ${size > 1 ? "long" : "short"}`;
     }
 
-    function show() {
+    function show(some = rows) {
         const time = now();
         const flipped = exact.flips.filter((t) => t <= time);
         for (const row of rows) {
@@ -215,7 +222,7 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
             const title = NAMES[row.which] + (row.refused ? ": too large for an f64" : "");
             if (row.title.textContent !== title) row.title.textContent = title;
         }
-        for (const row of rows) follow(row);
+        some.forEach(follow);
         shown("time").textContent = `${fixed(time, 1)} s of ${plain(length)} s`;
         end.disabled = steps >= last();
         const name = frame ? "Pause" : still.matches ? "Step" : "Play";
@@ -253,15 +260,19 @@ tumblingLive.widget("pitfalls", async (stage, from) => {
         let before = null; // the first frame begins it
         let time = now();
         let numbers = -Infinity; // when they were last shown
+        let [late, share] = [0, 0]; // of the last frames, and which half of the pictures is drawn where most came late
         const tick = (instant) => {
+            late = 0.9 * late + 0.1 * (instant - before > 22);
             time = Math.min(length, time + Math.min(0.1, (instant - (before ?? instant)) / 1000));
             before = instant;
             go(Math.min(last(), Math.floor(time / stepping + 1e-9)));
             frame = steps < last() ? requestAnimationFrame(tick) : 0;
             // Nobody reads numbers that change with every frame, and each would have the page laid out anew.
-            if (frame && instant - numbers < 100) return rows.forEach(follow);
+            share = 1 - share;
+            const some = late < 0.5 ? rows : rows.filter((row) => row.which % 2 === share);
+            if (frame && instant - numbers < 100) return some.forEach(follow);
             numbers = instant;
-            if (frame) show();
+            if (frame) show(some);
             else report();
         };
         frame = requestAnimationFrame(tick);

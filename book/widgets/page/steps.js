@@ -66,7 +66,8 @@ tumblingLive.widget("steps", async (stage) => {
         half = run(2 * COUNTS[step.value]);
     }
 
-    const line = (svg, name, points) => draw("path", svg, { class: name, d: `M${points.map((p) => p.map((x) => x.toFixed(1)).join(" ")).join("L")}` });
+    const along = (points) => `M${points.map((p) => p.map((x) => x.toFixed(1)).join(" ")).join("L")}`;
+    const line = (svg, name, points) => draw("path", svg, { class: name, d: along(points) });
     const cross = (svg, x, y) => draw("path", svg, { class: "live-ran live-wrongly live-cross", d: `M${x - 5} ${y - 5}l10 10m0 -10l-10 10` });
 
     const drawPath = drawing(svgs[0], (width) => Math.round(Math.max(110, Math.min(0.26 * width, 180))), (width, height, stays) => {
@@ -79,21 +80,26 @@ tumblingLive.widget("steps", async (stage) => {
             line(part, "live-exact", Array.from(exact, (value, i) => at(UNTIL * i / (exact.length - 1), value)));
         });
         const name = chosen.reason || off(chosen) ? "live-ran live-wrongly" : "live-ran";
-        const points = Array.from(chosen.spins, (value, i) => at(i * chosen.step, value));
-        line(svg, name, points.length > 1 ? points : [points[0], points[0]]);
-        if (chosen.count <= 100) for (const [x, y] of points) draw("circle", svg, { class: `${name} live-tip`, cx: x, cy: y, r: 2.5 });
-        if (chosen.reason) cross(svg, ...points.at(-1));
+        if (!still.ran.has(chosen.count)) {
+            const points = Array.from(chosen.spins, (value, i) => at(i * chosen.step, value));
+            const dots = chosen.count > 100 ? "" : points.map(([x, y]) => `M${(x - 2.5).toFixed(2)} ${y.toFixed(2)}a2.5 2.5 0 1 0 5 0a2.5 2.5 0 1 0 -5 0z`).join("");
+            still.ran.set(chosen.count, { d: along(points.length > 1 ? points : [points[0], points[0]]), dots, end: points.at(-1) });
+        }
+        const { d, dots, end } = still.ran.get(chosen.count);
+        draw("path", svg, { class: name, d });
+        if (dots) draw("path", svg, { class: `${name} live-tip`, d: dots });
+        if (chosen.reason) cross(svg, ...end);
         return still;
     });
 
-    /** What the step does not change, drawn anew only with another method or motion. */
+    /** What the step does not change, drawn anew only with another method or motion; and in `ran` what the steps drew so far, by their number. */
     function resting(svg, stays, add) {
         if (stays?.curve === curve) return stays;
         stays?.remove();
         const part = draw("g", svg, {});
         svg.prepend(part);
         add(part);
-        return Object.assign(part, { curve });
+        return Object.assign(part, { curve, ran: new Map() });
     }
 
     const KINDS = ["energy", "length", "attitude"];

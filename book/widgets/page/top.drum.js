@@ -1,4 +1,4 @@
-// What the top is made of.
+// What the top is made of, and the lines on the sphere around its point.
 "use strict";
 
 /** A drum on a pin, the pin's end at 1; two quarters of the drum in another colour, so that it is seen to turn. */
@@ -30,4 +30,29 @@ tumblingLive.drum = ([radius, low, high]) => {
     cylinder(radius, low, high, true);
     cylinder(0.025 * end, high, 0.97 * end, false);
     return { model, lines: [], places: Float64Array.from(places.flat()) };
+};
+
+/** A line over a ball of `scale` px about `[cx, cy]`, or for `lean` the circle on it at that angle from upright: what of it is on the reader's side, and what is behind. */
+tumblingLive.overSphere = ([[a, b, c], [d, e, f], [u, v, w]], [cx, cy], scale, points, lean) => {
+    const [front, behind] = [new Path2D(), new Path2D()];
+    const size = lean === null ? 1 : Math.sin(lean);
+    let was = null;
+    let goes = null; // what the last piece is in
+    for (let i = 0, fromX = 0, fromY = 0; i < points.length; i += 1) {
+        const p = points[i];
+        const x = size * p[0];
+        const y = size * p[1];
+        const z = lean === null ? p[2] : Math.cos(lean);
+        const is = u * x + v * y + w * z >= 0;
+        const toX = cx + scale * (a * x + b * y + c * z);
+        const toY = cy - scale * (d * x + e * y + f * z);
+        const line = was === null ? null : is || was ? front : behind;
+        if (line && line !== goes) line.moveTo(fromX, fromY);
+        line?.lineTo(toX, toY);
+        was = is;
+        goes = line;
+        fromX = toX;
+        fromY = toY;
+    }
+    return { front, behind };
 };

@@ -10,7 +10,8 @@ tumblingLive.widget("top", async (stage, from) => {
     const [pictures, places] = ["draws", "shows"].map((what) => Object.fromEntries(Array.from(stage.querySelectorAll(`[data-${what}]`), (it) => [it.dataset[what], it])));
     const [canvas, shown] = [pictures, places].map((all) => (what) => all[what]);
     /** What is set is laid out and styled anew, even where it was the same. */
-    const put = (what, text) => shown(what).textContent !== text && (shown(what).textContent = text);
+    const texts = {};
+    const put = (what, text) => texts[what] !== text && (shown(what).textContent = texts[what] = text);
     const choices = [...stage.querySelectorAll("[data-start]")];
     const wrong = stage.querySelector(".live-wrong");
     const say = sayer(stage);
@@ -28,7 +29,7 @@ tumblingLive.widget("top", async (stage, from) => {
         "draws waves: it always goes round the same way", "draws cusps: it stands still where it is highest", "draws loops: it goes back where it is highest",
         "swings as a pendulum’s, without spin", "rises toward upright and falls back",
     ];
-    const [FINE, ROUGH] = [0.004, 0.008]; // s from one sample to the next; the second while a slider moves
+    const [FINE, ROUGH] = [0.004, 0.0075]; // s from one sample to the next; the second while a slider moves
     const [PIECE, INSTANTS] = [800, 1000]; // as in top/src/lib.rs
     const TRAIL = 3; // s of the path that are drawn
     const [ASTRAY, UPRIGHT, UNTIL, UNTIL_DRAGGED] = [5, 10, 1.5, 16]; // degrees; s
@@ -108,22 +109,18 @@ tumblingLive.widget("top", async (stage, from) => {
         const at = (p) => [cx + scale * dot(eye[0], p), cy - scale * dot(eye[1], p)];
         const now = Math.min(Math.floor(t / state.each + 1e-9), state.axes.length - 1);
         const trail = state.axes.slice(Math.max(0, now - Math.round(TRAIL / state.each)), now + 1);
-        const circle = (angle, wide = Math.sin(angle), high = Math.cos(angle)) => ROUND.map(([x, y]) => [wide * x, wide * y, high]);
-        /** A line over the sphere: what of it is on this side, and what is behind. */
-        function over(points, colour, wide, dim, dashes = []) {
-            const [front, behind] = [new Path2D(), new Path2D()];
-            let [x, y, was, goes] = [0, 0, null, null]; // goes: what the last piece is in
-            for (const p of points) {
-                const [toX, toY, is] = [cx + scale * dot(eye[0], p), cy - scale * dot(eye[1], p), dot(eye[2], p) >= 0];
-                const line = was === null ? null : is || was ? front : behind;
-                if (line && line !== goes) line.moveTo(x, y);
-                line?.lineTo(toX, toY);
-                [x, y, was, goes] = [toX, toY, is, line];
-            }
-            return { front, behind, colour, wide, dim, dashes };
+        const over = (points, colour, wide, dim, dashes = [], lean = null) =>
+            ({ ...tumblingLive.overSphere(eye, [cx, cy], scale, points, lean), colour, wide, dim, dashes });
+        // What keeps still while it plays.
+        const key = [state.turn, state.tilt, width, height, colours.fg, colours.faint, drag.checked].join();
+        if (state.still?.key !== key || state.still.exact !== state.exact) {
+            const all = drag.checked ? [] : [...leans.map((angle) => over(ROUND, colours.fg, 1, 0.8, [5, 4], angle / DEGREES)), over(state.exact, colours.faint, 6, 0.55)];
+            state.still = { key, exact: state.exact, all };
         }
-        const drawn = drag.checked ? [] : [...leans.map((angle) => over(circle(angle / DEGREES), colours.fg, 1, 0.8, [5, 4])), over(state.exact, colours.faint, 6, 0.55)];
-        drawn.push(over(trail, ink(), 1.8, 1));
+        const drawn = [...state.still.all];
+        // While a slider moves the path is the closed form's own.
+        if (state.axes === state.exact && trail.length === state.exact.length) drawn.push({ ...drawn.at(-1), colour: ink(), wide: 1.8, dim: 1 });
+        else drawn.push(over(trail, ink(), 1.8, 1));
         const lines = (side) => {
             pen.lineJoin = "round";
             for (const { [side]: line, colour, wide, dim, dashes } of drawn) {
@@ -180,18 +177,20 @@ tumblingLive.widget("top", async (stage, from) => {
         }
         for (let t = 0; t <= until(); t += drag.checked ? 4 : 0.5) write(`${t} s`, [across(t, width), height - 10], t === until() ? -1 : 0);
         const end = until();
-        const draw = (leans, each, colour, wide, dim) => {
-            pen.strokeStyle = colour;
-            pen.lineWidth = wide;
-            pen.globalAlpha = dim;
-            pen.lineJoin = "round";
-            pen.beginPath();
-            leans.forEach((angle, i) => pen.lineTo(across(i * each, width, end), y(angle)));
-            pen.stroke();
+        const line = (leans, each) => {
+            const it = new Path2D();
+            const [from, by] = [across(0, width, end), across(each, width, end) - across(0, width, end)];
+            for (let i = 0; i < leans.length; i += 1) it.lineTo(from + i * by, y(leans[i]));
+            return it;
+        };
+        const draw = (line, colour, wide, dim) => {
+            [pen.strokeStyle, pen.lineWidth, pen.globalAlpha, pen.lineJoin] = [colour, wide, dim, "round"];
+            pen.stroke(line);
             pen.globalAlpha = 1;
         };
-        draw(exact, state.fine, colours.faint, 6, 0.55);
-        draw(stepped, state.each, ink(), 1.8, 1);
+        const right = line(exact, state.fine);
+        draw(right, colours.faint, 6, 0.55);
+        draw(exact === stepped ? right : line(stepped, state.each), ink(), 1.8, 1);
         if (drag.checked && state.wakes > 0) {
             pen.strokeStyle = colours.separatrix;
             pen.setLineDash([4, 3]);
@@ -219,7 +218,7 @@ tumblingLive.widget("top", async (stage, from) => {
         if (!found) {
             pause();
             state.facts = null;
-            for (const what of ["kind", "leans", "nods", "round", "critical", "now"]) shown(what).textContent = "none";
+            for (const what of ["kind", "leans", "nods", "round", "critical", "now"]) put(what, "none");
             return wrong.textContent;
         }
         const [kind, least, greatest, period, round, , critical, ...shape] = found;
@@ -232,7 +231,7 @@ tumblingLive.widget("top", async (stage, from) => {
         const wakes = state.stepped.findIndex((sample) => sample[4] < critical);
         state.wakes = wakes < 0 ? NaN : wakes * state.each;
         state.astray = !drag.checked && (state.axes.length * state.each < UNTIL
-            || state.axes.some((axis, i) => !near(axis, state.exact[Math.min(Math.round(i * state.each / state.fine), state.exact.length - 1)])));
+            || state.axes !== state.exact && state.axes.some((axis, i) => !near(axis, state.exact[Math.min(Math.round(i * state.each / state.fine), state.exact.length - 1)])));
         if (shown("closed").hidden !== drag.checked) shown("closed").hidden = drag.checked;
         shown("stepped").classList.toggle("live-key-wrong", state.astray);
         shown("stepped").classList.toggle("live-key-stepped", !state.astray);
@@ -254,17 +253,16 @@ tumblingLive.widget("top", async (stage, from) => {
     /** The numbers beside the sliders, and which button they are as. */
     function caption(found) {
         const tell = (input, what, text) => {
-            if (shown(what).textContent === text) return;
-            shown(what).textContent = text;
-            input.setAttribute("aria-valuetext", text);
+            if (put(what, text)) input.setAttribute("aria-valuetext", text);
         };
         if (state.steady && found) push.value = found[5];
         tell(spin, "spin", `${spin.value} rad/s`);
         tell(lean, "lean", `${lean.value}°`);
         tell(push, "push", state.steady ? (found ? `${fixed(found[5], 2)} rad/s, the steady rate` : "no steady rate") : Number(push.value) === 0 ? "not at all" : `${fixed(Number(push.value), 1)} rad/s`);
+        const now = [...given(), drag.checked];
         for (const button of choices) {
             const set = STARTS[button.dataset.start];
-            const same = String([...given(), drag.checked].every((x, i) => Object.is(x, set[i]) || x === set[i]));
+            const same = String(now.every((x, i) => Object.is(x, set[i]) || x === set[i]));
             if (button.getAttribute("aria-pressed") !== same) button.setAttribute("aria-pressed", same);
         }
     }
@@ -272,7 +270,7 @@ tumblingLive.widget("top", async (stage, from) => {
     function at(t) {
         if (!state.facts) return wrong.textContent;
         [state.t, scrub.value] = [t, t];
-        body.draw();
+        if (!state.late || !state.curved) body.draw();
         curve.draw();
         const now = performance.now();
         if (state.fine > FINE || (clocked.playing() && now - state.told < 100)) return "";
@@ -285,7 +283,7 @@ tumblingLive.widget("top", async (stage, from) => {
         const words = drag.checked
             ? `leans by ${fixed(leanOf(lasting), 1)}°, spins at ${fixed(sample[4], 0)} rad/s`
             : `leans by ${fixed(leanOf(lasting), 1)}°; the stepped axis is ${stopped ? "lost: its numbers have grown too large" : `off by ${angle(off)}`}`;
-        shown("now").textContent = words;
+        put("now", words);
         scrub.setAttribute("aria-valuetext", `${fixed(t, 2)} s, ${words}`);
         return `Its axis ${shown("kind").textContent}. After ${fixed(t, 2)} s it ${words}.`;
     }
@@ -346,13 +344,15 @@ tumblingLive.widget("top", async (stage, from) => {
         fully();
         keep();
     }
-    /** While a slider moves on there are fewer samples, drawn coarser, and the curve has each second frame; where it rests all of them. */
+    /** While a slider moves on there are fewer samples, drawn coarser, and the curve has each second frame, alone where they come late; where it rests all of them. */
     function slid() {
         if (performance.now() - moved < 250) {
             resting ||= setTimeout(rest, 260); // one for all the moves
             state.fine = ROUGH;
             coarsen(0.5);
+            state.late = performance.now() - moved > 22;
             begin();
+            state.late = false;
         } else change();
         moved = performance.now(); // what it took is no rest
     }

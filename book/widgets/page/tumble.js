@@ -147,7 +147,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
         const [beat, a, b, c, x, y, z, lx, ly, lz, around, depth, onto, ...rest] = found;
         const [omega, along] = [rest.slice(0, 3), rest[3]];
         const moments = [a, b, c];
-        const polhode = (axis, value, points = 72) => list(exact.answer(3, axis, value, points), 3);
+        const polhode = (axis, value, points = 72) => exact.answer(3, axis, value, points);
         const between = (part, from, to) => from + part * (to - from);
         const decimals = beat < 0.05 ? Math.min(12, 1 - Math.floor(Math.log10(beat))) : 2;
         const instant = (t) => (Math.abs(t) < 1e12 && (t === 0 || Math.abs(t) >= 10 ** -decimals) ? fixed(t, decimals) : short(t));
@@ -166,7 +166,7 @@ tumblingLive.widget("tumble", async (stage, from) => {
             eye: looking([lx, ly, lz]),
             others: [0.25, 0.65].flatMap((part) => [polhode(1, between(part, b, a)), polhode(2, between(part, c, a))]),
             between: [polhode(1, a, 120)],
-            own: path?.map((p) => p.map((value) => side * value)) ?? null,
+            own: path?.map((value) => side * value) ?? null,
             stretch: stretch > 0 && stretch < 1e300 ? stretch : turns > 0 && turns < 1e300 ? turns : 10,
         };
         state.window = null;

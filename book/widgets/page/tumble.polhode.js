@@ -62,29 +62,49 @@ tumblingLive.tumblePolhode = ({ state, seen, colours, place, rolling, spot }) =>
         pen.fill();
         pen.globalAlpha = 1;
         pen.stroke();
-        const curve = (points, colour, thick) => {
+        /** Closed curves of one colour, each three numbers a point, and their mirror images: one line for all that is behind, one for all in front. */
+        const curves = (list, signs, colour, thick) => {
+            const [[a, b, c], [d, e, f]] = [body[0], body[1]].map((axis) => axis.map((x) => scale * x));
+            const [u, v, w] = body[2].map((x, k) => x / half[k] ** 2);
+            [pen.strokeStyle, pen.lineWidth, pen.lineJoin] = [colour, thick, "round"];
             for (const front of [false, true]) {
                 pen.beginPath();
-                points.forEach((p, i) => {
-                    const last = points.at(i - 1);
-                    if (before(p) !== front && before(last) !== front) return;
-                    pen.moveTo(...at(last));
-                    pen.lineTo(...at(p));
-                });
-                pen.strokeStyle = colour;
-                pen.lineWidth = thick;
+                for (const points of list) {
+                    for (const sign of signs) {
+                        let was = false;
+                        let goes = false; // the line ends at the point before
+                        for (let k = -3, fromX = 0, fromY = 0; k < points.length; k += 3) {
+                            const i = k < 0 ? points.length - 3 : k;
+                            const x = sign * points[i];
+                            const y = sign * points[i + 1];
+                            const z = sign * points[i + 2];
+                            const toX = cx + a * x + b * y + c * z;
+                            const toY = cy - d * x - e * y - f * z;
+                            const is = u * x + v * y + w * z >= 0 === front;
+                            if (k >= 0 && (is || was)) {
+                                if (!goes) pen.moveTo(fromX, fromY);
+                                pen.lineTo(toX, toY);
+                                goes = true;
+                            } else goes = false;
+                            was = is;
+                            fromX = toX;
+                            fromY = toY;
+                        }
+                    }
+                }
                 pen.globalAlpha = front ? 1 : 0.28;
                 pen.stroke();
             }
             pen.globalAlpha = 1;
         };
-        const mirrored = (points) => points.map((p) => p.map((x) => -x));
-        for (const points of rolls ? [] : setting.others) for (const side of [points, mirrored(points)]) curve(side, colours.faint, 0.8);
-        for (const points of setting.between) for (const side of [points, mirrored(points)]) curve(side, colours.separatrix, 1.2);
-        if (setting.own) curve(rolls ? mirrored(setting.own) : setting.own, colours.omega, 2.2);
+        const BOTH = [1, -1];
+        if (!rolls) curves(setting.others, BOTH, colours.faint, 0.8);
+        curves(setting.between, BOTH, colours.separatrix, 1.2);
+        if (setting.own) curves([setting.own], [rolls ? -1 : 1], colours.omega, 2.2);
+        const names = {};
         AXES.forEach(([name, colour], k) => {
             const [from, to] = [half[k], half[k] + 14 / scale].map((far) => [0, 1, 2].map((i) => (i === k ? far : 0)));
-            pen.strokeStyle = pen.fillStyle = colours[colour];
+            pen.strokeStyle = colours[colour];
             pen.lineWidth = 2;
             path(pen, [at(from), at(to)]);
             pen.globalAlpha = body[2][k] >= 0 ? 1 : 0.4;
@@ -92,10 +112,8 @@ tumblingLive.tumblePolhode = ({ state, seen, colours, place, rolling, spot }) =>
             // Its name on from its tip, as one sees it.
             const [[fromX, fromY], [tipX, tipY]] = [at(from), at(to)];
             const long = Math.hypot(tipX - fromX, tipY - fromY) || 1;
-            const [x, y] = [tipX + 11 * (tipX - fromX) / long, tipY + 11 * (tipY - fromY) / long];
-            pen.font = colours.font;
-            pen.textAlign = "center";
-            pen.fillText(name, x, y + 5);
+            names[name] = [tipX + 11 * (tipX - fromX) / long, tipY + 11 * (tipY - fromY) / long];
+            tumblingLive.word(pen, colours.stamps, name, colours.font, colours[colour], names[name]);
             pen.globalAlpha = 1;
         });
         // Seen through: what touches the plane is under the ellipsoid, or under the plane.
@@ -111,6 +129,6 @@ tumblingLive.tumblePolhode = ({ state, seen, colours, place, rolling, spot }) =>
         const [x, y] = at(point);
         place(spot, "transform", `translate(${x.toFixed(1)}px, ${y.toFixed(1)}px)`);
         place(spot, "opacity", before(point) ? "1" : "0.45");
-        canvas.shows = { rolls, touches: there(now.world.map((v) => -v * setting.onto)), spot: [x, y] }; // for those who test it
+        canvas.shows = { rolls, names, touches: there(now.world.map((v) => -v * setting.onto)), spot: [x, y] }; // for those who test it
     };
 };

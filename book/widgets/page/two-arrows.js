@@ -21,6 +21,7 @@ tumblingLive.widget("two-arrows", async (stage, origin) => {
         return { from, to, gap, along, up, light, heavy, wide, high, places: rest.slice(0, 2), axes: rest.slice(0, 2).map((k) => names[k]), moments: rest.slice(2, 5), sizes: rest.slice(5) };
     }
 
+    let middle = null; // from where both arrows go
     const redraw = drawing(svg, (width) => Math.round(Math.min(0.75 * width, 400)), (width, height) => {
         const now = asked();
         const centre = [0.36 * width, 0.7 * height];
@@ -101,16 +102,18 @@ tumblingLive.widget("two-arrows", async (stage, origin) => {
             const label = at((now.from + now.to) / 2, inside + 22);
             draw("text", svg, { class: "live-strong", x: label[0], y: label[1] + 5, "text-anchor": "middle" }, `${fixed(now.gap, 1)}°`);
         }
-        const handle = draw("circle", svg, { class: "live-handle", cx: omega[0], cy: omega[1], r: 16 });
-        handle.addEventListener("pointerdown", (event) => {
-            event.preventDefault();
-            svg.setPointerCapture(event.pointerId);
-            held = centre;
-        });
+        middle = centre;
+        draw("circle", svg, { class: "live-handle", cx: omega[0], cy: omega[1], r: 16 });
     });
 
     // The blue arrow can be dragged too; what it does it does by the slider.
     let held = null;
+    svg.addEventListener("pointerdown", (event) => {
+        if (!event.target.classList.contains("live-handle")) return;
+        event.preventDefault();
+        svg.setPointerCapture(event.pointerId);
+        held = middle;
+    });
     svg.addEventListener("pointermove", (event) => {
         if (!held) return;
         const box = svg.getBoundingClientRect();
