@@ -58,8 +58,9 @@ methods! {
     /// may change.
     ///
     /// Which one to choose: for a fixed rate such as 60 Hz, [`fixed_rate`](fn@crate::step::fixed_rate), or,
-    /// unless the body is a needle, [`RotationSplitting4`](Self::RotationSplitting4), which needs no
-    /// iteration; for accuracy under smooth torques, and for needles in `f32`, [`Gauss6`](Self::Gauss6); for
+    /// unless the body is a needle, [`RotationSplitting4`](Self::RotationSplitting4), which is a few
+    /// lines in any language; for accuracy under smooth torques, and for needles in `f32`,
+    /// [`Gauss6`](Self::Gauss6); for
     /// an error tolerance instead of a step, [`Stepper::adaptive`](crate::step::Stepper::adaptive). Free
     /// motion needs no steps: see [`exact`](crate::exact). The rules of physics engines, from
     /// [`ConstantSpin`](Self::ConstantSpin) on, are included for comparison; `PHYSICS_ENGINES` in the crate

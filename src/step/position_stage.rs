@@ -1,6 +1,6 @@
 //! The position stage of a physics engine: attitude and spin over a time step, with nothing else acting.
 
-mod coefficients;
+pub(crate) mod coefficients;
 mod side_by_side;
 pub(crate) mod turn;
 

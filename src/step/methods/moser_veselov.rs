@@ -26,12 +26,19 @@ use crate::body::State;
 use crate::error::{Error, Refusal, Subject};
 use crate::number::functions::atan2;
 use crate::number::{Analytic, Field};
+use crate::step::position_stage::coefficients::bound;
+use crate::step::position_stage::turn::{conserving_rate, conserving_turn, three};
 use crate::step::system::System;
 use nalgebra::{Quaternion, Vector3};
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
 /// With a torque, the free step lies between two half kicks; the order is then 2.
+///
+/// # Errors
+/// Those of [`Corrections::in_units`]; a step so long that preprocessing would alter an inverse moment by
+/// [`MOST_ALTERED`] of itself or more; a turn of [`LONGEST`] or more, or one that Newton's iteration does not
+/// find.
 pub(crate) fn step<T: Analytic>(
     system: &System<T>,
     start: &State<T>,
@@ -40,7 +47,29 @@ pub(crate) fn step<T: Analytic>(
 ) -> Result<State<T>, Error> {
     let half = h.clone() / T::integer(2);
     let start = system.kick(start, half.clone());
-    let end = Prepared::new(system, &start.momentum, h, order)?.step(&start)?;
+    let corrections = &system.corrections;
+    let momentum = corrections.in_units(&start.momentum, h)?;
+    let (a, inverse) = corrections.altered(&momentum, order);
+    for (before, after) in corrections.ratios.as_slice().iter().zip(inverse.as_slice()) {
+        let change = (after.clone() - before.clone()).size();
+        let (what, value) = (Subject::AlteredMoment, change / before.size());
+        Refusal::NotBelow { what, value, limit: MOST_ALTERED }
+            .when(change >= MOST_ALTERED * before.size())?;
+    }
+    // `(K_k - K_j) / K_i`: of a needle's nearly equal moments the differences would not have the digits.
+    let scale = a / (times(&inverse.x, &inverse.y) * inverse.z.clone());
+    let bending = corrections.differences.zip_map(&inverse, |less, x| less * scale.clone() * times(&x, &x));
+    let c = tangents(&bending, &inverse.zip_map(&momentum, |x, l| x * (l / T::integer(2))))?;
+    let square = c.dot(&c);
+    if square.size() >= 1.0 {
+        let value = 2.0 * atan2(square.size().sqrt(), 1.0);
+        return Err(Refusal::NotBelow { what: Subject::MoserVeselovTurn, value, limit: LONGEST }.into());
+    }
+    let cosine = T::one() / (T::one() + square).sqrt();
+    let [x, y, z] = [&c.x, &c.y, &c.z].map(|x| times(x, &cosine));
+    let turned = Quaternion::new(cosine, x, y, z);
+    let momentum = attitude::rotate_inverse(&turned, &start.momentum);
+    let end = State { attitude: attitude::product(&start.attitude, &turned), momentum };
     Ok(system.adjoint_kick(&end, half))
 }
 
@@ -60,117 +89,43 @@ const MOST_ALTERED: f64 = 0.5;
 /// turned momentum, over the smallest moment, is a spin of a thousandth of the whole.
 const LEAST_RATIO: f64 = 1000.0;
 
-/// What a step needs of the body and of what the motion conserves.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Prepared<T: nalgebra::Scalar> {
-    /// The moments given to the algorithm, in units of [`Corrections`].
-    moments: Vector3<T>,
-    /// Their inverses.
-    inverse: Vector3<T>,
-    /// The third less the second, the first less the third, the second less the first: of a needle's nearly
-    /// equal moments the differences would not have the digits.
-    differences: Vector3<T>,
-    /// Takes a momentum to `h L / 2` in that unit.
-    scale: T,
-}
-
-impl<T: Analytic> Prepared<T> {
-    /// For a body and all motions with the energy and `|L|` of this momentum.
-    ///
-    /// # Errors
-    /// A needle below [`LEAST_RATIO`], or a step so long that preprocessing would alter an inverse moment by
-    /// [`MOST_ALTERED`] of itself or more.
-    #[inline]
-    pub(crate) fn new(system: &System<T>, momentum: &Vector3<T>, h: &T, order: u32) -> Result<Self, Error> {
-        let corrections = &system.corrections;
-        let (value, least) = (corrections.shape[0].size(), LEAST_RATIO * T::rounding());
-        let meaning = "for the momentum to have digits of the spin about each axis";
-        Refusal::TooSmall { what: Subject::MomentRatio, value, least, meaning }.when(value < least)?;
-        let whole = corrections.unit.clone() * h.clone();
-        let (a, inverse) = corrections.altered(&momentum.map(|x| x * whole.clone()), order);
-        for (before, after) in corrections.ratios.as_slice().iter().zip(inverse.as_slice()) {
-            let change = (after.clone() - before.clone()).size();
-            if change >= MOST_ALTERED * before.size() {
-                let value = change / before.size();
-                let refusal = Refusal::NotBelow { what: Subject::AlteredMoment, value, limit: MOST_ALTERED };
-                return Err(refusal.into());
-            }
+/// The small root of `K c + c x K c = (1 + |c|^2) K u`, by Newton's iteration; `bending` is what the crossed
+/// products of `c` are multiplied by where each row is divided by its moment.
+#[inline]
+fn tangents<T: Analytic>(bending: &Vector3<T>, u: &Vector3<T>) -> Result<Vector3<T>, Error> {
+    // Three rounds of c = (1 + |c|^2) u - bending c c, each of which gains an order.
+    let bend = |c: &Vector3<T>| {
+        bending.component_mul(&Vector3::new(times(&c.y, &c.z), times(&c.z, &c.x), times(&c.x, &c.y)))
+    };
+    let grown = |c: &Vector3<T>| u.map(|x| x * (T::one() + c.dot(c)));
+    let nearer = grown(u) - bend(&(u - bend(u)));
+    let mut c = grown(&nearer) - bend(&nearer);
+    // An error e leaves one of the order of e^2: below this it leaves less than rounding.
+    let enough = T::rounding().sqrt() / 8.0;
+    // Half a turn this small is none; of a body at rest but for the smallest numbers there are no digits
+    // to find.
+    let square = T::rounding() * T::rounding();
+    let least = square * square;
+    let twice = u + u;
+    let mut residual = f64::NAN;
+    for _ in 0..ROUNDS {
+        let miss = &c + bend(&c) - grown(&c);
+        // Columns of the derivative.
+        let [x, y, z] = [0, 1, 2].map(|i| bending.map(|b| b * c[i].clone()));
+        let column =
+            |j: usize, first: [&T; 3]| Vector3::from(first.map(T::clone)) - twice.map(|x| x * c[j].clone());
+        let one = &T::one();
+        let columns =
+            [column(0, [one, &z.y, &y.z]), column(1, [&z.x, one, &x.z]), column(2, [&y.x, &x.y, one])];
+        let change = cramer(columns, &miss);
+        let size = |v: &Vector3<T>| v.as_slice().iter().map(Analytic::size).sum::<f64>();
+        residual = size(&change);
+        c -= change;
+        if residual <= enough * size(&c) || residual < least {
+            return Ok(c);
         }
-        let moments = inverse.map(|x| T::one() / x);
-        let [x, y, z] = [&moments.x, &moments.y, &moments.z].map(|x| a.clone() * x.clone());
-        let products =
-            Vector3::new(y.clone() * moments.z.clone(), z * moments.x.clone(), x * moments.y.clone());
-        let differences = corrections.differences.component_mul(&products);
-        Ok(Self { moments, inverse, differences, scale: whole / T::integer(2) })
     }
-
-    /// One step of the free motion.
-    ///
-    /// # Errors
-    /// A turn of [`LONGEST`] or more, or one that Newton's iteration does not find.
-    #[inline(always)]
-    pub(crate) fn step(&self, start: &State<T>) -> Result<State<T>, Error> {
-        let half = start.momentum.map(|x| x * self.scale.clone());
-        let c = self.tangents(&half)?;
-        let square = c.dot(&c);
-        if square.size() >= 1.0 {
-            let value = 2.0 * atan2(square.size().sqrt(), 1.0);
-            return Err(Refusal::NotBelow { what: Subject::MoserVeselovTurn, value, limit: LONGEST }.into());
-        }
-        let cosine = T::one() / (T::one() + square).sqrt();
-        let part = |x: &T| x.clone() * cosine.clone();
-        let turned = Quaternion::new(cosine.clone(), part(&c.x), part(&c.y), part(&c.z));
-        let momentum = attitude::rotate_inverse(&turned, &start.momentum);
-        Ok(State { attitude: attitude::product(&start.attitude, &turned), momentum })
-    }
-
-    /// The small root of `K c + c x K c = (1 + |c|^2) m`, by Newton's iteration.
-    #[inline]
-    fn tangents(&self, m: &Vector3<T>) -> Result<Vector3<T>, Error> {
-        // Three rounds of c = (1 + |c|^2) u - J (c x K c) with u = J m, each of which gains an order.
-        let (k, inverse) = (&self.moments, &self.inverse);
-        let u = inverse.component_mul(m);
-        let bending = inverse.component_mul(&self.differences);
-        let bend = |c: &Vector3<T>| {
-            bending.component_mul(&Vector3::new(times(&c.y, &c.z), times(&c.z, &c.x), times(&c.x, &c.y)))
-        };
-        let near = &u - bend(&u);
-        let grown = T::one() + u.dot(&u);
-        let nearer = u.map(|x| x * grown.clone()) - bend(&near);
-        let grown = T::one() + nearer.dot(&nearer);
-        let mut c = u.map(|x| x * grown.clone()) - bend(&nearer);
-        // An error e leaves one of the order of e^2: below this it leaves less than rounding.
-        let enough = T::rounding().sqrt() / 8.0;
-        // Half a turn this small is none; of a body at rest but for the smallest numbers there are no digits
-        // to find.
-        let square = T::rounding() * T::rounding();
-        let least = square * square;
-        let mut residual = f64::NAN;
-        for _ in 0..ROUNDS {
-            let grown = T::one() + c.dot(&c);
-            let [x, y, z] = [0, 1, 2].map(|i| self.differences.map(|d| d * c[i].clone()));
-            let across = Vector3::new(times(&y.x, &c.z), times(&z.y, &c.x), times(&x.z, &c.y));
-            let miss = k.component_mul(&c) + across - m.map(|x| x * grown.clone());
-            // Columns of the derivative.
-            let twice = m + m;
-            let column = |j: usize, first: [&T; 3]| {
-                Vector3::from(first.map(T::clone)) - twice.map(|x| x * c[j].clone())
-            };
-            let columns =
-                [column(0, [&k.x, &z.y, &y.z]), column(1, [&z.x, &k.y, &x.z]), column(2, [&y.x, &x.y, &k.z])];
-            let change = cramer(columns, &miss);
-            let size = |v: &Vector3<T>| v.as_slice().iter().map(Analytic::size).sum::<f64>();
-            residual = size(&change);
-            c -= change;
-            if residual <= enough * size(&c) || residual < least {
-                return Ok(c);
-            }
-            if !residual.is_finite() {
-                break;
-            }
-        }
-        Err(Refusal::NotConverged { what: Subject::MoserVeselovTurn, iterations: ROUNDS, residual }.into())
-    }
+    Err(Refusal::NotConverged { what: Subject::MoserVeselovTurn, iterations: ROUNDS, residual }.into())
 }
 
 /// The altered inverse moments of a body, for a momentum times the step, and the differences of its own that
@@ -194,8 +149,8 @@ macro_rules! sums {
     ($([$($n:literal $($factor:ident)*),*])*) => { [$(T::zero() $(+ whole::<T>($n) $(* $factor.clone())*)*),*] };
 }
 
-/// What the two numbers `a` and `b` of `1/K = a/I + b` take of the body alone: to order 8, since that is
-/// what steps at a fixed rate take at each step.
+/// What the two numbers `a` and `b` of `1/K = a/I + b` take of the body alone, and what a step at a fixed
+/// rate does.
 ///
 /// All in numbers that a needle does not make large, so that its sums do not cancel. In units of the mean of
 /// the other two, the inverse moments are `1/w` for the smallest moment and `1 - d`, `1 + d`.
@@ -211,9 +166,17 @@ pub(crate) struct Corrections<T: nalgebra::Scalar> {
     weights: Vector3<T>,
     /// `w`, `(d/w)^2` and `d^2`.
     shape: [T; 3],
-    to_4: [[T; 2]; 2],
-    to_6: [[T; 3]; 2],
-    to_8: [[T; 4]; 2],
+    /// The parts of `a`, of `b` and of `b/a` that [`joined`] joins.
+    to_4: [[T; 2]; 3],
+    to_6: [[T; 3]; 3],
+    to_8: [[T; 4]; 3],
+    to_10: [[T; 5]; 3],
+    /// The moments.
+    moments: Vector3<T>,
+    /// `(I_j - I_k) / I_i`.
+    coupling: [T; 3],
+    /// A bound on the square of the fastest spin of a motion, by the squares of the spin's components.
+    bound: [f64; 3],
 }
 
 impl<T: Analytic> Corrections<T> {
@@ -235,82 +198,119 @@ impl<T: Analytic> Corrections<T> {
         let over_mean = inverse.clone() - T::one();
         let differences =
             along(-(d.clone() + d.clone()), d.clone() - over_mean.clone(), d.clone() + over_mean.clone());
-        let weights = along(over_mean * inverse, -bend.clone(), bend.clone());
+        let weights = along(over_mean * inverse.clone(), -bend.clone(), bend.clone());
         let shape = [w, times(&bend, &bend), times(&d, &d)];
         let [w, s, t] = &shape;
+        let [a_4, b_4] = over(12, to_order_4([w, s, t]));
+        let [a_6, b_6] = over(240, to_order_6([w, s, t]));
+        let [a_8, b_8] = over(20_160, to_order_8([w, s, t]));
+        let [a_10, b_10] = over(725_760, to_order_10([w, s, t]));
+        // The quotient, power by power.
+        let q_6 = less(b_6.clone(), &a_4, &b_4);
+        let q_8 = less(less(b_8.clone(), &a_4, &q_6), &a_6, &b_4);
+        let q_10 = less(less(less(b_10.clone(), &a_4, &q_8), &a_6, &q_6), &a_8, &b_4);
+        let moments = ratios.map(|x| T::one() / x);
+        let coupling = three(|i| {
+            let both = times(&moments[(i + 1) % 3], &moments[(i + 2) % 3]);
+            -differences[i].clone() * both * ratios[i].clone()
+        });
+        let bound = bound(&moments.map(|x| x.size()).into(), &coupling.each_ref().map(T::size));
         Self {
             unit: more / T::integer(2) / second.clone(),
-            to_4: over(
-                12,
-                sums! {
-                    [-3, -1 t]
-                    [-2, -4 w];
-                    [1, 2 w s, -1 t]
-                    [2, 1 w, -1 w t]
-                },
-            ),
-            to_6: over(
-                240,
-                sums! {
-                    [5, 6 s, -2 w s, 1 t, 2 t t]
-                    [10, 10 w, -6 t, 6 w t]
-                    [2, 6 w, 7 w w, 1 w w t];
-                    [-3, -6 s, -3 w s, 4 t, -1 w s t, -1 t t]
-                    [-10, -5 w, -8 w s, 2 t, 6 w t, -1 w t t]
-                    [-2, -11 w, -2 w w, 7 w t, 2 w w t]
-                },
-            ),
-            to_8: over(20_160, to_order_8([w, s, t])),
+            to_4: [a_4, b_4.clone(), b_4],
+            to_6: [a_6, b_6, q_6],
+            to_8: [a_8, b_8, q_8],
+            to_10: [a_10, b_10, q_10],
             ratios,
             differences,
             weights,
             shape,
+            moments,
+            coupling,
+            bound,
         }
+    }
+
+    /// The momentum times the step, in units of the mean inverse moment.
+    ///
+    /// # Errors
+    /// A needle below [`LEAST_RATIO`].
+    #[inline]
+    pub(crate) fn in_units(&self, momentum: &Vector3<T>, h: &T) -> Result<Vector3<T>, Error> {
+        let (value, least) = (self.shape[0].size(), LEAST_RATIO * T::rounding());
+        let meaning = "for the momentum to have digits of the spin about each axis";
+        Refusal::TooSmall { what: Subject::MomentRatio, value, least, meaning }.when(value < least)?;
+        let whole = times(&self.unit, h);
+        Ok(momentum.map(|x| x * whole.clone()))
+    }
+
+    /// Of such a momentum what the motion conserves: the square of its length, and `U`.
+    #[inline]
+    pub(crate) fn conserved(&self, momentum: &Vector3<T>) -> [T; 2] {
+        [momentum.dot(momentum), momentum.dot(&self.weights.component_mul(momentum))]
     }
 
     /// `a`, and the altered inverse moments, for the momentum times the step.
     #[inline]
     fn altered(&self, momentum: &Vector3<T>, order: u32) -> (T, Vector3<T>) {
-        let (a, b) = if order > 2 { self.at(momentum, order) } else { (T::one(), T::zero()) };
+        let conserved = self.conserved(momentum);
+        let to = |least: u32, parts: &[T]| if order < least { T::zero() } else { joined(parts, &conserved) };
+        let [a, b] = [(0, T::one()), (1, T::zero())].map(|(i, one)| {
+            one + to(4, &self.to_4[i]) + to(6, &self.to_6[i]) + to(8, &self.to_8[i]) + to(10, &self.to_10[i])
+        });
         let inverse = self.ratios.map(|x| a.clone() * x + b.clone());
         (a, inverse)
     }
 
-    /// `a` and `b` for the momentum times the step, in units of the mean inverse moment.
-    #[inline]
-    fn at(&self, momentum: &Vector3<T>, order: u32) -> (T, T) {
-        let square = momentum.dot(momentum);
-        let bent = momentum.dot(&self.weights.component_mul(momentum));
-        // sum of parts[j] square^(k - j) bent^j.
-        let joined = |parts: &[T]| {
-            let [first, others @ ..] = parts else { return T::zero() };
-            let mut power = T::one();
-            others.iter().fold(first.clone(), |total, part| {
-                power *= bent.clone();
-                total * square.clone() + part.clone() * power.clone()
-            })
-        };
-        let [to_a, to_b] = &self.to_4;
-        let mut a = T::one() + joined(to_a);
-        let mut b = joined(to_b);
-        if order > 4 {
-            let [to_a, to_b] = &self.to_6;
-            a += joined(to_a);
-            b += joined(to_b);
-        }
-        if order > 6 {
-            let [to_a, to_b] = &self.to_8;
-            a += joined(to_a);
-            b += joined(to_b);
-        }
-        if order > 8 {
-            let [w, s, t] = &self.shape;
-            let [to_a, to_b] = over(725_760, to_order_10([w, s, t]));
-            a += joined(&to_a);
-            b += joined(&to_b);
-        }
-        (a, b)
+    /// A bound on the square of the turn of the free motion in the time of the step.
+    #[inline(always)]
+    pub(crate) fn most(&self, momentum: &Vector3<T>) -> f64 {
+        let turn = self.ratios.component_mul(momentum);
+        let [x, y, z] = three(|i| self.bound[i] * times(&turn[i], &turn[i]).size());
+        x + y + z
     }
+
+    /// The turn of the free motion in the time of the step, as a quaternion of any length.
+    ///
+    /// A turn that keeps energy and momentum solves the equation above for some `a` and `b`: it takes `L` to
+    /// `L'`, and its axis is along `K^-1 (L + L')`. So `b/a`, to order 10, and how far the momentum moves on
+    /// its curve, to the same order, determine it, and no equation is left to solve.
+    #[inline(always)]
+    pub(crate) fn turn(&self, momentum: &Vector3<T>) -> Quaternion<T> {
+        let conserved = self.conserved(momentum);
+        let twist = (joined(&self.to_4[2], &conserved) + joined(&self.to_6[2], &conserved))
+            + (joined(&self.to_8[2], &conserved) + joined(&self.to_10[2], &conserved));
+        let weights = three(|i| T::one() + times(&self.moments[i], &twist));
+        let omega = three(|i| times(&self.ratios[i], &momentum[i]));
+        let [a, b, c] = &self.coupling;
+        let [x, y, z] = three(|i| times(&omega[i], &omega[i]));
+        let added = [times(b, c) * x, times(c, a) * y, times(a, b) * z];
+        let rate = conserving_rate(added, |n| T::one() / T::integer(n.into()));
+        let (w, [[x, y, z], _]) =
+            conserving_turn(&self.coupling, &weights, &omega, &T::one(), &rate, |x| x.sqrt());
+        Quaternion::new(w, x, y, z)
+    }
+}
+
+/// The sum of `parts[j] square^(k - j) bent^j`.
+#[inline]
+fn joined<T: Field>(parts: &[T], [square, bent]: &[T; 2]) -> T {
+    let [first, others @ ..] = parts else { return T::zero() };
+    let mut power = T::one();
+    others.iter().fold(first.clone(), |total, part| {
+        power *= bent.clone();
+        total * square.clone() + part.clone() * power.clone()
+    })
+}
+
+/// Less the product of two such sums.
+fn less<T: Field, const N: usize>(mut from: [T; N], one: &[T], other: &[T]) -> [T; N] {
+    for (i, x) in one.iter().enumerate() {
+        for (y, to) in other.iter().zip(from.iter_mut().skip(i)) {
+            *to -= times(x, y);
+        }
+    }
+    from
 }
 
 /// These numbers over a whole one, once for a body: a division costs as much as many products.
@@ -318,7 +318,29 @@ fn over<T: Field, const N: usize>(whole: u32, parts: [[T; N]; 2]) -> [[T; N]; 2]
     parts.map(|parts| parts.map(|part| part / T::integer(whole)))
 }
 
-/// What the order 8 adds to `a` and `b`: the parts that [`Corrections::at`] joins, times 20_160.
+/// What the order 4 gives `a` and `b`: the parts that [`joined`] joins, times 12.
+fn to_order_4<T: Field>([w, s, t]: [&T; 3]) -> [[T; 2]; 2] {
+    sums! {
+        [-3, -1 t]
+        [-2, -4 w];
+        [1, 2 w s, -1 t]
+        [2, 1 w, -1 w t]
+    }
+}
+
+/// What the order 6 adds to `a` and `b`: the parts that [`joined`] joins, times 240.
+fn to_order_6<T: Field>([w, s, t]: [&T; 3]) -> [[T; 3]; 2] {
+    sums! {
+        [5, 6 s, -2 w s, 1 t, 2 t t]
+        [10, 10 w, -6 t, 6 w t]
+        [2, 6 w, 7 w w, 1 w w t];
+        [-3, -6 s, -3 w s, 4 t, -1 w s t, -1 t t]
+        [-10, -5 w, -8 w s, 2 t, 6 w t, -1 w t t]
+        [-2, -11 w, -2 w w, 7 w t, 2 w w t]
+    }
+}
+
+/// What the order 8 adds to `a` and `b`: the parts that [`joined`] joins, times 20_160.
 fn to_order_8<T: Field>([w, s, t]: [&T; 3]) -> [[T; 4]; 2] {
     sums! {
         [-14, -126 s, 112 w s, -21 t, 34 s t, -96 w s t, 20 t t, -17 t t t]
@@ -332,7 +354,7 @@ fn to_order_8<T: Field>([w, s, t]: [&T; 3]) -> [[T; 4]; 2] {
     }
 }
 
-/// What the order 10 adds to `a` and `b`: the parts that [`Corrections::at`] joins, times 725_760.
+/// What the order 10 adds to `a` and `b`: the parts that [`joined`] joins, times 725_760.
 fn to_order_10<T: Field>([w, s, t]: [&T; 3]) -> [[T; 5]; 2] {
     sums! {
         [9, 378 s, -504 w s, 168 t, 378 s s, -918 w s s, 495 s t, 420 w s t, -249 t t, 51 s t t, 60 w s t t,

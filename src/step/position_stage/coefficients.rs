@@ -143,7 +143,7 @@ impl<T: Field + Float + From<f32>> Coefficients<T> {
 /// A linear form in the squares of the spin's components that is an upper bound on the square of every later
 /// spin. No coefficient is below the square of any coupling; the proof that the roots of a step are real uses
 /// this.
-fn bound<T: Field + Float + From<f32>>(moments: &[T; 3], coupling: &[T; 3]) -> [T; 3] {
+pub(crate) fn bound<T: Field + Float + From<f32>>(moments: &[T; 3], coupling: &[T; 3]) -> [T; 3] {
     let one = T::one();
     let order = order_of(moments);
     let [a, b, c] = order.map(|i| moments[i]);

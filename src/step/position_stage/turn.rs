@@ -83,6 +83,6 @@ pub fn conserving_rate<T: Field>([a, b, c]: [T; 3], over: impl Fn(u16) -> T) -> 
 
 /// Along each axis.
 #[inline(always)]
-pub(super) fn three<T>(mut of: impl FnMut(usize) -> T) -> [T; 3] {
+pub(crate) fn three<T>(mut of: impl FnMut(usize) -> T) -> [T; 3] {
     [of(0), of(1), of(2)]
 }
