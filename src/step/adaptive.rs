@@ -251,10 +251,8 @@ fn logarithm(x: f64) -> f64 {
 
 /// The exponential of a number to 3e-4, with the same uses.
 fn exponential(x: f64) -> f64 {
-    let x = x.max(-800.0);
-    if !x.is_finite() {
-        return x;
-    }
+    // Beyond these numbers it is infinite or zero.
+    let x = x.clamp(-800.0, 800.0);
     let whole = (x / LN_2) as i32;
     let rest = x - f64::from(whole) * LN_2;
     let [more, less] = [rest + 3.0, rest - 3.0].map(|y| y * y + 3.0);
@@ -269,8 +267,10 @@ mod tests {
     fn the_logarithm_of_a_power_of_e_is_its_exponent() {
         for x in [-700.0, -36.0, -1.5, 0.0, 0.3, 2.0, 700.0] {
             assert!((logarithm(f64::exp(x)) - x).abs() < 1e-5, "{x}: {}", logarithm(f64::exp(x)));
+            assert!((exponential(x) / f64::exp(x) - 1.0).abs() < 3e-4, "{x}: {}", exponential(x));
         }
         assert_eq!(logarithm(0.0), f64::NEG_INFINITY);
-        assert!(logarithm(f64::NAN).is_nan());
+        assert_eq!((exponential(f64::NEG_INFINITY), exponential(f64::INFINITY)), (0.0, f64::INFINITY));
+        assert!(logarithm(f64::NAN).is_nan() && exponential(f64::NAN).is_nan());
     }
 }

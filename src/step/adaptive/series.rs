@@ -106,9 +106,7 @@ impl<const N: usize> Series<N> {
     #[inline(always)]
     pub(super) fn begin_as<const M: usize>(&mut self, other: &Series<M>) {
         self.order = other.order;
-        for (own, other) in self.periodic.iter_mut().zip(&other.periodic) {
-            *own = *other;
-        }
+        self.periodic.clone_from(&other.periodic);
         if let (Some(own), Some(other)) = (&mut self.variations, &other.variations) {
             own.begin(&other.coefficient(0));
         }

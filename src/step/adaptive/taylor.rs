@@ -83,8 +83,7 @@ impl Taylor {
             }
         }
         let goal = logarithm(tolerance);
-        let size = |order: usize| self.series.size(order, weights);
-        let longest = |order: usize| (goal - logarithm(size(order))) / order as f64;
+        let longest = |order: usize| (goal - logarithm(self.series.size(order, weights))) / order as f64;
         let [last, before] = [self.most, self.most - 1].map(longest);
         let longest = exponential(if last < before { last } else { before });
         // A last step that is somewhat longer is better than a very short one after it.
@@ -100,15 +99,10 @@ impl Taylor {
         let per = 1.0 / self.unit;
         self.begin(run, &end, time);
         let [turned, spun] = self.next.rate();
-        let (mut turns, mut pushes) = ([0.0; 4], [0.0; 3]);
-        for i in 0..4 {
-            turns[i] = turned[i] - dq[i];
-        }
-        for i in 0..3 {
-            pushes[i] = (spun[i] - dw[i]) * run.system.moments()[i] * per;
-        }
+        let turned: [f64; 4] = core::array::from_fn(|i| turned[i] - dq[i]);
+        let pushed: [f64; 3] = core::array::from_fn(|i| (spun[i] - dw[i]) * run.system.moments()[i] * per);
         let share = x.abs() / (self.series.order as f64 + 1.0);
-        let error = share * largest(&[largest(&turns), ratio(largest(&pushes), scale)]);
+        let error = share * largest(&[largest(&turned), ratio(largest(&pushed), scale)]);
         let varied = if run.variation.is_some() { share * self.end_variations(x) } else { 0.0 };
         (end, largest(&[error, stretched, varied]))
     }
