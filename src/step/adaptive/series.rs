@@ -106,9 +106,7 @@ impl<const N: usize> Series<N> {
     #[inline(always)]
     pub(super) fn begin_as<const M: usize>(&mut self, other: &Series<M>) {
         self.order = other.order;
-        for (own, other) in self.periodic.iter_mut().zip(&other.periodic) {
-            *own = *other;
-        }
+        self.periodic.clone_from(&other.periodic);
         if let (Some(own), Some(other)) = (&mut self.variations, &other.variations) {
             own.begin(&other.coefficient(0));
         }
@@ -203,8 +201,8 @@ impl<const N: usize> Series<N> {
         }
         self.attitude[n + 1] = scaled(&turn(&sums.turn), inverse / 2.0);
         let pairs = pairs(&sums.pairs);
-        let free: Lanes = core::array::from_fn(|i| law.coupling[i] * pairs[i]);
         if let (Some(own), Some(dissipation)) = (&mut self.dissipation, &law.dissipation) {
+            let free = core::array::from_fn(|i| law.coupling[i] * pairs[i]);
             own.add(dissipation, &spin.up[n], &free, n, &mut rate);
         }
         if ACROSS && let ([own, more @ ..], [first, others @ ..]) = (&mut *self.gradients, &*law.gradients) {
@@ -215,10 +213,9 @@ impl<const N: usize> Series<N> {
                 rate = GradientSeries::add_all(more, others, spin, n, inverse, rate);
             }
         }
-        for i in 0..4 {
-            rate[i] += free[i];
-        }
-        self.spin.set(n + 1, scaled(&rate, inverse));
+        // The next coefficients wait for the sums alone: all else is scaled beforehand.
+        let next = |i: usize| law.coupling[i] * inverse * pairs[i] + rate[i] * inverse;
+        self.spin.set(n + 1, core::array::from_fn(next));
         self.order = n + 1;
     }
 

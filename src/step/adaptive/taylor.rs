@@ -2,10 +2,9 @@
 
 use super::law::{Law, Rates};
 use super::series::{LENGTH, MOST, Series, Variation, in_units};
-use super::{Run, TRIES, largest, logarithm, ratio};
+use super::{Run, TRIES, exponential, largest, logarithm, ratio};
 use crate::body::State;
 use crate::error::Error;
-use crate::number::functions::exp;
 use crate::number::{exponent, times_power_of_two};
 use alloc::boxed::Box;
 use nalgebra::{Quaternion, Vector3};
@@ -84,10 +83,9 @@ impl Taylor {
             }
         }
         let goal = logarithm(tolerance);
-        let size = |order: usize| self.series.size(order, weights);
-        let longest = |order: usize| (goal - logarithm(size(order))) / order as f64;
+        let longest = |order: usize| (goal - logarithm(self.series.size(order, weights))) / order as f64;
         let [last, before] = [self.most, self.most - 1].map(longest);
-        let longest = exp(if last < before { last } else { before });
+        let longest = exponential(if last < before { last } else { before });
         // A last step that is somewhat longer is better than a very short one after it.
         if left < 1.1 * longest { left } else { longest }
     }
@@ -102,8 +100,7 @@ impl Taylor {
         self.begin(run, &end, time);
         let [turned, spun] = self.next.rate();
         let turned: [f64; 4] = core::array::from_fn(|i| turned[i] - dq[i]);
-        let spun: [f64; 3] = core::array::from_fn(|i| spun[i] - dw[i]);
-        let pushed: [f64; 3] = core::array::from_fn(|i| spun[i] * run.system.moments()[i] * per);
+        let pushed: [f64; 3] = core::array::from_fn(|i| (spun[i] - dw[i]) * run.system.moments()[i] * per);
         let share = x.abs() / (self.series.order as f64 + 1.0);
         let error = share * largest(&[largest(&turned), ratio(largest(&pushed), scale)]);
         let varied = if run.variation.is_some() { share * self.end_variations(x) } else { 0.0 };
