@@ -1,11 +1,13 @@
 //! Laws on any kind of number that are public only for proofs: `crates/proofs` runs these same functions on
 //! algebraic symbols, and the closed form on intervals. The other laws that it runs are in their own modules.
-//! Only [`Rounding`] is used elsewhere too: a [lane](crate::number::Lane) implements it with its defaults.
+//! Of this module a vector type that is to answer several bodies at once implements three traits: [`Lane`],
+//! and [`Series`] and [`Rounding`] with their defaults.
 
 pub use crate::body::Rate;
 pub use crate::exact::series::{
     ClosedForm, ComplementaryPair, ComplementarySeries, DirectPair, DirectSeries, Parts,
 };
+pub use crate::number::lane::{Lane, Series};
 pub use crate::number::real::Real;
 pub use crate::number::rounding::Rounding;
 pub use crate::solid::mesh::{mesh_moments, tetrahedron_moments};

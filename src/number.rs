@@ -3,12 +3,12 @@
 //! The laws are written once, over [`Ring`] (add, subtract, multiply) wherever they are polynomials and over
 //! [`Field`] where they need a division. Every type with this arithmetic implements them: `f64` and `f32`,
 //! exact rationals, dual numbers, or a number that counts what a formula costs. Code that branches on a size
-//! or takes a root is written for `f64`, or over [`Lane`], several `f64` at once.
+//! or takes a root is written for `f64`, or over [`Lane`](crate::laws::Lane), several `f64` at once.
 
 mod double_double;
 mod extended;
 pub(crate) mod functions;
-mod lane;
+pub(crate) mod lane;
 mod power_of_two;
 pub(crate) mod quadrature;
 pub(crate) mod real;
@@ -16,8 +16,7 @@ pub(crate) mod rounding;
 
 pub(crate) use double_double::{DoubleDouble, difference_of_products, exact_products, exact_sum};
 pub(crate) use extended::Extended;
-pub(crate) use lane::{Gather, INTEGERS, gather_fields, splat};
-pub use lane::{Lane, Series};
+pub(crate) use lane::{Gather, INTEGERS, Lane, Series, gather_fields, splat};
 pub(crate) use power_of_two::{exponent, times_power_of_two, ulp};
 pub(crate) use real::Real;
 pub(crate) use rounding::Rounding;

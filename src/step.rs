@@ -29,4 +29,4 @@ pub use pitfalls::Engine;
 pub use position_stage::{PositionStage, Stepped};
 pub use stepper::Stepper;
 pub use system::System;
-pub use torque::{Torque, TorqueFunction};
+pub use torque::Torque;

@@ -15,7 +15,7 @@ use group::Group;
 use nalgebra::Vector3;
 
 /// Many bodies in free motion, computed together: as many at once as the number type has
-/// [lanes](crate::number::Lane).
+/// [lanes](crate::laws::Lane).
 ///
 /// Every result equals that of [`FreeMotion::at`] to the last bit, whatever the other bodies and their order:
 /// bodies are sorted by their kind of motion, the same functions run on several numbers at once, and the last
@@ -40,7 +40,7 @@ use nalgebra::Vector3;
 ///     .into_iter()
 ///     .map(|omega| FreeMotion::new(moments, &omega.into()))
 ///     .collect::<Result<Vec<_>, _>>()?;
-/// // `f64` is one lane. A vector type that implements `number::Lane` answers several bodies at once, with
+/// // `f64` is one lane. A vector type that implements `laws::Lane` answers several bodies at once, with
 /// // the same bits.
 /// let (both, spins) = (Batch::<f64>::new(&motions), Batch::<f64, Vector3<f64>>::new(&motions));
 /// let times = [1.0, 1e6];

@@ -1,4 +1,4 @@
-//! The interface that evaluates a free motion at an instant, in [lanes](crate::number::Lane); one body is the
+//! The interface that evaluates a free motion at an instant, in [lanes](crate::laws::Lane); one body is the
 //! case of one lane. Also the motions that need only sines and cosines: a steady spin, and the motion of a
 //! body with two equal moments.
 

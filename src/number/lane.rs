@@ -13,7 +13,7 @@ pub trait Series: Field {
     /// formula itself. An enclosure is widened by the rest.
     ///
     /// ```
-    /// use tumbling::number::Series;
+    /// use tumbling::laws::Series;
     /// assert_eq!(1.0_f64.up_to(|| unreachable!("never computed for an f64")), 1.0);
     /// ```
     #[inline(always)]
@@ -39,7 +39,7 @@ impl Series for f64 {}
 /// Functions with the index of a lane are called only with indices below [`WIDTH`](Self::WIDTH).
 ///
 /// ```
-/// use tumbling::number::Lane;
+/// use tumbling::laws::Lane;
 /// // Written once, for any number of bodies at once.
 /// fn swapped<T: Lane>(low: T, high: T) -> [T; 2] {
 ///     let wrong = high.lt(low);

@@ -82,14 +82,14 @@ pub enum Torque<T: nalgebra::Scalar> {
         /// The torque that acts between the two times.
         torque: Box<Torque<T>>,
     },
-    /// A function of time, attitude and spin, from [`Torque::function`].
+    /// A function of time, attitude and spin, from [`Torque::function`]. Clones share it, and two are equal
+    /// only if one is a clone of the other.
     Function(TorqueFunction<T>),
 }
 
 type LawOfTorque<T> = dyn Fn(T, &Matrix3<T>, &Vector3<T>) -> Vector3<T> + Send + Sync;
 
-/// The function of a [`Torque::Function`]. Clones share it, and two are equal only if one is a clone of the
-/// other.
+/// What a [`Torque::Function`] holds: a name that no user needs, and so none is exported.
 #[derive(Clone)]
 pub struct TorqueFunction<T: nalgebra::Scalar>(Arc<LawOfTorque<T>>);
 

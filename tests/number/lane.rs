@@ -2,7 +2,7 @@
 
 use crate::common::exact;
 use proptest::prelude::*;
-use tumbling::number::Lane;
+use tumbling::laws::Lane;
 
 proptest! {
     #[test]

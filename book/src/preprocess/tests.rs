@@ -230,21 +230,7 @@ fn a_widget_that_is_wrong_says_how() {
 }
 
 #[test]
-fn what_widgets_need_is_laid_beside_the_chapters_and_nothing_else() {
-    let repository = with_drawing(ARROWS);
-    let root = repository.path().join("book");
-    let copies = root.join("chapters/widgets");
-    fs::create_dir_all(&copies).unwrap();
-    fs::write(copies.join("old.js"), "old").unwrap();
-    Preprocess::Pages.run(&context(&root), book_of(&[("x.md", "{{#widget dial}}\n")])).unwrap();
-    let laid = |file: &str| fs::read_to_string(copies.join(file)).unwrap();
-    assert_eq!([laid("live.js"), laid("dial.js")], ["live", "dial"]);
-    assert_eq!(laid("dial.wasm.js"), "tumblingLive.carry(\"dial\", \"eNpLy88HAAKCAUU=\");\n");
-    assert!(!copies.join("old.js").exists());
-}
-
-#[test]
-fn a_widget_takes_along_the_parts_of_its_script_and_the_modules_that_it_asks() {
+fn a_widget_lays_out_its_script_its_parts_and_the_modules_that_it_asks_and_nothing_else() {
     let repository = with_drawing(ARROWS);
     let root = repository.path().join("book");
     let widgets = root.join("widgets");
@@ -260,18 +246,22 @@ fn a_widget_takes_along_the_parts_of_its_script_and_the_modules_that_it_asks() {
     ] {
         fs::write(widgets.join(file), text).unwrap();
     }
+    let copies = root.join("chapters/widgets");
+    fs::create_dir_all(&copies).unwrap();
+    fs::write(copies.join("old.js"), "of an earlier book").unwrap();
     let run = || Preprocess::Pages.run(&context(&root), book_of(&[("x.md", "{{#widget steps}}\n")]));
     // Steps ask the tumble's module for the exact motion: without it there is no book.
     let missing = run().unwrap_err().to_string();
     assert!(missing.contains("cannot read") && missing.contains("built/tumble.wasm"), "{missing}");
     fs::write(widgets.join("built/tumble.wasm"), "foob").unwrap();
     run().unwrap();
-    let copies = root.join("chapters/widgets");
     let laid = fs::read_dir(&copies).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
     let all = ["live.js", "steps.errors.js", "steps.js", "steps.path.js", "steps.wasm.js", "tumble.wasm.js"];
     assert_eq!(laid.collect::<BTreeSet<_>>(), BTreeSet::from(all.map(str::to_owned)));
     let text = |file: &str| fs::read_to_string(copies.join(file)).unwrap();
-    assert_eq!([text("steps.path.js"), text("steps.errors.js")], ["its path", "its errors"]);
+    let scripts = ["live.js", "steps.js", "steps.path.js", "steps.errors.js"].map(text);
+    assert_eq!(scripts, ["live", "steps", "its path", "its errors"]);
+    assert_eq!(text("steps.wasm.js"), "tumblingLive.carry(\"steps\", \"eNpLy88HAAKCAUU=\");\n");
     assert_eq!(text("tumble.wasm.js"), "tumblingLive.carry(\"tumble\", \"eNpLy89PAgAEKQGn\");\n");
 }
 

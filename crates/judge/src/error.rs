@@ -1,13 +1,13 @@
 //! Errors in a record, with their places.
 
 use crate::law::LawName;
-use std::fmt;
 
 /// Why a record could not be judged.
-#[derive(Debug)]
+#[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// The source itself failed.
+    #[error("{}{source}", place(*.line))]
     Read {
         /// The line that was being read, from 1; 0 where it could not be opened.
         line: usize,
@@ -15,12 +15,16 @@ pub enum Error {
         source: std::io::Error,
     },
     /// No line except comments.
+    #[error("the file is empty: it needs a line of column names, then rows of numbers")]
     Empty,
     /// No row.
+    #[error("there are no rows: a motion needs at least two")]
     NoRows,
     /// One row: nothing to compare it with.
+    #[error("there is one row: a motion needs at least two")]
     OneRow,
     /// A field that cannot be used.
+    #[error("line {line}, column {column} (`{name}`): {problem}")]
     Field {
         /// Its line, from 1.
         line: usize,
@@ -32,6 +36,7 @@ pub enum Error {
         problem: String,
     },
     /// A row in memory that cannot be used.
+    #[error("row {row}: {problem}")]
     Row {
         /// The row, from 1.
         row: usize,
@@ -39,6 +44,7 @@ pub enum Error {
         problem: String,
     },
     /// A line that cannot be used as a whole.
+    #[error("line {line}: {problem}")]
     Line {
         /// The line, from 1.
         line: usize,
@@ -46,8 +52,10 @@ pub enum Error {
         problem: String,
     },
     /// The library does not accept the body or its motion.
-    Body(tumbling::Error),
+    #[error("{0}")]
+    Body(#[from] tumbling::Error),
     /// The engine resets the body to its start instead of taking the step.
+    #[error("the engine resets the body: the spin or its rate is {value:e}, and must be at most {most:e}")]
     StartsAnew {
         /// A component of the spin or of its rate, rad/s or rad/s².
         value: f64,
@@ -55,13 +63,18 @@ pub enum Error {
         most: f64,
     },
     /// Neither a header nor the caller gives the moments.
+    #[error(
+        "the principal moments are not known: write them into the record as a comment line `# inertia: A B C`, or give them with it. They are about the body's x, y and z, which must be its principal axes"
+    )]
     NoMoments,
     /// Records that cannot be compared.
+    #[error("{problem}")]
     Compared {
         /// Why not.
         problem: String,
     },
     /// A threshold that is no number above zero.
+    #[error("the threshold for {} is {value}: it must be a number above zero", .law.map_or("every law", LawName::words))]
     Threshold {
         /// The law that it is for; all laws, where there is none.
         law: Option<LawName>,
@@ -69,6 +82,7 @@ pub enum Error {
         value: f64,
     },
     /// No start could be fitted to the first rows.
+    #[error("a fit over the first {rows} rows: {problem}")]
     Fit {
         /// How many rows were to be fitted.
         rows: usize,
@@ -85,48 +99,7 @@ pub(crate) fn not_later(time: f64, last: f64) -> String {
     )
 }
 
-impl fmt::Display for Error {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Read { line: 0, source } => write!(f, "{source}"),
-            Self::Read { line, source } => write!(f, "line {line}: {source}"),
-            Self::Empty => f.write_str("the file is empty: it needs a line of column names, then rows of numbers"),
-            Self::NoRows => f.write_str("there are no rows: a motion needs at least two"),
-            Self::OneRow => f.write_str("there is one row: a motion needs at least two"),
-            Self::Line { line, problem } => write!(f, "line {line}: {problem}"),
-            Self::Row { row, problem } => write!(f, "row {row}: {problem}"),
-            Self::Compared { problem } => f.write_str(problem),
-            Self::Field { line, column, name, problem } => {
-                write!(f, "line {line}, column {column} (`{name}`): {problem}")
-            }
-            Self::Body(error) => write!(f, "{error}"),
-            Self::StartsAnew { value, most } => {
-                write!(f, "the engine resets the body: the spin or its rate is {value:e}, and must be at most {most:e}")
-            }
-            Self::Threshold { law, value } => {
-                let law = law.map_or("every law", LawName::words);
-                write!(f, "the threshold for {law} is {value}: it must be a number above zero")
-            }
-            Self::Fit { rows, problem } => write!(f, "a fit over the first {rows} rows: {problem}"),
-            Self::NoMoments => f.write_str(
-                "the principal moments are not known: write them into the record as a comment line `# inertia: A B C`, or give them with it. They are about the body's x, y and z, which must be its principal axes",
-            ),
-        }
-    }
-}
-
-impl std::error::Error for Error {
-    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
-        match self {
-            Self::Read { source, .. } => Some(source),
-            Self::Body(error) => Some(error),
-            _ => None,
-        }
-    }
-}
-
-impl From<tumbling::Error> for Error {
-    fn from(error: tumbling::Error) -> Self {
-        Self::Body(error)
-    }
+/// The line before an error of the system; nothing where the source could not be opened.
+fn place(line: usize) -> String {
+    if line == 0 { String::new() } else { format!("line {line}: ") }
 }

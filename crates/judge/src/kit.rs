@@ -7,7 +7,7 @@ use crate::memory::{Description, Precision, Row, judge_described};
 use crate::options::Options;
 use crate::read::{Kind, Note, in_world};
 use crate::verdict::Verdict;
-use nalgebra::Quaternion;
+use nalgebra::{Quaternion, convert};
 use serde::Deserialize;
 
 /// The kit's file.
@@ -90,7 +90,7 @@ impl Story {
     ) -> impl Iterator<Item = Row<T>> {
         // A step that is not a number, or zero, has no rows.
         let steps = Some((self.duration / h).round()).filter(|steps| steps.is_finite() && *steps >= 0.0);
-        let mut now = (self.attitude.map(T::of), spin.map(T::of));
+        let mut now = (self.attitude.map(convert), spin.map(convert));
         (0..steps.map_or(0, |steps| steps as u64 + 1)).map(move |i| {
             now = if i > 0 { step(now.0, now.1) } else { now };
             Row { time: i as f64 * h, attitude: Some(now.0), spin: now.1 }

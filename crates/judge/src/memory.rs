@@ -6,40 +6,12 @@ use crate::options::Options;
 use crate::read::{Exact, Kind, Printed, Raw, Said, Source, significant_bits};
 use crate::thresholds::*;
 use crate::verdict::Verdict;
-use nalgebra::{Quaternion, Vector3};
+use nalgebra::{Quaternion, RealField, Vector3};
 
-mod sealed {
-    pub trait Sealed {}
-}
+/// The precision of an engine's numbers: `f64` or `f32`.
+pub trait Precision: RealField + Into<f64> + Copy {}
 
-/// The precision of an engine's numbers: `f64` or `f32`, and no other.
-///
-/// ```compile_fail
-/// impl tumbling_judge::Precision for i32 {
-///     fn of(x: f64) -> Self {
-///         x as Self
-///     }
-/// }
-/// ```
-pub trait Precision: sealed::Sealed + Into<f64> + Copy {
-    /// The nearest number of this precision.
-    #[must_use]
-    fn of(x: f64) -> Self;
-}
-
-macro_rules! precise {
-    ($($number:ty)+) => {$(
-        impl sealed::Sealed for $number {}
-
-        impl Precision for $number {
-            fn of(x: f64) -> Self {
-                x as Self
-            }
-        }
-    )+};
-}
-
-precise!(f32 f64);
+impl<T: RealField + Into<f64> + Copy> Precision for T {}
 
 /// A body at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,7 +5,7 @@
 use num_traits::{One, Zero};
 use std::array::from_fn;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
-use tumbling::number::{Lane, Series};
+use tumbling::laws::{Lane, Series};
 
 /// `N` numbers side by side. `FUSED` where the machine has an instruction for the fused product sum: without
 /// one it is a function of the C library, and Dekker's product is faster. The answers are the same.

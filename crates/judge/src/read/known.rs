@@ -117,19 +117,28 @@ impl Known {
     }
 }
 
-/// What was made of a file besides its rows.
-#[derive(Debug, Clone, PartialEq)]
+/// What was made of a file besides its rows, which is no error: the derive gives each note its sentence.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Note {
     /// A comment seems to name a number, and none is read from it: its line, and what it speaks of.
+    #[error("line {0} mentions `{1}`, but no number was read from it")]
     Unread(usize, &'static str),
     /// The record is of this story of the kit.
+    #[error("the record is of the kit's story {0}")]
     Story(String),
     /// The body is at rest before this line: the rows before it are left out.
+    #[error("the body is at rest before line {0}, and is judged from there")]
     Rest(usize),
     /// Rows repeat the row before them, under other times: how many, and the line of the first.
+    #[error("rows that repeat the row before them: {0}, first in line {1}")]
     Again(u64, usize),
     /// Rounded moments that no body has are taken for those of a flat body.
+    #[error(
+        "the largest moment is printed as {printed}, {missing:.1e} more than the sum of the others, which is \
+         impossible, but within its rounding; a flat body of {}, {}, {} kg m2 is judged",
+        .moments.x, .moments.y, .moments.z
+    )]
     Flat {
         /// The largest, as printed, kg m².
         printed: f64,
@@ -139,10 +148,19 @@ pub enum Note {
         moments: Vector3<f64>,
     },
     /// The header names a step of which each row is a whole number: the step, s, and that number.
+    #[error("the header gives a step of {0:.9} s: rows are {1} such steps apart")]
     StepsPerRow(f64, u32),
     /// The header names a step of which the time from row to row is no whole number: both, s.
+    #[error(
+        "the header gives a step of {0:.9} s, but the rows are {1:.9} s apart, which is not a whole number of \
+         such steps: it is not used"
+    )]
     OtherStep(f64, f64),
     /// Times of few digits are taken for multiples of one step: whether the record names it, and the step as
     /// the file counts.
+    #[error(
+        "the times have few digits, and are read as multiples of the step {}, {:.9} s in the file's time",
+        if *.0 { "in the header" } else { "that is their mean" }, .1
+    )]
     EvenSteps(bool, f64),
 }

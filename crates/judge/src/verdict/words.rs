@@ -1,36 +1,45 @@
-//! Sentences for complaints, notes and resets, the same on a page, in a program and on a terminal; numbers
-//! and growth of errors without logarithms.
+//! Sentences for complaints and resets, the same on a page, in a program and on a terminal; numbers and
+//! growth of errors without logarithms.
 
 use crate::law::LawName;
 use crate::laws::{FlipCount, Growth, Law, Reset};
-use crate::read::Note;
 use crate::rule::Rule;
 use crate::thresholds::*;
-use std::fmt;
 
 /// A reason to fail a record that is not a broken law.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Complaint {
     /// The numbers end before the file does: the place and the reason.
+    #[error("the numbers end at {0}. Judged up to there")]
     Ended(String),
     /// The spin along the axis that it should circle for ever changes sign: when first, s from the start.
+    #[error("the spin along the axis that it should circle changes sign at {0:.4} s")]
     TurnedOver(f64),
     /// The spin along the middle axis never changes sign in the record, and should: how often it should.
+    #[error("the recorded spin along the middle axis never changes sign, but should do so {}", times(*.0))]
     NeverFlips(u64),
     /// The spin along the middle axis changes sign, and should never: how often it does.
+    #[error("the spin along the middle axis changes sign {}, but should never do so", times(*.0))]
     Flips(u64),
     /// The spin stays as it is, and should change: by how much, as a share.
+    #[error("the spin stays constant, but should change by {:.0} %", 100.0 * .0)]
     Constant(f64),
     /// Attitudes turn too far from one to the next to say which way; the record is judged up to there: in
     /// which line, and by how much, rad.
+    #[error("line {}: {}. Judged up to there", .0, too_far(*.1))]
     TooFar(usize, f64),
     /// The last rows repeat the row before them: how many, the line of the first, and the time of the row
     /// before it, s.
+    #[error(
+        "rows at the end repeat the row before them ({0}, from line {1} on): the run may have ended at t = {2:.4} s"
+    )]
     Repeats(u64, usize, f64),
     /// No two rows are one step apart.
+    #[error("no two rows are one step apart: no rule can be tested")]
     NoSteps,
     /// The attitude does not turn as the spin says.
+    #[error("the attitude does not turn by the spin: off by up to {:.1} % of it{}", 100.0 * .off, how(*.seen))]
     Otherwise {
         /// By how much at most, as a share of the spin.
         off: f64,
@@ -38,8 +47,13 @@ pub enum Complaint {
         seen: Option<Seen>,
     },
     /// Every step agrees, to rounding, with a rule that no body goes by.
+    #[error("every step tried follows a wrong rule: {}", .0.name())]
     WrongRule(Box<Rule>),
     /// The phase ran away from the exact one.
+    #[error(
+        "the phase of the spin is off by {off:.2} periods after {periods:.2} periods of the exact motion (allowed by \
+         default: {allowed:.2})"
+    )]
     WrongPace {
         /// How far, in periods of the spin.
         off: f64,
@@ -64,49 +78,14 @@ pub enum Seen {
     OtherAxis,
 }
 
-impl fmt::Display for Complaint {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Ended(at) => write!(f, "the numbers end at {at}. Judged up to there"),
-            Self::TurnedOver(time) => {
-                write!(f, "the spin along the axis that it should circle changes sign at {time:.4} s")
-            }
-            Self::NeverFlips(exact) => {
-                let n = times(*exact);
-                write!(f, "the recorded spin along the middle axis never changes sign, but should do so {n}")
-            }
-            Self::Flips(found) => {
-                let found = times(*found);
-                write!(f, "the spin along the middle axis changes sign {found}, but should never do so")
-            }
-            Self::Constant(moved) => {
-                let moved = 100.0 * moved;
-                write!(f, "the spin stays constant, but should change by {moved:.0} %")
-            }
-            Self::TooFar(line, turn) => write!(f, "line {line}: {}. Judged up to there", too_far(*turn)),
-            Self::Repeats(rows, line, time) => write!(
-                f,
-                "rows at the end repeat the row before them ({rows}, from line {line} on): the run may have ended at t = {time:.4} s"
-            ),
-            Self::NoSteps => f.write_str("no two rows are one step apart: no rule can be tested"),
-            Self::Otherwise { off, seen } => {
-                let how = match seen {
-                    None => String::new(),
-                    Some(Seen::BodyInWorld) => "; body spin used as world spin (dq * q, not q * dq)".into(),
-                    Some(Seen::WorldInBody) => "; world spin used as body spin (q * dq, not dq * q)".into(),
-                    Some(Seen::Times(by)) => format!("; about the spin's axis, and {by:.3} times as far"),
-                    Some(Seen::OtherAxis) => "; about another axis".into(),
-                };
-                let off = 100.0 * off;
-                write!(f, "the attitude does not turn by the spin: off by up to {off:.1} % of it{how}")
-            }
-            Self::WrongRule(rule) => write!(f, "every step tried follows a wrong rule: {}", rule.name()),
-            Self::WrongPace { off, periods, allowed } => write!(
-                f,
-                "the phase of the spin is off by {off:.2} periods after {periods:.2} periods of the exact motion (allowed by \
-                 default: {allowed:.2})"
-            ),
-        }
+/// How an attitude turns that does not turn as the spin says, where that is seen.
+fn how(seen: Option<Seen>) -> String {
+    match seen {
+        None => String::new(),
+        Some(Seen::BodyInWorld) => "; body spin used as world spin (dq * q, not q * dq)".into(),
+        Some(Seen::WorldInBody) => "; world spin used as body spin (q * dq, not dq * q)".into(),
+        Some(Seen::Times(by)) => format!("; about the spin's axis, and {by:.3} times as far"),
+        Some(Seen::OtherAxis) => "; about another axis".into(),
     }
 }
 
@@ -116,45 +95,6 @@ pub(crate) fn too_far(turn: f64) -> String {
         "the attitude turns by {turn:.2} rad or more in one step, so attitudes alone do not show which way \
          it turns. Record the spin, or shorter steps"
     )
-}
-
-impl fmt::Display for Note {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Unread(line, word) => {
-                write!(f, "line {line} mentions `{word}`, but no number was read from it")
-            }
-            Self::Story(name) => write!(f, "the record is of the kit's story {name}"),
-            Self::Rest(line) => {
-                write!(f, "the body is at rest before line {line}, and is judged from there")
-            }
-            Self::Again(rows, line) => {
-                write!(f, "rows that repeat the row before them: {rows}, first in line {line}")
-            }
-            Self::Flat { printed, missing, moments } => write!(
-                f,
-                "the largest moment is printed as {printed}, {missing:.1e} more than the sum of the others, which is \
-                 impossible, but within its rounding; a flat body of {}, {}, {} kg m2 is judged",
-                moments.x, moments.y, moments.z
-            ),
-            Self::EvenSteps(named, step) => {
-                let which = if *named { "in the header" } else { "that is their mean" };
-                write!(
-                    f,
-                    "the times have few digits, and are read as multiples of the step {which}, {step:.9} s in the file's \
-                     time"
-                )
-            }
-            Self::StepsPerRow(named, steps) => {
-                write!(f, "the header gives a step of {named:.9} s: rows are {steps} such steps apart")
-            }
-            Self::OtherStep(named, row) => write!(
-                f,
-                "the header gives a step of {named:.9} s, but the rows are {row:.9} s apart, which is not a whole number of \
-                 such steps: it is not used"
-            ),
-        }
-    }
 }
 
 impl Reset {

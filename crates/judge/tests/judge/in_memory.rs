@@ -1,7 +1,7 @@
 //! Engines judged in memory: rows from an iterator, in single and in double precision, by the kit's stories.
 
 use crate::common::exact;
-use nalgebra::{Quaternion, Vector3};
+use nalgebra::{Quaternion, Vector3, convert};
 use num_traits::Float;
 use tumbling::PrincipalMoments;
 use tumbling::attitude::{product, rotation_matrix};
@@ -22,7 +22,7 @@ fn engine<T: Precision>(by: Method, story: &Story, h: f64) -> impl FnMut([T; 4],
         let start = State { attitude: Quaternion::new(w0, x, y, z), momentum: system.momentum(&spin) };
         let end = by.step(&system, &start, h).unwrap();
         let (q, spin) = (end.attitude, system.omega(&end.momentum));
-        ([q.w, q.i, q.j, q.k].map(T::of), [spin.x, spin.y, spin.z].map(T::of))
+        ([q.w, q.i, q.j, q.k].map(convert), [spin.x, spin.y, spin.z].map(convert))
     }
 }
 
@@ -64,7 +64,7 @@ fn exactly<T: Precision>(story: &Story, h: f64) -> impl FnMut([T; 4], [T; 3]) ->
         count += 1.0;
         let now = motion.at(count * h).unwrap();
         let q = product(&start, &now.attitude);
-        ([q.w, q.i, q.j, q.k].map(T::of), [now.omega.x, now.omega.y, now.omega.z].map(T::of))
+        ([q.w, q.i, q.j, q.k].map(convert), [now.omega.x, now.omega.y, now.omega.z].map(convert))
     }
 }
 
@@ -173,7 +173,7 @@ fn staged<T>(story: &Story, h: f64, steps: u32) -> Verdict
 where
     T: Precision + Field + Float + From<f32>,
 {
-    let moments = Vector3::from(story.moments.map(<T as Precision>::of));
+    let moments = Vector3::from(story.moments.map(convert));
     let stage = PositionStage::new(&moments).unwrap();
     let wide = |q: &Quaternion<T>| Quaternion::from_vector(q.coords.map(Into::<f64>::into));
     // The engine goes on with its own state, with the spin in world axes; the row is made from it.
@@ -182,16 +182,16 @@ where
         let (mut attitude, mut omega) = state.unwrap_or_else(|| {
             let q = Quaternion::new(w, x, y, z);
             let omega = rotation_matrix(&wide(&q)) * Vector3::from(spin).map(Into::<f64>::into);
-            (q, omega.map(<T as Precision>::of))
+            (q, omega.map(convert))
         });
         for _ in 0..steps {
-            let end = stage.step(&attitude, &omega, <T as Precision>::of(h / f64::from(steps)));
+            let end = stage.step(&attitude, &omega, convert(h / f64::from(steps)));
             (attitude, omega) = (end.attitude, end.omega);
         }
         state = Some((attitude, omega));
         let body = rotation_matrix(&wide(&attitude)).tr_mul(&omega.map(Into::<f64>::into));
         let q = attitude.coords;
-        ([q.w, q.x, q.y, q.z], [body.x, body.y, body.z].map(<T as Precision>::of))
+        ([q.w, q.x, q.y, q.z], [body.x, body.y, body.z].map(convert))
     });
     verdict.unwrap()
 }

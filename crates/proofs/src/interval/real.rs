@@ -7,8 +7,7 @@
 use super::Interval;
 use super::arithmetic::{product, safe};
 use num_traits::Zero;
-use tumbling::laws::{Real, Rounding};
-use tumbling::number::{Lane, Series};
+use tumbling::laws::{Lane, Real, Rounding, Series};
 
 /// A real number in an interval.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]

@@ -12,8 +12,7 @@ use super::real::one_lane;
 use crate::field;
 use num_traits::Zero;
 use std::cmp::Ordering;
-use tumbling::laws::{Real, Rounding};
-use tumbling::number::{Lane, Series};
+use tumbling::laws::{Lane, Real, Rounding, Series};
 
 /// What is computed, and how much more that is than without rounding.
 #[derive(Debug, Clone, Copy)]

@@ -280,7 +280,7 @@ from! {
     Fraction, Rational: |x| Polynomial::constant(&x).map_or_else(|| Self::ratio(1, 0), Self::from);
 }
 
-impl tumbling::number::Series for Fraction {}
+impl tumbling::laws::Series for Fraction {}
 
 impl fmt::Display for Fraction {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

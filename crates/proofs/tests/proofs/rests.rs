@@ -5,8 +5,9 @@ use num_rational::BigRational as Exact;
 use num_traits::{Signed, ToPrimitive, Zero};
 use std::cell::Cell;
 use std::f64::consts::{FRAC_PI_2, PI};
-use tumbling::laws::{ComplementaryPair, ComplementarySeries, DirectPair, DirectSeries, Rounding};
-use tumbling::number::{Lane, Series};
+use tumbling::laws::{
+    ComplementaryPair, ComplementarySeries, DirectPair, DirectSeries, Lane, Rounding, Series,
+};
 use tumbling_proofs::field;
 
 /// An exact number, and a bound on the effect of the remainders on it. Both are never freed, since a lane
