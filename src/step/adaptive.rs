@@ -225,8 +225,8 @@ fn normalize_extreme<T: Analytic>(attitude: &mut Quaternion<T>) -> f64 {
 
 /// The largest absolute value, computed without squares, which could overflow; NaN if any part is NaN.
 fn largest(parts: &[f64]) -> f64 {
-    // By their bits, which have the order of the sizes, with NaN as the largest: a branch on such a comparison
-    // could not be predicted.
+    // By their bits, which are ordered as the sizes are, NaN above all: the processor could not predict a
+    // branch on the sizes.
     f64::from_bits(parts.iter().map(|x| x.abs().to_bits()).fold(0, u64::max))
 }
 
