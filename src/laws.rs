@@ -1,7 +1,7 @@
 //! Laws on any kind of number that are public only for proofs: `crates/proofs` runs these same functions on
 //! algebraic symbols, and the closed form on intervals. The other laws that it runs are in their own modules.
-//! Of this module a vector type that is to answer several bodies at once implements three traits: [`Lane`],
-//! and [`Series`] and [`Rounding`] with their defaults.
+//! A vector type that answers for several bodies at once implements three traits of this module: [`Lane`]
+//! and, with their defaults, [`Series`] and [`Rounding`].
 
 pub use crate::body::Rate;
 pub use crate::exact::series::{

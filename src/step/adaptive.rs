@@ -249,7 +249,7 @@ fn logarithm(x: f64) -> f64 {
     (f64::from(whole) + 0.5) * LN_2 + 2.0 * z * (1.0 + square * (1.0 / 3.0 + square * 0.2))
 }
 
-/// The exponential of a number to 3e-4, with the same uses.
+/// The exponential of a number, to 3e-4 of its value where that is a normal number; with the same uses.
 fn exponential(x: f64) -> f64 {
     // Beyond these numbers it is infinite or zero.
     let x = x.clamp(-800.0, 800.0);
@@ -264,8 +264,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_logarithm_of_a_power_of_e_is_its_exponent() {
-        for x in [-700.0, -36.0, -1.5, 0.0, 0.3, 2.0, 700.0] {
+    fn the_logarithm_and_the_exponential_keep_their_bounds() {
+        for x in [-700.0, -36.0, -1.5, -0.693, 0.0, 0.3, 0.693, 2.0, 700.0] {
             assert!((logarithm(f64::exp(x)) - x).abs() < 1e-5, "{x}: {}", logarithm(f64::exp(x)));
             assert!((exponential(x) / f64::exp(x) - 1.0).abs() < 3e-4, "{x}: {}", exponential(x));
         }

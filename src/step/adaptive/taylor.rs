@@ -61,8 +61,8 @@ impl Taylor {
         both.map_or(0.0, |(own, next)| own.off(&next.coefficient(1), &rate))
     }
 
-    /// Computes the coefficients about the current state; returns the longest step, in units, that keeps the
-    /// last terms below the tolerance.
+    /// Computes the coefficients about the current state; returns about the longest step, in units, that
+    /// keeps the last terms below the tolerance.
     fn fill(&mut self, weights: &[f64; 3], left: f64, tolerance: f64) -> f64 {
         self.series.begin_as(&self.next);
         let (mut power, mut below) = (left, false);
