@@ -8,7 +8,7 @@ use crate::thresholds::*;
 use crate::verdict::Verdict;
 use nalgebra::{Quaternion, RealField, Vector3};
 
-/// The precision of an engine's numbers: `f64` or `f32`.
+/// The precision of an engine's numbers: `f64`, `f32`, or any other real number that converts to `f64`.
 pub trait Precision: RealField + Into<f64> + Copy {}
 
 impl<T: RealField + Into<f64> + Copy> Precision for T {}
