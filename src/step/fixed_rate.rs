@@ -18,7 +18,8 @@ const MOST_PARTS: f64 = 1000.0;
 
 /// One step of `h` seconds: [Moser and Veselov's](crate::step::Method::MoserVeselov10), divided into enough
 /// parts that each turns the body by less than half a radian; with a torque, the free step lies between two
-/// half kicks. At 60 Hz a steady spin below 30 rad/s needs only one part.
+/// half kicks. The turn is that of a bound on every later spin: at 60 Hz a steady spin below 15 rad/s about
+/// the axis of the smallest or of the largest moment needs only one part.
 ///
 /// Its equation is solved in closed form, by the addition theorem of Jacobi's functions, as in the
 /// [`PositionStage`](crate::step::PositionStage): nothing is iterated. The rates of the flips and of the turn
@@ -45,10 +46,10 @@ const MOST_PARTS: f64 = 1000.0;
 /// ```
 ///
 /// # Errors
-/// A step of more than 1000 parts: 500 radians. A needle whose smallest moment is below 1000 roundings of the
-/// others (in `f32`, a rod longer than 112 of its diameters): once its momentum is rotated, no digits of the
-/// spin about its length remain. A motion beyond the range of `f64`, a body so thin that the squares of its
-/// moments are, or an attitude of length zero.
+/// A step of more than 1000 parts: 500 radians by that bound. A needle whose smallest moment is below 1000
+/// roundings of the others (in `f32`, a rod longer than 112 of its diameters): once its momentum is rotated, no
+/// digits of the spin about its length remain. A motion beyond the range of `f64`, a body so thin that the
+/// squares of its moments are, or an attitude of length zero.
 pub fn fixed_rate<T: Analytic>(system: &System<T>, start: &State<T>, h: T) -> Result<State<T>, Error> {
     let square = start.attitude.coords.dot(&start.attitude.coords).size();
     if !(1e-30..=1e30).contains(&square) {
@@ -90,7 +91,7 @@ fn drifted<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<S
 // Not inlined: the code of a step in one part is the shorter for it.
 #[inline(never)]
 fn in_parts<T: Analytic>(system: &System<T>, start: &State<T>, h: &T, turn: f64) -> Result<State<T>, Error> {
-    // Energy and momentum stay, and so does this: the parts do not change on the way.
+    // The bound is a sum of the energy and of the momentum's square: the parts do not change on the way.
     let parts = (turn / LONGEST).ceil();
     Refusal::NotBelow { what: Subject::TurnOfStep, value: turn, limit: MOST_PARTS * LONGEST }
         .when(turn.is_nan() || parts > MOST_PARTS)?;

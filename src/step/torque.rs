@@ -89,7 +89,7 @@ pub enum Torque<T: nalgebra::Scalar> {
 
 type LawOfTorque<T> = dyn Fn(T, &Matrix3<T>, &Vector3<T>) -> Vector3<T> + Send + Sync;
 
-/// What a [`Torque::Function`] holds: a name that no user needs, and so none is exported.
+/// What a [`Torque::Function`] holds. No user has to name it, so it is not exported.
 #[derive(Clone)]
 pub struct TorqueFunction<T: nalgebra::Scalar>(Arc<LawOfTorque<T>>);
 

@@ -100,7 +100,7 @@ fn a_step_of_many_turns_is_taken_in_parts_in_a_game() {
     let truth = free_motion(moments, &omega).at(1.0).unwrap();
     let off = (end.attitude.coords - truth.attitude.coords).norm();
     let off = off.min((end.attitude.coords + truth.attitude.coords).norm());
-    // With the twist to order 8 it was 7e-7.
+    // With `b/a` of its moments to order 8 alone it would be 7e-7.
     assert!(off < 1e-7, "{off:e}");
 }
 

@@ -18,7 +18,8 @@
 //! the turn of one step. `crates/proofs/programs/moser_veselov.py` expands this in exact fractions and prints
 //! the sums below. The order of the result is proven for this same code, on power series: up to order 6 of
 //! the whole step; for each order of the altered moments, with the smallest moment about each axis. With them
-//! the motion itself obeys, to that order, the equation that the step solves.
+//! the motion itself obeys, to that order, the equation that the step solves. The step in closed form takes
+//! the quotient `b/a` of the same sums; its order is tested, not proven.
 
 use super::implicit::{cramer, whole};
 use crate::attitude;
@@ -272,9 +273,9 @@ impl<T: Analytic> Corrections<T> {
 
     /// The turn of the free motion in the time of the step, as a quaternion of any length.
     ///
-    /// A turn that keeps energy and momentum solves the equation above for some `a` and `b`: it takes `L` to
-    /// `L'`, and its axis is along `K^-1 (L + L')`. So `b/a`, to order 10, and how far the momentum moves on
-    /// its curve, to the same order, determine it, and no equation is left to solve.
+    /// A turn that keeps energy and momentum solves this module's equation for some `a` and `b`: it takes `L`
+    /// to `L'`, and its axis is along `K^-1 (L + L')`. So `b/a`, to order 10, and how far the momentum moves
+    /// on its curve, to the same order, determine it, and no equation is left to solve.
     #[inline(always)]
     pub(crate) fn turn(&self, momentum: &Vector3<T>) -> Quaternion<T> {
         let conserved = self.conserved(momentum);

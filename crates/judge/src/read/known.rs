@@ -117,7 +117,7 @@ impl Known {
     }
 }
 
-/// What was made of a file besides its rows, which is no error: the derive gives each note its sentence.
+/// What was made of a file besides its rows. A note is no failure: the derive is there for its sentence.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Note {
