@@ -47,8 +47,8 @@ const MOST_PARTS: f64 = 1000.0;
 ///
 /// # Errors
 /// A step of more than 1000 parts: 500 radians by that bound. A needle whose smallest moment is below 1000
-/// roundings of the others (in `f32`, a rod longer than 112 of its diameters): once its momentum is rotated, no
-/// digits of the spin about its length remain. A motion beyond the range of `f64`, a body so thin that the
+/// roundings of the others (in `f32`, a rod longer than 112 of its diameters): once its momentum is rotated,
+/// no digits of the spin about its length remain. A motion beyond the range of `f64`, a body so thin that the
 /// squares of its moments are, or an attitude of length zero.
 pub fn fixed_rate<T: Analytic>(system: &System<T>, start: &State<T>, h: T) -> Result<State<T>, Error> {
     let square = start.attitude.coords.dot(&start.attitude.coords).size();
