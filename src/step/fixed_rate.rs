@@ -17,7 +17,7 @@ const LONGEST: f64 = 0.5;
 const MOST_PARTS: f64 = 1000.0;
 
 /// One step of `h` seconds: [Moser and Veselov's](crate::step::Method::MoserVeselov10), divided into enough
-/// parts that each turns the body by less than half a radian; with a torque, the free step lies between two
+/// parts that each turns the body by at most half a radian; with a torque, the free step lies between two
 /// half kicks. The turn is that of a bound on every later spin: at 60 Hz a steady spin below 15 rad/s about
 /// the axis of the smallest or of the largest moment needs only one part.
 ///
@@ -87,7 +87,7 @@ fn drifted<T: Analytic>(system: &System<T>, start: &State<T>, h: &T) -> Result<S
     }
 }
 
-/// In as many parts as keep the turn of each below [`LONGEST`].
+/// In as many parts as keep the turn of each at or below [`LONGEST`].
 // Not inlined: the code of a step in one part is the shorter for it.
 #[inline(never)]
 fn in_parts<T: Analytic>(system: &System<T>, start: &State<T>, h: &T, turn: f64) -> Result<State<T>, Error> {
