@@ -3,7 +3,7 @@
 //! The laws are written once, over [`Ring`] (add, subtract, multiply) wherever they are polynomials and over
 //! [`Field`] where they need a division. Every type with this arithmetic implements them: `f64` and `f32`,
 //! exact rationals, dual numbers, or a number that counts what a formula costs. Code that branches on a size
-//! or takes a root is written for `f64`, or over [`Lane`](crate::laws::Lane), several `f64` at once.
+//! or takes a root is written for `f64`, or over [`Lane`], several `f64` at once.
 
 mod double_double;
 mod extended;
