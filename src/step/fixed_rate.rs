@@ -18,8 +18,7 @@ const MOST_PARTS: f64 = 1000.0;
 
 /// One step of `h` seconds: [Moser and Veselov's](crate::step::Method::MoserVeselov10), divided into enough
 /// parts that each turns the body by at most half a radian; with a torque, the free step lies between two
-/// half kicks. The turn is that of a bound on every later spin: at 60 Hz a steady spin below 15 rad/s about
-/// the axis of the smallest or of the largest moment needs only one part.
+/// half kicks. The turn is that of a bound on every later spin of the same energy and momentum.
 ///
 /// Its equation is solved in closed form, by the addition theorem of Jacobi's functions, as in the
 /// [`PositionStage`](crate::step::PositionStage): nothing is iterated. The rates of the flips and of the turn

@@ -247,7 +247,7 @@ impl<T: Analytic> Corrections<T> {
 
     /// Of such a momentum what the motion conserves: the square of its length, and `U`.
     #[inline]
-    pub(crate) fn conserved(&self, momentum: &Vector3<T>) -> [T; 2] {
+    fn conserved(&self, momentum: &Vector3<T>) -> [T; 2] {
         [momentum.dot(momentum), momentum.dot(&self.weights.component_mul(momentum))]
     }
 
