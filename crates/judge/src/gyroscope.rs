@@ -171,23 +171,3 @@ fn misses(rows: &[(f64, Vector3<f64>)], speed: f64, at: &SVector<f64, 8>) -> Opt
     let motion = FreeMotion::of(&Body::spinning(tensor, UnitQuaternion::identity(), &spin).ok()?).ok()?;
     rows.iter().map(|(t, spin)| Some((motion.omega(t - rows[0].0).ok()? - spin) / speed)).collect()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use tumbling::PrincipalMoments;
-
-    #[test]
-    fn of_a_symmetric_body_the_moments_are_found_and_the_free_axes_named() {
-        for (moments, alike) in [([2.0, 2.0, 3.0], [0, 1]), ([1.0, 2.5, 2.5], [1, 2])] {
-            let moments = Vector3::from(moments);
-            let body = PrincipalMoments::try_from(moments).unwrap();
-            let motion = FreeMotion::new(body, &Vector3::new(0.5, 0.7, 1.2)).unwrap();
-            let turn = UnitQuaternion::from_euler_angles(0.3, -0.5, 0.4);
-            let row = |i: u32| (f64::from(i) / 50.0, turn * motion.omega(f64::from(i) / 50.0).unwrap());
-            let fitted = fit_inertia(&(0..400).map(row).collect::<Vec<_>>(), None).unwrap();
-            assert!((fitted.moments - moments / moments.sum()).norm() < 1e-6, "{fitted:?}");
-            assert_eq!(fitted.alike, Some(alike), "{fitted:?}");
-        }
-    }
-}

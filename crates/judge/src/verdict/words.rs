@@ -133,7 +133,14 @@ impl Law {
     /// How it is kept, with what a second makes of it: `exponential: shrinks by a factor of 4.85 a second`.
     ///
     /// Energy and `|L|` are described by their own change, the other laws by the change of the error.
-    pub(crate) fn plain(&self) -> String {
+    ///
+    /// ```
+    /// use tumbling_judge::{Growth, Law, LawName};
+    /// let growth = Growth::Linear { rate: -1.5e-7 };
+    /// let law = Law { name: LawName::Momentum, growth, most: 1e-5, last: -1e-5 };
+    /// assert_eq!(law.plain(), "linear: falls by 1.50 · 10⁻⁷ of itself a second");
+    /// ```
+    pub fn plain(&self) -> String {
         let name = self.how();
         let (rate, how) = match self.growth {
             Growth::Rounding | Growth::Bounded | Growth::Stayed => return name.into(),
@@ -204,45 +211,5 @@ pub(crate) fn plain_number(x: f64) -> String {
             };
             format!("{digits} · 10{}", power.chars().map(raised).collect::<String>())
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn said(name: LawName, growth: Growth) -> String {
-        Law { name, growth, most: 1.0, last: 1.0 }.plain()
-    }
-
-    #[test]
-    fn a_number_has_three_digits_and_a_raised_power_where_it_is_small_or_large() {
-        let wanted = ["0.0123", "−1.50 · 10⁻⁷", "0", "beyond counting"];
-        assert_eq!([0.012345, -1.5e-7, -0.0, f64::INFINITY].map(plain_number), wanted);
-    }
-
-    #[test]
-    fn a_rate_is_given_as_what_a_second_makes_of_it() {
-        // e^1.58 = 4.855, e^0.02 = 1.0202, ln 10 / 100 = 0.02303.
-        let exponential = |rate| said(LawName::Energy, Growth::Exponential { rate });
-        assert_eq!(exponential(-1.58), "exponential: shrinks by a factor of 4.85 a second");
-        assert_eq!(exponential(1.58), "exponential: grows by a factor of 4.85 a second");
-        assert_eq!(exponential(0.02), "exponential: grows by 2.02 % a second");
-        assert_eq!(exponential(-0.02), "exponential: shrinks by 1.98 % a second");
-        assert_eq!(exponential(100.0), "exponential: grows tenfold every 0.0230 s");
-        assert_eq!(exponential(f64::INFINITY), "exponential: beyond counting");
-        let linear = |name, rate| said(name, Growth::Linear { rate });
-        assert_eq!(linear(LawName::Momentum, -1.5e-7), "linear: falls by 1.50 · 10⁻⁷ of itself a second");
-        assert_eq!(linear(LawName::Phase, -1.58), "linear: falls behind by 1.58 periods a second");
-        assert_eq!(linear(LawName::Direction, 0.5), "linear: turns away by 0.500 rad a second");
-        assert_eq!(
-            said(LawName::Direction, Growth::RandomWalk { rate: 2e12 }),
-            "random walk: 2.00 · 10¹² rad in a second, tenfold in a hundred"
-        );
-        assert_eq!(
-            said(LawName::Energy, Growth::Power { power: 2.04 }),
-            "faster than linear: as time to the power 2.0"
-        );
-        assert_eq!(said(LawName::Unit, Growth::Bounded), "bounded");
     }
 }

@@ -2,8 +2,8 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 use tumbling::exact::FreeMotion;
-use tumbling::{Body, Inertia};
-use tumbling_judge::{Comparison, Motion, Options, compare};
+use tumbling::{Body, Inertia, PrincipalMoments};
+use tumbling_judge::{Comparison, Motion, Options, compare, fit_inertia};
 
 /// A body whose own axes and origin lie as its description has them.
 struct Description {
@@ -160,5 +160,19 @@ fn a_record_that_cannot_be_compared_says_why() {
     ] {
         let wrong = Motion::read(record.as_bytes(), &Options::default()).unwrap_err().to_string();
         assert!(wrong.contains(why), "{record}: {wrong}");
+    }
+}
+
+#[test]
+fn of_a_symmetric_body_the_moments_are_found_and_the_free_axes_named() {
+    for (moments, alike) in [([2.0, 2.0, 3.0], [0, 1]), ([1.0, 2.5, 2.5], [1, 2])] {
+        let moments = Vector3::from(moments);
+        let body = PrincipalMoments::try_from(moments).unwrap();
+        let motion = FreeMotion::new(body, &Vector3::new(0.5, 0.7, 1.2)).unwrap();
+        let turn = UnitQuaternion::from_euler_angles(0.3, -0.5, 0.4);
+        let row = |i: u32| (f64::from(i) / 50.0, turn * motion.omega(f64::from(i) / 50.0).unwrap());
+        let fitted = fit_inertia(&(0..400).map(row).collect::<Vec<_>>(), None).unwrap();
+        assert!((fitted.moments - moments / moments.sum()).norm() < 1e-6, "{fitted:?}");
+        assert_eq!(fitted.alike, Some(alike), "{fitted:?}");
     }
 }

@@ -12,6 +12,7 @@ mod engines_recorded;
 mod engines_table;
 mod faults;
 mod files;
+mod growth;
 mod hard;
 mod in_memory;
 mod invented_records;
