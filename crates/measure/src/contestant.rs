@@ -6,7 +6,7 @@ use std::cell::RefCell;
 use std::fmt;
 use std::hint::black_box;
 use tumbling::exact::FreeMotion;
-use tumbling::step::{Method, MethodInfo, State, Stepper};
+use tumbling::step::{Method, MethodInfo, State, Stepper, System, fixed_rate};
 
 /// The quantities of a free motion that a contestant conserves; the figures group their curves by it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -152,30 +152,57 @@ impl Contestant for Ours {
         About { name: info.name, group, knob: Knob::Steps }
     }
 
-    fn run(&self, story: &Story, setting: Setting, mut observer: Observed<'_, '_>) -> Result<Ended, Outcome> {
+    fn run(&self, story: &Story, setting: Setting, observer: Observed<'_, '_>) -> Result<Ended, Outcome> {
         let steps = setting.steps()?;
         if story.drive.timed() {
             return counting_time(self.0, story, steps, observer);
         }
-        let (mut motion, mut done, mut before) = (story.start, 0, 0.0);
-        for phase in &story.phases {
-            // Each phase has its share of the steps, and a step ends where the torques change.
-            let count = (steps as f64 * phase.seconds / story.end).round().max(1.0) as u64;
-            let h = black_box(phase.seconds / count as f64);
-            for k in 1..=count {
-                motion = self.0.step(&phase.system, &motion, h)?;
-                if let Some(observer) = observer.as_deref_mut() {
-                    observer.observe(before + time_of(k, count, phase.seconds), &motion);
-                }
-            }
-            done += count;
-            before += phase.seconds;
-        }
-        Ok(Ended { motion, steps: done, seconds: None })
+        at_equal_steps(story, steps, observer, |system, motion, h| self.0.step(system, motion, h))
     }
 
     fn method(&self) -> Option<Method> {
         Some(self.0)
+    }
+}
+
+/// In each phase its share of the steps, so that a step ends where the torques change.
+fn at_equal_steps(
+    story: &Story,
+    steps: u64,
+    mut observer: Observed<'_, '_>,
+    step: impl Fn(&System<f64>, &State<f64>, f64) -> Result<State<f64>, tumbling::Error>,
+) -> Result<Ended, Outcome> {
+    let (mut motion, mut done, mut before) = (story.start, 0, 0.0);
+    for phase in &story.phases {
+        let count = (steps as f64 * phase.seconds / story.end).round().max(1.0) as u64;
+        let h = black_box(phase.seconds / count as f64);
+        for k in 1..=count {
+            motion = step(&phase.system, &motion, h)?;
+            if let Some(observer) = observer.as_deref_mut() {
+                observer.observe(before + time_of(k, count, phase.seconds), &motion);
+            }
+        }
+        done += count;
+        before += phase.seconds;
+    }
+    Ok(Ended { motion, steps: done, seconds: None })
+}
+
+/// The library's step for free bodies at a fixed rate: Moser and Veselov's in closed form.
+#[derive(Debug, Clone, Copy)]
+pub struct FixedRate;
+
+impl Contestant for FixedRate {
+    fn about(&self) -> About {
+        About { name: "fixed rate", group: Group::Both, knob: Knob::Steps }
+    }
+
+    fn takes(&self, story: &Story) -> bool {
+        story.is_free()
+    }
+
+    fn run(&self, story: &Story, setting: Setting, observer: Observed<'_, '_>) -> Result<Ended, Outcome> {
+        at_equal_steps(story, setting.steps()?, observer, fixed_rate)
     }
 }
 
@@ -298,11 +325,11 @@ impl Contestant for Prepared {
     }
 }
 
-/// The exact motion, the run within a tolerance, and all methods of the library.
+/// The exact motion, the run within a tolerance, the step at a fixed rate, and all methods of the library.
 #[must_use]
 pub fn ours() -> Vec<Box<dyn Contestant>> {
     let exact: [Box<dyn Contestant>; 2] = [Box::new(Exact), Box::<Prepared>::default()];
     let methods = Method::ALL.iter().map(|&method| Box::new(Ours(method)) as Box<dyn Contestant>);
-    let adaptive: Box<dyn Contestant> = Box::new(Adaptive);
-    exact.into_iter().chain([adaptive]).chain(methods).collect()
+    let chosen: [Box<dyn Contestant>; 2] = [Box::new(Adaptive), Box::new(FixedRate)];
+    exact.into_iter().chain(chosen).chain(methods).collect()
 }
