@@ -1,4 +1,4 @@
-//! The implicit midpoint rule in a form that keeps all that [`Conserved`](crate::step::Conserved) lists, and
+//! The implicit midpoint rule in a form that keeps all that [`MethodInfo`](crate::step::MethodInfo) lists, and
 //! Gauss's collocation of orders 4 and 6 ([But64](crate::references), [HLW06](crate::references)), solved to
 //! rounding by iteration or by Newton's method.
 //!
