@@ -1,12 +1,14 @@
 //! A body in motion: its inertia, attitude and angular momentum. The spin is derived from these.
 
 pub mod named;
+pub(crate) mod rate;
 
 use crate::attitude;
 use crate::error::{Error, Refusal, Subject, finite_vector, representable};
 use crate::inertia::{Inertia, length, omega_world, product};
 use crate::number::{Analytic, Field, exponent, times_power_of_two};
-use nalgebra::{Matrix3, Quaternion, SVector, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+pub(crate) use rate::{Rate, along};
 
 /// A rigid body turning about its centre of mass, or a top about a fixed point: the constant inertia tensor
 /// about that point in the body's own axes, an attitude that takes body coordinates to world, and the angular
@@ -184,15 +186,6 @@ pub struct State<T: nalgebra::Scalar> {
     pub momentum: Vector3<T>,
 }
 
-/// The rate at which a [`State`] changes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Rate<T: nalgebra::Scalar> {
-    /// `q' = q w / 2`, 1/s.
-    pub attitude: Quaternion<T>,
-    /// `L' = L x w + torque` in body axes, N m.
-    pub momentum: Vector3<T>,
-}
-
 impl<T: Field> State<T> {
     /// `self + rate h`: straight along the rate for `h` seconds; the length of the attitude is not restored.
     #[must_use]
@@ -202,33 +195,6 @@ impl<T: Field> State<T> {
             momentum: along(&self.momentum, &rate.momentum, &h),
         }
     }
-}
-
-impl<T: Field> Rate<T> {
-    /// `self + other times`.
-    pub(crate) fn plus(&self, other: &Self, times: T) -> Self {
-        Self {
-            attitude: Quaternion::from_vector(along(&self.attitude.coords, &other.attitude.coords, &times)),
-            momentum: along(&self.momentum, &other.momentum, &times),
-        }
-    }
-
-    /// The change in this time along it.
-    pub(crate) fn times(&self, h: &T) -> Self {
-        Self {
-            attitude: Quaternion::from_vector(self.attitude.coords.map(|x| x * h.clone())),
-            momentum: self.momentum.map(|x| x * h.clone()),
-        }
-    }
-}
-
-/// `start + rate h`.
-pub(crate) fn along<T: Field, const N: usize>(
-    start: &SVector<T, N>,
-    rate: &SVector<T, N>,
-    h: &T,
-) -> SVector<T, N> {
-    start.zip_map(rate, |x, y| x + y * h.clone())
 }
 
 impl<T: Analytic> State<T> {

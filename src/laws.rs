@@ -3,7 +3,7 @@
 //! A vector type that answers for several bodies at once implements three traits of this module: [`Lane`]
 //! and, with their defaults, [`Series`] and [`Rounding`].
 
-pub use crate::body::Rate;
+pub use crate::body::rate::Rate;
 pub use crate::exact::series::{
     ClosedForm, ComplementaryPair, ComplementarySeries, DirectPair, DirectSeries, Parts,
 };

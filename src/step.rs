@@ -22,7 +22,7 @@ mod transition;
 
 pub use crate::body::State;
 pub use fixed_rate::fixed_rate;
-pub use info::{Conserved, MethodInfo};
+pub use info::MethodInfo;
 pub use method::Method;
 pub use methods::runge_kutta::rk4;
 pub use pitfalls::Engine;

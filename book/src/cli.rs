@@ -8,7 +8,6 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Parser, Subcommand};
 use std::error::Error;
 use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Instant;
 use tumbling_bodies::BodyModel;
@@ -68,9 +67,6 @@ other programs, and leaves the pages' drawings as they are: `cargo run -- figure
         after_help = "Exit code: 0 if there are none, 1 if there are some, 2 if something cannot be read."
     )]
     Check {
-        /// The folder of the chapters; the book's own if not given
-        #[arg(value_name = "DIR")]
-        folder: Option<PathBuf>,
         /// Also list what supports each number and equation
         #[arg(long)]
         list: bool,
@@ -134,9 +130,7 @@ pub(crate) fn run(cli: Cli) -> Result<ExitCode, Box<dyn Error>> {
         Command::Film(arguments) => film::run(&arguments)?,
         Command::Build { site } => build::build(site.as_ref())?,
         Command::Print(arguments) => paper::run(&arguments)?,
-        Command::Check { folder, list } => {
-            return Ok(checked(&folder.unwrap_or_else(paths::chapters), list));
-        }
+        Command::Check { list } => return Ok(checked(list)),
         Command::Exercises { command } => return Ok(exercises::run(command.as_ref())?),
         Command::Report(arguments) => report::run(&arguments)?,
         Command::Measure(arguments) => measure::run(&arguments)?,
@@ -165,8 +159,8 @@ fn everything() -> Result<ExitCode, Box<dyn Error>> {
 
 /// Runs the guard and prints its findings; 1 if a number or equation has no support, 2 if something cannot be
 /// read.
-fn checked(folder: &Path, list: bool) -> ExitCode {
-    let report = match guard::check(folder) {
+fn checked(list: bool) -> ExitCode {
+    let report = match guard::check() {
         Ok(report) => report,
         Err(wrong) => {
             complain!("error: {wrong}");
@@ -234,7 +228,7 @@ mod tests {
             "print pdf --paper letter --out folder",
             "print handout two-arrows coin",
             "print problems --out folder",
-            "check folder --list",
+            "check --list",
             "exercises next",
             "exercises reset two_arrows_1 two_arrows_2",
             "report phone --out reports",

@@ -60,8 +60,7 @@ pub(crate) use digits::{plain as numerals, with_unit};
 use holding::Beside;
 use offence::Offence;
 use std::collections::HashMap;
-use std::path::{Path, PathBuf};
-use std::{fmt, fs};
+use std::fmt;
 
 /// The findings of the guard.
 #[derive(Debug)]
@@ -88,98 +87,91 @@ pub(crate) fn number_words(text: &str) -> Vec<(usize, String)> {
     spelled::words(text).into_iter().map(|word| (word.at.start, text[word.at].to_lowercase())).collect()
 }
 
-/// Checks the chapters in this folder.
+/// Checks the chapters, the README and the exercises.
 ///
 /// # Errors
 /// What could not be read, with its file and line.
-pub(crate) fn check(folder: &Path) -> Result<Report, String> {
-    let book = Book::read(folder)?;
-    let missing = equations::missing(&book.chapters);
-    let dropped = missing.iter().filter(|name| book.own || folder.join(format!("{name}.md")).is_file());
-    let dropped = dropped.map(|name| Offence {
-        file: folder.join("SUMMARY.md").display().to_string(),
-        line: 1,
-        found: format!("no `{name}`, which has laws to prove"),
-        expected: "it in the list of chapters".into(),
-    });
-    let mut report = Report { chapters: book.chapters.len(), offences: dropped.collect(), held: Vec::new() };
-    for chapter in &book.chapters {
-        let found = holding::findings(chapter, &book.beside);
-        report.offences.extend(found.offences);
-        report.held.extend(found.held);
-        report.offences.extend(answers::offences(chapter));
-        report.offences.extend(equations::offences(chapter, &mut report.held)?);
-    }
-    Ok(report)
+pub(crate) fn check() -> Result<Report, String> {
+    Book::read()?.report()
 }
 
 /// The chapters, and the data next to them.
 struct Book {
     chapters: Vec<Chapter>,
     beside: Beside,
-    /// Whether it is the book's own folder, and not a copy of some of it.
-    own: bool,
 }
 
 impl Book {
-    fn read(folder: &Path) -> Result<Self, String> {
-        if !folder.is_dir() {
-            return Err(format!("there is no folder {}", folder.display()));
+    fn report(&self) -> Result<Report, String> {
+        let dropped = equations::missing(&self.chapters)?.into_iter().map(|name| Offence {
+            file: "book/chapters/SUMMARY.md".into(),
+            line: 1,
+            found: format!("no `{name}`, which has laws to prove"),
+            expected: "it in the list of chapters".into(),
+        });
+        let mut report =
+            Report { chapters: self.chapters.len(), offences: dropped.collect(), held: Vec::new() };
+        for chapter in &self.chapters {
+            let found = holding::findings(chapter, &self.beside);
+            report.offences.extend(found.offences);
+            report.held.extend(found.held);
+            report.offences.extend(answers::offences(chapter));
+            report.offences.extend(equations::offences(chapter, &mut report.held)?);
         }
-        let own = fs::canonicalize(folder).ok() == fs::canonicalize(paths::chapters()).ok();
-        let mut reader = Reader::default();
-        let mut chapters = Vec::new();
-        let mut wrong = Vec::new();
-        for name in listed(folder)? {
-            let file = format!("{name}.md");
-            let path = folder.join(&file);
-            let text = files::text(&path)?;
-            let shown = if own { format!("book/chapters/{file}") } else { path.display().to_string() };
-            let faults = preprocess::unreadable(Path::new(&file), &text);
-            wrong.extend(faults.into_iter().map(|f| f.replacen(&format!("book/chapters/{file}"), &shown, 1)));
+        Ok(report)
+    }
+
+    fn read() -> Result<Self, String> {
+        let mut reading = Reading::default();
+        for (name, _) in files::listed(&paths::chapters())? {
             let translated =
                 Language::of(&name).and_then(|own| own.map(|(own, of)| own.page(of)).transpose());
-            wrong.extend(translated.err());
-            match reader.chapter(&name, &shown, &text) {
-                Ok(chapter) => chapters.push(chapter),
-                Err(fault) => wrong.push(fault),
-            }
+            reading.wrong.extend(translated.err());
+            reading.add(&name, &format!("book/chapters/{name}.md"), str::to_owned)?;
         }
-        if own {
-            let readme = files::text(&paths::repository().join("README.md"))?;
-            chapters.push(reader.chapter("README", "README.md", &readme)?);
-            exercises::read(&mut reader, &mut chapters, &mut wrong)?;
+        reading.add("README", "README.md", str::to_owned)?;
+        for exercise in tumbling_exercises::all()? {
+            let file = format!("book/exercises/whole/{}.md", exercise.name);
+            reading.add(&exercise.name, &file, exercises::as_chapter)?;
         }
+        let Reading { chapters, mut wrong, .. } = reading;
         wrong.dedup();
         if !wrong.is_empty() {
             return Err(wrong.join("\n"));
         }
-        let mut facts = facts(folder)?;
-        for fact in &facts {
-            if own && chapters.iter().all(|c| c.name != fact.chapter) {
-                return Err(format!("book/facts.toml: there is no chapter `{}`", fact.chapter));
-            }
+        let mut facts = beside("facts.toml", facts::read)?;
+        if let Some(fact) = facts.iter().find(|fact| chapters.iter().all(|c| c.name != fact.chapter)) {
+            return Err(format!("book/facts.toml: there is no chapter `{}`", fact.chapter));
         }
-        if own {
-            facts.extend(versions()?);
-        }
-        let drawings = drawings(folder, &chapters)?;
-        let mut words = words(folder)?;
-        for chapter in chapters.iter().filter(|_| own) {
+        facts.extend(versions()?);
+        let drawings = drawings(&chapters)?;
+        let mut words = beside("words.toml", words)?;
+        for chapter in &chapters {
             words.entry(chapter.name.clone()).or_default();
         }
-        Ok(Self { chapters, beside: Beside { facts, drawings, words }, own })
+        Ok(Self { chapters, beside: Beside { facts, drawings, words } })
     }
 }
 
-/// The chapters' names, in the order of `SUMMARY.md`.
-fn listed(folder: &Path) -> Result<Vec<String>, String> {
-    let listed = files::listed(folder)
-        .map_err(|what| format!("{what}; a folder of chapters has a SUMMARY.md that lists them"))?;
-    if listed.is_empty() {
-        return Err(format!("{} lists no chapter", folder.join("SUMMARY.md").display()));
+/// The chapters read so far, and what is wrong with others.
+#[derive(Default)]
+struct Reading {
+    reader: Reader,
+    chapters: Vec<Chapter>,
+    wrong: Vec<String>,
+}
+
+impl Reading {
+    /// Reads a file of the repository; `seen` is what the guard sees of its text.
+    fn add(&mut self, name: &str, file: &str, seen: fn(&str) -> String) -> Result<(), String> {
+        let text = files::text(&paths::repository().join(file))?;
+        self.wrong.extend(preprocess::unreadable(file, &text));
+        match self.reader.chapter(name, file, &seen(&text)) {
+            Ok(chapter) => self.chapters.push(chapter),
+            Err(fault) => self.wrong.push(fault),
+        }
+        Ok(())
     }
-    Ok(listed.into_iter().map(|(name, _)| name).collect())
 }
 
 /// The versions that the first page names, as the manifests have them.
@@ -193,38 +185,25 @@ fn versions() -> Result<Vec<facts::Fact>, String> {
     Ok(manifests::versions()?.into_iter().map(fact).collect())
 }
 
-/// The facts of the folder, or those of this book if the folder has none.
-fn facts(folder: &Path) -> Result<Vec<facts::Fact>, String> {
-    let (file, text) = beside(folder, "facts.toml")?;
-    facts::read(&text).map_err(|e| format!("{}: {e}", file.display()))
+/// A file next to the folder of the chapters, as `read` takes it.
+fn beside<T>(name: &str, read: fn(&str) -> Result<T, String>) -> Result<T, String> {
+    read(&files::text(&paths::book().join(name))?).map_err(|e| format!("book/{name}: {e}"))
 }
 
-/// The number words, likewise.
-fn words(folder: &Path) -> Result<holding::Words, String> {
-    let (file, text) = beside(folder, "words.toml")?;
-    let all: HashMap<String, String> =
-        toml::from_str(&text).map_err(|e| format!("{}: {e}", file.display()))?;
+/// The number words of each chapter.
+fn words(text: &str) -> Result<holding::Words, String> {
+    let all: HashMap<String, String> = toml::from_str(text).map_err(|e| e.to_string())?;
     let words = |entry: &str| entry.split_whitespace().collect::<Vec<_>>().join(" ");
     let split = |list: String| list.split(',').map(words).filter(|entry| !entry.is_empty()).collect();
     Ok(all.into_iter().map(|(chapter, list)| (chapter, split(list))).collect())
 }
 
-/// A file next to the folder of the chapters, or this book's own if there is none.
-fn beside(folder: &Path, name: &str) -> Result<(PathBuf, String), String> {
-    let beside = folder.join("..").join(name);
-    let file = if beside.is_file() { beside } else { paths::book().join(name) };
-    let text = files::text(&file)?;
-    Ok((file, text))
-}
-
 /// The titles and descriptions inside the drawings of these chapters.
-fn drawings(folder: &Path, chapters: &[Chapter]) -> Result<HashMap<String, String>, String> {
+fn drawings(chapters: &[Chapter]) -> Result<HashMap<String, String>, String> {
     let mut drawings = HashMap::new();
     let passages = chapters.iter().flat_map(|c| &c.sections).flat_map(|s| &s.passages);
     for name in passages.filter_map(|p| p.figure.as_ref()) {
-        let beside = folder.join("../../figures").join(format!("{name}.svg"));
-        let file = if beside.is_file() { beside } else { paths::figures().join(format!("{name}.svg")) };
-        let svg = files::text(&file)?;
+        let svg = files::text(&paths::figures().join(format!("{name}.svg")))?;
         let words = ["title", "desc"].map(|element| inside(&svg, element)).join(". ");
         drawings.insert(name.clone(), words.replace('\u{2212}', "-"));
     }

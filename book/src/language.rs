@@ -10,9 +10,11 @@
 use crate::guard::{number_words, numerals, with_unit};
 use crate::preprocess::blanks;
 use crate::site::{files, paths};
+use regex::{Captures, Regex};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::ops::Range;
+use std::sync::LazyLock;
 
 type Words = BTreeMap<String, String>;
 
@@ -39,8 +41,13 @@ pub(crate) struct Language {
 pub(crate) const UNITS: [&str; 16] =
     ["s", "ms", "min", "mm", "cm", "m", "kg", "g", "rad", "rad/s", "Hz", "J", "N", "×", "°", "%"];
 
-/// The attributes that screen readers read.
-const LABELS: [&str; 2] = ["aria-label=\"", "alt=\""];
+/// A label that screen readers read.
+static LABEL: LazyLock<Regex> = LazyLock::new(|| Regex::new(r#"(aria-label|alt)="([^"]*)"?"#).unwrap());
+
+/// The target of a link, with the brackets around it.
+static TARGET: LazyLock<Regex> = LazyLock::new(|| Regex::new(r"\]\(([^)]*)\)?").unwrap());
+
+static WORD: LazyLock<Regex> = LazyLock::new(|| Regex::new(r"\p{Alphabetic}[\p{Alphabetic}/]*").unwrap());
 
 impl Language {
     /// The language of this code.
@@ -206,16 +213,8 @@ impl Language {
             }
             let opens = ["style", "script", "code"].iter().any(|tag| part.starts_with(tag));
             raw = opens || (raw && !part.starts_with('/'));
-            let mut rest = part;
-            let next =
-                |rest: &str| LABELS.iter().filter_map(|name| Some(rest.find(name)? + name.len())).min();
-            while let Some(at) = next(rest) {
-                let (before, after) = rest.split_at(at);
-                let (words, end) = after.split_once('"').unwrap_or((after, ""));
-                out.push_str(&format!("{before}{}\"", said(words)));
-                rest = end;
-            }
-            out.push_str(rest);
+            let own = |label: &Captures<'_>| format!("{}=\"{}\"", &label[1], said(&label[2]));
+            out.push_str(&LABEL.replace_all(part, own));
         }
         (out, wrong)
     }
@@ -266,15 +265,8 @@ impl Language {
 
 /// A text without the targets of its links, and these targets.
 fn without_targets(text: &str) -> (String, Vec<&str>) {
-    let mut parts = text.split("](");
-    let mut out = parts.next().unwrap_or_default().to_owned();
-    let mut targets = Vec::new();
-    for part in parts {
-        let (target, rest) = part.split_once(')').unwrap_or((part, ""));
-        targets.push(target);
-        out.push_str(&format!("]{rest}"));
-    }
-    (out, targets)
+    let targets = TARGET.captures_iter(text).map(|found| found.extract::<1>().1[0]).collect();
+    (TARGET.replace_all(text, "]").into_owned(), targets)
 }
 
 /// Replaces the decimal mark `mark` by `other`.
@@ -303,13 +295,7 @@ fn in_order(numbers: impl Iterator<Item = (usize, String)>) -> Vec<String> {
 
 /// The places of the words of this text.
 fn words_of(text: &str) -> impl Iterator<Item = Range<usize>> + '_ {
-    let mut end = 0;
-    std::iter::from_fn(move || {
-        let start = end + text[end..].find(char::is_alphabetic)?;
-        let length = text[start..].find(|c: char| !c.is_alphabetic() && c != '/');
-        end = length.map_or(text.len(), |length| start + length);
-        Some(start..end)
-    })
+    WORD.find_iter(text).map(|word| word.range())
 }
 
 fn in_one_line(item: &str) -> String {

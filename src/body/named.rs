@@ -22,7 +22,7 @@ mod sizes;
 use part::Fill;
 pub use part::{Part, Section};
 use sizes::REMOTE_CONTROL;
-pub use sizes::{BALL, BOOK, Even, PHONE, THE_BOX};
+pub use sizes::{BOOK, Even, PHONE, THE_BOX};
 
 use crate::error::Error;
 use crate::inertia::{Inertia, point_mass};

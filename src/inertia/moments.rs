@@ -132,12 +132,6 @@ impl TryFrom<Vector3<f64>> for PrincipalMoments {
     }
 }
 
-impl From<PrincipalMoments> for Vector3<f64> {
-    fn from(moments: PrincipalMoments) -> Self {
-        moments.moments
-    }
-}
-
 impl From<PrincipalMoments> for [f64; 3] {
     fn from(moments: PrincipalMoments) -> Self {
         moments.moments.into()

@@ -12,23 +12,16 @@ pub struct MethodInfo {
     pub order: u32,
     /// Whether it solves equations in each step.
     pub implicit: bool,
-    /// The quantities of a free motion that it conserves to rounding in every step that it takes: the
-    /// implicit methods refuse steps that turn the body too far.
-    pub conserved: Conserved,
     /// Its source: a key into the [references](crate::references), or a word.
     pub source: &'static str,
-}
-
-/// The quantities of free motion that a method conserves to rounding, and whether it is reversible.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Conserved {
-    /// The energy.
+    /// Whether it conserves the energy of a free motion to rounding, in every step that it takes: the
+    /// implicit methods refuse steps that turn the body too far.
     pub energy: bool,
-    /// The length of the angular momentum.
+    /// Whether it conserves the length of the angular momentum, likewise.
     pub momentum: bool,
-    /// The angular momentum in the world, including its direction.
+    /// Whether it conserves the angular momentum in the world, including its direction, likewise.
     pub direction: bool,
-    /// The length of the attitude quaternion.
+    /// Whether it conserves the length of the attitude quaternion, likewise.
     pub unit: bool,
     /// A step backward undoes a successful step, or is refused where the iteration of the midpoint rule
     /// or of Gauss's stages hardly converges. It is exact to rounding where the step turns the body by at
@@ -38,15 +31,14 @@ pub struct Conserved {
     pub reversible: bool,
 }
 
-/// The sets of conserved quantities that occur.
-impl Conserved {
-    pub(super) const NONE: Self =
-        Self { energy: false, momentum: false, direction: false, unit: false, reversible: false };
-    pub(super) const UNIT: Self = Self { unit: true, ..Self::NONE };
-    pub(super) const LENGTHS: Self = Self { momentum: true, ..Self::UNIT };
-    pub(super) const MOMENTUM: Self = Self { direction: true, ..Self::LENGTHS };
-    pub(super) const ALL_BUT_ENERGY: Self = Self { reversible: true, ..Self::MOMENTUM };
-    /// Everything quadratic in attitude and momentum; the momentum in the world is cubic.
-    pub(super) const SQUARES: Self = Self { energy: true, direction: false, ..Self::ALL_BUT_ENERGY };
-    pub(super) const ALL: Self = Self { energy: true, ..Self::ALL_BUT_ENERGY };
-}
+/// The sets of properties that occur: whether a method conserves the energy, the length of the momentum, its
+/// direction and the length of the attitude, and whether it is reversible.
+pub(super) type Kept = [bool; 5];
+pub(super) const NONE: Kept = [false; 5];
+pub(super) const UNIT: Kept = [false, false, false, true, false];
+pub(super) const LENGTHS: Kept = [false, true, false, true, false];
+pub(super) const MOMENTUM: Kept = [false, true, true, true, false];
+pub(super) const ALL_BUT_ENERGY: Kept = [false, true, true, true, true];
+/// Everything quadratic in attitude and momentum; the momentum in the world is cubic.
+pub(super) const SQUARES: Kept = [true, true, false, true, true];
+pub(super) const ALL: Kept = [true; 5];

@@ -1,6 +1,6 @@
 //! The methods of stepping: each with its name, order, conserved quantities and step.
 
-use super::info::{Conserved, MethodInfo};
+use super::info::{ALL, ALL_BUT_ENERGY, LENGTHS, MOMENTUM, MethodInfo, NONE, SQUARES, UNIT};
 use super::methods::{averaged, engine_rules, gauss, moser_veselov, runge_kutta, splitting};
 use crate::body::State;
 use crate::error::{Error, Refusal, Subject};
@@ -13,7 +13,7 @@ use nalgebra::Vector3;
 macro_rules! methods {
     ($(#[$meta:meta])* |$system:ident, $start:ident, $h:ident| $(
         $(#[$doc:meta])* $Name:ident(
-            $name:literal, $order:literal, $implicit:ident, $conserved:ident, $source:expr
+            $name:literal, $order:literal, $implicit:ident, $kept:ident, $source:expr
         ) => $step:expr;
     )*) => {
         $(#[$meta])*
@@ -28,10 +28,11 @@ macro_rules! methods {
             /// Its name, order and conserved quantities.
             #[must_use]
             pub const fn info(self) -> MethodInfo {
-                let (name, order, implicit, conserved, source) = match self {
-                    $(Self::$Name => ($name, $order, $implicit, Conserved::$conserved, $source),)*
+                let (name, order, implicit, kept, source) = match self {
+                    $(Self::$Name => ($name, $order, $implicit, $kept, $source),)*
                 };
-                MethodInfo { name, order, implicit, conserved, source }
+                let [energy, momentum, direction, unit, reversible] = kept;
+                MethodInfo { name, order, implicit, source, energy, momentum, direction, unit, reversible }
             }
 
             #[inline(always)]

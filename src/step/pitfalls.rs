@@ -4,6 +4,7 @@
 use super::methods::runge_kutta::rk4;
 use crate::attitude;
 use crate::body::{Body, along};
+use crate::dynamics::euler::tensor_times_acceleration;
 use crate::error::{Error, Refusal, Subject, finite};
 use crate::number::Field;
 use alloc::vec::Vec;
@@ -67,22 +68,6 @@ impl Engine {
         }
     }
 
-    /// The rate of the world vector that this engine carries, while no torque acts.
-    fn carried_rate<T: Field>(
-        self,
-        tensor: &Matrix3<T>,
-        inverse: &Matrix3<T>,
-        carried: &Vector3<T>,
-    ) -> Vector3<T> {
-        let none = Vector3::from_fn(|_, _| T::zero());
-        match self {
-            Self::Frozen => {
-                inverse * crate::dynamics::euler::tensor_times_acceleration(tensor, carried, &none)
-            }
-            Self::Turned | Self::MomentumForSpin | Self::NoGyroscopicTerm => none,
-        }
-    }
-
     /// The rates of the attitude (body to world, of any length) and of `carried`, the momentum or the spin in
     /// world axes, as the engine has it, while no torque acts, for the body's tensor and its inverse: the law
     /// that [`run`](Self::run) integrates.
@@ -110,7 +95,11 @@ impl Engine {
         let rotation = attitude::rotation_matrix(attitude);
         let omega = self.omega_world(&rotation, tensor, inverse, carried);
         let turn = attitude::rate(attitude, &(rotation.transpose() * omega));
-        (turn, self.carried_rate(tensor, inverse, carried))
+        let none = Vector3::from_fn(|_, _| T::zero());
+        match self {
+            Self::Frozen => (turn, inverse * tensor_times_acceleration(tensor, carried, &none)),
+            Self::Turned | Self::MomentumForSpin | Self::NoGyroscopicTerm => (turn, none),
+        }
     }
 
     /// The world vector that this engine carries for `body`: its momentum, or its spin.

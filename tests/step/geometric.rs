@@ -24,7 +24,7 @@ proptest! {
         let Ok(system) = System::free(moments) else { return Ok(()) };
         let start = State { attitude: Quaternion::identity(), momentum };
         let h = 10.0_f64.powf(turn) / system.omega(&momentum).norm();
-        for &method in Method::ALL.iter().filter(|method| method.info().conserved.reversible) {
+        for &method in Method::ALL.iter().filter(|method| method.info().reversible) {
             let Ok(end) = method.step(&system, &start, h) else { continue };
             match method.step(&system, &end, -h) {
                 Ok(back) => {

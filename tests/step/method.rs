@@ -12,7 +12,7 @@ fn what_a_method_is_said_to_keep_it_keeps_to_rounding_and_the_rest_it_loses() {
     let from = start(&system, &Vector3::new(0.3, 2.0, -0.4));
     let (h, count) = (0.1, 10_000);
     for &method in Method::ALL {
-        let keeps = method.info().conserved;
+        let keeps = method.info();
         let mut worst = [0.0_f64; 4];
         let mut motion = from;
         for _ in 0..count {

@@ -3,12 +3,9 @@
 use crate::site::files::write_changed;
 use crate::{complain, say};
 use std::any::Any;
-use std::collections::BTreeMap;
+use std::collections::VecDeque;
 use std::fs;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc;
 use std::thread;
 use std::time::{Duration, Instant};
 use tumbling_bodies::BodyModel;
@@ -127,30 +124,24 @@ pub(crate) fn each_made<T: Send, E>(
     make: impl Fn(usize) -> Result<T, String> + Sync,
     mut take: impl FnMut(usize, Result<T, String>, Duration) -> Result<(), E>,
 ) -> Result<(), E> {
-    let next = AtomicUsize::new(0);
-    let workers = thread::available_parallelism().map_or(1, usize::from).min(count);
-    let (send, receive) = mpsc::sync_channel(workers);
+    let one = |at: usize| {
+        let start = Instant::now();
+        (make(at), start.elapsed())
+    };
+    // More than there are cores: while the first of them is waited for, the others are made.
+    let most = 2 * thread::available_parallelism().map_or(1, usize::from);
     thread::scope(|scope| {
-        for _ in 0..workers {
-            let (send, next, make) = (send.clone(), &next, &make);
-            scope.spawn(move || {
-                while let Some(at) = Some(next.fetch_add(1, Ordering::Relaxed)).filter(|at| *at < count) {
-                    let start = Instant::now();
-                    let made = catch_unwind(AssertUnwindSafe(|| make(at)));
-                    let made = made.unwrap_or_else(|panic| Err(words_of(&*panic)));
-                    if send.send((at, made, start.elapsed())).is_err() {
-                        return; // nobody listens any more
-                    }
-                }
-            });
-        }
-        drop(send); // so that the loop below ends with the last worker
-        let (mut due, mut early) = (0, BTreeMap::new());
-        for (at, made, took) in receive {
-            early.insert(at, (made, took));
-            while let Some((made, took)) = early.remove(&due) {
+        let mut running = VecDeque::new();
+        for at in 0..count + most {
+            if at < count {
+                running.push_back((at, scope.spawn(move || one(at))));
+            }
+            if at + 1 >= most
+                && let Some((due, thread)) = running.pop_front()
+            {
+                let (made, took) =
+                    thread.join().unwrap_or_else(|panic| (Err(words_of(&*panic)), Duration::ZERO));
                 take(due, made, took)?;
-                due += 1;
             }
         }
         Ok(())

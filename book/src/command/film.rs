@@ -86,18 +86,16 @@ const RATE: f64 = 20.0;
 /// The number of colours of a film of a few hundred kilobytes.
 const COLOURS: usize = 64;
 
+/// The units of a spin, and their values in rad/s.
+const UNITS: [(&str, f64); 6] =
+    [("rad/s", 1.0), ("turns/s", TAU), ("turn/s", TAU), ("turns", TAU), ("turn", TAU), ("rad", 1.0)];
+
 /// A spin in rad/s or in turns a second.
 fn spin(text: &str) -> Result<f64, String> {
-    let text = text.trim();
-    let at = text.find(|c: char| c.is_ascii_alphabetic() && c != 'e' && c != 'E').unwrap_or(text.len());
-    let (number, unit) = text.split_at(at);
-    let value: Option<f64> = number.trim().parse().ok().filter(|x: &f64| x.is_finite());
-    let per_second = match unit {
-        "" | "rad" | "rad/s" => Some(1.0),
-        "turn" | "turns" | "turn/s" | "turns/s" => Some(TAU),
-        _ => None,
-    };
-    value.zip(per_second).map(|(x, unit)| x * unit).ok_or_else(|| {
+    let of = |(name, unit): &(&'static str, f64)| Some((text.trim().strip_suffix(name)?, *unit));
+    let (number, unit) = UNITS.iter().find_map(of).unwrap_or((text, 1.0));
+    let value = number.trim().parse().ok().filter(|x: &f64| x.is_finite());
+    value.map(|x| x * unit).ok_or_else(|| {
         "a spin is a number of rad/s or of turns a second, such as 6, 6rad/s, 1turn or 2.5turns".into()
     })
 }

@@ -42,14 +42,7 @@ impl Certainty {
 
 impl fmt::Display for Certainty {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Drawn => "drawn",
-            Self::Asserted => "asserted",
-            Self::Enclosed => "enclosed",
-            Self::Exact => "exact",
-            Self::Given => "given",
-            Self::Fact => "fact",
-        })
+        f.write_str(&format!("{self:?}").to_lowercase())
     }
 }
 

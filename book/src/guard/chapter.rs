@@ -3,7 +3,7 @@
 use super::code::{self, Code};
 use super::offence::Offence;
 use super::passage::{Kind, Passage, Tex};
-use crate::preprocess::pieces;
+use crate::preprocess::{check, pieces};
 use pulldown_cmark::{CodeBlockKind, Event, Tag, TagEnd};
 use std::collections::HashMap;
 use std::ops::Range;
@@ -151,11 +151,7 @@ fn rust(
     text: &str,
     start: usize,
 ) -> Result<Option<(String, Vec<usize>)>, String> {
-    let info = match kind {
-        CodeBlockKind::Indented => "",
-        CodeBlockKind::Fenced(info) => info,
-    };
-    let mut words = info.split([' ', '\t', ',']).filter(|word| !word.is_empty());
+    let mut words = check::words(kind);
     // The preprocessor has named code of no language.
     let Some(language) = words.next() else { return Ok(None) };
     if !LANGUAGES.contains(&language) {

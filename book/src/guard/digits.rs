@@ -1,6 +1,21 @@
 //! Numbers as they are printed, in running text and in TeX.
 
+use regex::Regex;
 use std::ops::Range;
+use std::sync::LazyLock;
+
+/// A number, `-12.5e-3`; or a name, to which digits may belong: `Ash91`.
+static IN_TEXT: LazyLock<Regex> = LazyLock::new(|| or_number(r"[\p{Alphabetic}_][\p{Alphabetic}\p{N}_]*"));
+
+/// A number; or a command, an index or an exponent.
+static IN_TEX: LazyLock<Regex> = LazyLock::new(|| or_number(r"\\[A-Za-z]*|[_^](?:\{[^}]*\}?|(?s:.))?"));
+
+static UNIT: LazyLock<Regex> = LazyLock::new(|| Regex::new(r"^ ?[\p{Alphabetic}\p{N}°%/]+").unwrap());
+
+/// Finds numbers, as its group, and what else may contain digits.
+fn or_number(other: &str) -> Regex {
+    Regex::new(&format!(r"(-?[0-9]+(?:\.[0-9]+)?(?:e-?[0-9]+)?)|{other}")).unwrap()
+}
 
 /// A number in a text.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,14 +29,12 @@ pub(crate) struct Numeral {
 pub(crate) fn numerals(text: &str, tex: &[Range<usize>]) -> Vec<Numeral> {
     let (mut found, mut at) = (Vec::new(), 0);
     for formula in tex {
-        scan(text, at..formula.start, false, &mut found);
-        let mut inside = Vec::new();
-        scan(text, formula.clone(), true, &mut inside);
-        inside.retain(|numeral| is_value(text, formula, &numeral.at));
-        found.append(&mut inside);
+        found.extend(scan(text, at..formula.start, &IN_TEXT));
+        let inside = scan(text, formula.clone(), &IN_TEX);
+        found.extend(inside.filter(|numeral| is_value(text, formula, &numeral.at)));
         at = formula.end;
     }
-    scan(text, at..text.len(), false, &mut found);
+    found.extend(scan(text, at..text.len(), &IN_TEXT));
     found
 }
 
@@ -50,73 +63,26 @@ fn is_value(text: &str, formula: &Range<usize>, at: &Range<usize>) -> bool {
     text[at.clone()].contains(['.', 'e']) || alone() || in_tuple() || last()
 }
 
-fn scan(text: &str, within: Range<usize>, tex: bool, found: &mut Vec<Numeral>) {
-    let mut at = within.start;
-    while let Some(c) = text[at..within.end].chars().next() {
-        let rest = &text[at..within.end];
-        if let Some(length) = number(&text[..at], rest) {
-            // `1/s` and `1/(kg m²)` are units.
-            let unit = rest[length..].strip_prefix('/').is_some_and(|tail| {
-                &rest[..length] == "1" && tail.starts_with(|c: char| c.is_alphabetic() || c == '(')
-            });
-            if let (false, Ok(value)) = (unit, rest[..length].parse()) {
-                found.push(Numeral { at: at..at + length, value });
-            }
-            at += length;
-        } else {
-            at += if tex { part_of_formula(rest) } else { name(rest) }.max(c.len_utf8());
-        }
-    }
-}
-
-/// The bytes of a name, to which digits may belong: `Ash91`.
-fn name(text: &str) -> usize {
-    if !text.starts_with(|c: char| c.is_alphabetic() || c == '_') {
-        return 0;
-    }
-    text.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(text.len())
-}
-
-/// The bytes of a command, an index or an exponent.
-fn part_of_formula(text: &str) -> usize {
-    let end = |rest: &str| text.len() - rest.len();
-    if let Some(command) = text.strip_prefix('\\') {
-        return end(command.trim_start_matches(|c: char| c.is_ascii_alphabetic()));
-    }
-    match text.strip_prefix(['_', '^']).map(|raised| (raised, raised.strip_prefix('{'))) {
-        Some((_, Some(group))) => group.find('}').map_or(text.len(), |close| end(&group[close + 1..])),
-        Some((one, None)) => end(one.strip_prefix(|_| true).unwrap_or(one)),
-        None => 0,
-    }
-}
-
-/// The bytes of the number that `rest` begins with: `-12.5e-3`.
-fn number(before: &str, rest: &str) -> Option<usize> {
-    let digits = |text: &str| text.len() - text.trim_start_matches(|c: char| c.is_ascii_digit()).len();
-    // After a letter or a digit it is a hyphen: `T-13`.
-    let hyphen = before.ends_with(|c: char| c.is_alphanumeric() || matches!(c, ')' | '}'));
-    let sign = usize::from(rest.starts_with('-') && !hyphen);
-    let mut end = sign + Some(digits(&rest[sign..])).filter(|&n| n > 0)?;
-    if let Some(tail) = rest[end..].strip_prefix('.') {
-        end += Some(digits(tail)).filter(|&n| n > 0).map_or(0, |n| n + 1);
-    }
-    if let Some(tail) = rest[end..].strip_prefix('e') {
-        let sign = usize::from(tail.starts_with('-'));
-        end += Some(digits(&tail[sign..])).filter(|&n| n > 0).map_or(0, |n| n + sign + 1);
-    }
-    Some(end)
+fn scan<'a>(text: &'a str, within: Range<usize>, pattern: &'a Regex) -> impl Iterator<Item = Numeral> + 'a {
+    pattern.captures_iter(&text[within.clone()]).filter_map(move |found| {
+        let number = found.get(1)?;
+        let (start, end) = (within.start + number.start(), within.start + number.end());
+        // After a letter or a digit a minus is a hyphen: `T-13`.
+        let hyphen = text[..start].ends_with(|c: char| c.is_alphanumeric() || matches!(c, ')' | '}'));
+        let at = start + usize::from(hyphen && number.as_str().starts_with('-'))..end;
+        // `1/s` and `1/(kg m²)` are units.
+        let unit = text[end..within.end].strip_prefix('/').is_some_and(|tail| {
+            &text[at.clone()] == "1" && tail.starts_with(|c: char| c.is_alphabetic() || c == '(')
+        });
+        let value = text[at.clone()].parse().ok().filter(|_| !unit)?;
+        Some(Numeral { at, value })
+    })
 }
 
 /// The number with the unit, or the word, that follows it: `7.4°`, `20 s`.
 pub(crate) fn with_unit<'a>(text: &'a str, numeral: &Numeral) -> &'a str {
-    let tail = &text[numeral.at.end..];
-    let word =
-        |text: &str| text.find(|c: char| !c.is_alphanumeric() && !"°%/".contains(c)).unwrap_or(text.len());
-    let length = match tail.strip_prefix(' ') {
-        Some(next) if word(next) > 0 => 1 + word(next),
-        _ => word(tail),
-    };
-    &text[numeral.at.start..numeral.at.end + length]
+    let unit = UNIT.find(&text[numeral.at.end..]).map_or(0, |unit| unit.len());
+    &text[numeral.at.start..numeral.at.end + unit]
 }
 
 /// The places where the text contains this phrase as a whole, not as part of a longer number, word or unit.

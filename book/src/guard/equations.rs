@@ -49,9 +49,12 @@ pub(crate) fn offences(chapter: &Chapter, held: &mut Vec<String>) -> Result<Vec<
 }
 
 /// Chapters that have laws to prove and are not among these.
-pub(crate) fn missing(chapters: &[Chapter]) -> Vec<&'static str> {
-    let known = laws::CHAPTERS.iter().map(|known| known.0);
-    known.filter(|name| chapters.iter().all(|chapter| chapter.name != *name)).collect()
+///
+/// # Errors
+/// The list of laws cannot be read.
+pub(crate) fn missing(chapters: &[Chapter]) -> Result<Vec<&'static str>, String> {
+    let known = laws::all()?.iter().map(|known| known.0);
+    Ok(known.filter(|name| chapters.iter().all(|chapter| chapter.name != *name)).collect())
 }
 
 #[cfg(test)]

@@ -1,35 +1,9 @@
 //! The exercises, to be guarded like chapters: each is one section, whose numbers are held by its code and
 //! its solution.
 
-use super::chapter::{Chapter, Reader};
-use crate::preprocess;
-use crate::site::files;
-use std::path::Path;
-
-/// Reads all exercises; what is wrong with one as Markdown and TeX goes to `wrong`.
-pub(super) fn read(
-    reader: &mut Reader,
-    chapters: &mut Vec<Chapter>,
-    wrong: &mut Vec<String>,
-) -> Result<(), String> {
-    for exercise in tumbling_exercises::all()? {
-        let name = &exercise.name;
-        let path = tumbling_exercises::whole().join(format!("{name}.md"));
-        let text = files::text(&path)?;
-        let shown = format!("book/exercises/whole/{name}.md");
-        let faults = preprocess::unreadable(Path::new(name), &text);
-        wrong.extend(faults.into_iter().map(|f| f.replacen(&format!("book/chapters/{name}"), &shown, 1)));
-        match reader.chapter(name, &shown, &as_chapter(&text)) {
-            Ok(chapter) => chapters.push(chapter),
-            Err(fault) => wrong.push(fault),
-        }
-    }
-    Ok(())
-}
-
 /// The text, each line in its place: headings of hints and solution left blank, so that all is one section,
 /// and the wrong answers left blank, which hold nothing.
-fn as_chapter(text: &str) -> String {
+pub(super) fn as_chapter(text: &str) -> String {
     let mut wrong = false;
     text.split_inclusive('\n')
         .map(|line| {
@@ -46,7 +20,7 @@ fn blank(line: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Beside, holding};
+    use super::super::{Beside, Book, Reader, holding};
     use super::*;
 
     const WHOLE: &str = "# T\n\nA mass of 2 kg falls for 3 s.\n\n```rust\n// -- your turn --\n\
@@ -86,9 +60,8 @@ mod tests {
 
     #[test]
     fn every_exercise_is_read_under_the_name_of_its_own_file() {
-        let (mut chapters, mut wrong) = (Vec::new(), Vec::new());
-        read(&mut Reader::default(), &mut chapters, &mut wrong).unwrap();
-        assert_eq!(wrong, [""; 0]);
+        let mut chapters = Book::read().unwrap().chapters;
+        chapters.retain(|chapter| chapter.path.starts_with("book/exercises/"));
         let names: Vec<&str> = chapters.iter().map(|chapter| chapter.name.as_str()).collect();
         let all = tumbling_exercises::all().unwrap();
         assert_eq!(names, all.iter().map(|exercise| exercise.name.as_str()).collect::<Vec<_>>());

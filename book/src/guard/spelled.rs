@@ -3,6 +3,7 @@
 //! Each must be in a phrase of the section's code, as numbers must, or in `words.toml` with the word after
 //! it.
 
+use regex::Regex;
 use std::collections::HashMap;
 use std::ops::Range;
 use std::sync::LazyLock;
@@ -24,6 +25,9 @@ impl Word {
         self.value.is_some_and(|value| near(value, number) || near(value * number, 1.0))
     }
 }
+
+static WORD: LazyLock<Regex> = LazyLock::new(|| Regex::new("[A-Za-z][A-Za-z-]*").unwrap());
+static COUNTED: LazyLock<Regex> = LazyLock::new(|| Regex::new(r"^ [\p{Alphabetic}-]+").unwrap());
 
 const CARDINALS: &str = "zero one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen \
     sixteen seventeen eighteen nineteen twenty";
@@ -64,34 +68,27 @@ fn value(word: &str) -> Option<Option<f64>> {
 pub(crate) fn words(text: &str) -> Vec<Word> {
     let mut found: Vec<Word> = Vec::new();
     let mut before = String::new();
-    let mut end = 0;
-    while let Some(start) = text[end..].find(|c: char| c.is_ascii_alphabetic()).map(|n| end + n) {
-        let apart = |c: char| !c.is_ascii_alphabetic() && c != '-';
-        end = text[start..].find(apart).map_or(text.len(), |length| start + length);
-        let word = text[start..end].to_lowercase();
-        let word = word.as_str();
+    for place in WORD.find_iter(text) {
+        let word = place.as_str().to_lowercase();
         // `a second` and `per second` are a unit.
         let unit = word == "second" && ["a", "each", "every", "per"].contains(&before.as_str());
-        if let (false, Some(own)) = (unit, value(word)) {
+        if let (false, Some(own)) = (unit, value(&word)) {
             match found.last_mut() {
                 // `ten thousand`
-                Some(Word { at, value }) if POWERS.contains(&word) && at.end + 1 == start => {
-                    at.end = end;
+                Some(Word { at, value }) if POWERS.contains(&&*word) && at.end + 1 == place.start() => {
+                    at.end = place.end();
                     *value = value.zip(own).map(|(a, b)| a * b);
                 }
-                _ => found.push(Word { at: start..end, value: own }),
+                _ => found.push(Word { at: place.range(), value: own }),
             }
         }
-        before = word.to_owned();
+        before = word;
     }
     found
 }
 
 /// A number word with the word after it, in lower case: the counted thing.
 pub(crate) fn counted(text: &str, at: &Range<usize>) -> String {
-    let rest = &text[at.end..];
-    let behind = rest.strip_prefix(' ').unwrap_or_default();
-    let length = behind.find(|c: char| !c.is_alphabetic() && c != '-').unwrap_or(behind.len());
-    let end = at.end + if length > 0 { 1 + length } else { 0 };
-    text[at.start..end].to_lowercase()
+    let after = COUNTED.find(&text[at.end..]).map_or(0, |word| word.len());
+    text[at.start..at.end + after].to_lowercase()
 }

@@ -233,37 +233,20 @@ fn what_cannot_be_read_is_a_fault_with_file_and_line() {
     assert!(fault("```rust,ignore\nlet a = 1;\n```\n").contains("marked `ignore`"));
 }
 
-/// A folder with these files.
-fn folder(files: &[(&str, &str)]) -> tempfile::TempDir {
-    let folder = tempfile::TempDir::new().unwrap();
-    for (name, text) in files {
-        fs::write(folder.path().join(name), text).unwrap();
-    }
-    folder
-}
-
 #[test]
-fn a_folder_that_is_no_book_is_bad_input() {
-    assert!(check(Path::new("/no/such/folder")).unwrap_err().contains("there is no folder"));
-    assert!(check(folder(&[]).path()).unwrap_err().contains("SUMMARY.md"));
-    assert!(check(folder(&[("SUMMARY.md", "nothing")]).path()).unwrap_err().contains("lists no chapter"));
-    let summary = ("SUMMARY.md", "- [A](a.md)\n");
-    assert!(check(folder(&[summary]).path()).unwrap_err().contains("a.md"));
+fn what_cannot_be_shown_or_read_is_told_with_its_file_and_line() {
     for broken in
         ["Text.\n\n$\\frac{1$\n", "$$\\nosuchcommand$$\n", "```\nx\n```\n", "```rust\nlet = ;\n```\n"]
     {
-        let folder = folder(&[summary, ("a.md", broken)]);
-        let wrong = check(folder.path()).unwrap_err();
-        assert!(wrong.contains("a.md:"), "{broken}: {wrong}");
-        assert!(!wrong.contains("book/chapters"), "{wrong}");
+        let mut faults = preprocess::unreadable("a.md", broken);
+        faults.extend(Reader::default().chapter("a", "a.md", broken).err());
+        assert!(!faults.is_empty() && faults.iter().all(|fault| fault.starts_with("a.md:")), "{faults:?}");
     }
-    let folder = folder(&[summary, ("a.md", "No more than 5 m.\n")]);
-    assert_eq!(check(folder.path()).unwrap().offences.len(), 1);
 }
 
 #[test]
 fn every_number_of_the_book_is_held() {
-    let report = check(&paths::chapters()).unwrap();
+    let report = check().unwrap();
     let all: Vec<String> = report.offences.iter().map(ToString::to_string).collect();
     assert_eq!(all, [""; 0]);
     assert!(report.held.len() > 1000, "{report}");
@@ -273,7 +256,7 @@ fn every_number_of_the_book_is_held() {
 /// altered alone, and each noticed.
 #[test]
 fn an_altered_digit_sign_or_number_word_is_noticed_in_every_chapter() {
-    let book = Book::read(&paths::chapters()).unwrap();
+    let book = Book::read().unwrap();
     let mut reader = Reader::default();
     let mut made = 0;
     for chapter in &book.chapters {
@@ -363,8 +346,9 @@ fn deep_nesting_html_and_titles_with_numbers_are_refused() {
 
 #[test]
 fn a_chapter_with_laws_that_the_summary_drops_is_an_offence() {
-    let folder = folder(&[("SUMMARY.md", "- [A](a.md)\n"), ("a.md", "Hm.\n"), ("two-arrows.md", "Hm.\n")]);
-    let offences = check(folder.path()).unwrap().offences;
+    let mut book = Book::read().unwrap();
+    book.chapters.retain(|chapter| chapter.name != "two-arrows");
+    let offences = book.report().unwrap().offences;
     assert!(offences[0].to_string().contains("no `two-arrows`"), "{offences:?}");
     let named = Reader::default().chapter("references", "references.md", "Of 5 m.").unwrap();
     assert_eq!(holding::findings(&named, &Beside::default()).offences.len(), 1);

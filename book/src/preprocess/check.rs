@@ -11,7 +11,7 @@ pub(super) fn faults(source: &Source<'_>, pieces: &[Piece<'_>]) -> Vec<String> {
         match event {
             Event::Start(Tag::CodeBlock(kind)) => {
                 in_code = true;
-                if language(kind).is_none() {
+                if words(kind).next().is_none() {
                     let what = "code of no language: rustdoc would test it as Rust; \
                                 begin it with ```rust or ```text";
                     faults.push(source.fault(range.start, what));
@@ -35,9 +35,11 @@ pub(super) fn faults(source: &Source<'_>, pieces: &[Piece<'_>]) -> Vec<String> {
     faults
 }
 
-fn language<'a>(kind: &'a CodeBlockKind<'a>) -> Option<&'a str> {
-    match kind {
-        CodeBlockKind::Indented => None,
-        CodeBlockKind::Fenced(info) => info.split([' ', '\t', ',']).find(|word| !word.is_empty()),
-    }
+/// The words behind the fence of a block of code, the language first.
+pub(crate) fn words<'a>(kind: &'a CodeBlockKind<'a>) -> impl Iterator<Item = &'a str> {
+    let info = match kind {
+        CodeBlockKind::Indented => "",
+        CodeBlockKind::Fenced(info) => info,
+    };
+    info.split([' ', '\t', ',']).filter(|word| !word.is_empty())
 }

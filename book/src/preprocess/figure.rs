@@ -4,16 +4,15 @@
 
 use super::edits::Edits;
 use super::palette::Palette;
-use super::svg::{self, Drawing};
 use super::{Folders, Piece, Source, nested};
 use crate::site::files;
 use pulldown_cmark::{Event, Tag, TagEnd};
 use std::collections::BTreeMap;
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-/// The drawings that the book shows so far, by name, and where.
-pub(super) type Shown = BTreeMap<String, (Drawing, PathBuf)>;
+/// The drawings that the book shows so far, by name, and in which file.
+pub(super) type Shown = BTreeMap<String, (String, String)>;
 
 /// Replaces the figures of a chapter; returns what was wrong.
 pub(super) fn replace(
@@ -46,8 +45,8 @@ pub(super) fn replace(
 /// Copies the drawings next to the chapters, from where mdBook copies them to the pages, for the links that
 /// open a drawing on its own.
 pub(super) fn lay_out(shown: &Shown, palette: &Palette, folder: &Path) -> Result<(), String> {
-    let alone = |(name, (drawing, _)): (&String, &(Drawing, PathBuf))| {
-        (format!("{name}.svg"), drawing.alone(&palette.of(name)).into_bytes())
+    let alone = |(name, (drawing, _)): (&String, &(String, String))| {
+        (format!("{name}.svg"), alone(drawing, &palette.of(name)).into_bytes())
     };
     files::lay_out(folder, &shown.iter().map(alone).collect())
 }
@@ -121,19 +120,29 @@ fn opening(
         return Err(format!("the figure `{name}` needs words that say what is seen: `![words](...)`"));
     }
     if let Some((_, earlier)) = shown.get(name) {
-        return Err(format!(
-            "the figure `{name}` is shown already in {}; lead there by a link to `#fig-{name}`",
-            earlier.display()
-        ));
+        let instead = format!("lead there by a link to `#fig-{name}`");
+        return Err(format!("the figure `{name}` is shown already in {earlier}; {instead}"));
     }
     let text = files::text(&folders.figures.join(format!("{name}.svg")))
         .map_err(|what| format!("{what}; `cargo run -- figures {name}` draws it if `-- list` knows it"))?;
-    let drawing = svg::Drawing::new(name, text)?;
+    // No blank line and no carriage return either.
+    let lines: Vec<&str> = text.lines().filter(|line| !line.trim().is_empty()).collect();
     let html = format!(
         "<figure class=\"fig\" id=\"fig-{name}\">\n<div class=\"fig-frame\">{}</div>\n\
          <a class=\"fig-large\" href=\"figures/{name}.svg\">Open large</a>\n",
-        drawing.inline()
+        lines.join("\n")
     );
-    shown.insert(name.to_owned(), (drawing, source.path.to_owned()));
+    shown.insert(name.to_owned(), (text, source.file.to_owned()));
     Ok(html)
+}
+
+/// The drawing as a document of its own, with this put at its end: as large as the window it is opened in, in
+/// its middle.
+fn alone(svg: &str, added: &str) -> String {
+    let (start, marks) = svg.split_once('>').unwrap_or((svg, ""));
+    let (before, after) = start.split_once(" width=\"").unwrap_or((start, "\""));
+    let start = format!("{before}{}", after.split_once('"').map_or("", |(_, rest)| rest));
+    let start = start.replacen("<svg", "<svg width=\"100%\" height=\"100%\"", 1);
+    let (marks, end) = marks.rsplit_once("</svg>").unwrap_or((marks, ""));
+    format!("{start}>{marks}{added}</svg>{end}")
 }

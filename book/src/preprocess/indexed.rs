@@ -6,10 +6,10 @@
 //! page without words in that file is indexed as a whole, after the chapters that explain.
 
 use super::programs;
+use crate::site::files;
 use crate::site::places::escaped;
 use mdbook_preprocessor::book::{Book, BookItem};
 use std::collections::BTreeMap;
-use std::fs;
 use std::path::Path;
 
 /// Where each kind that is left out begins, and what follows it.
@@ -72,11 +72,7 @@ fn unanswered(text: &str) -> String {
 /// # Errors
 /// A fault in that file.
 pub(crate) fn words(root: &Path) -> Result<BTreeMap<String, String>, String> {
-    match fs::read_to_string(root.join("search.toml")) {
-        Ok(text) => toml::from_str(&text).map_err(|e| format!("book/search.toml: {e}")),
-        Err(e) if e.kind() == std::io::ErrorKind::NotFound => Ok(BTreeMap::new()),
-        Err(e) => Err(format!("cannot read book/search.toml: {e}")),
-    }
+    files::table(&root.join("search.toml"))
 }
 
 /// The words behind the chapter's title.

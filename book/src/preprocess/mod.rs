@@ -5,7 +5,7 @@
 //! widgets and programs.
 
 pub(crate) mod blanks;
-mod check;
+pub(crate) mod check;
 mod edits;
 mod exercises;
 mod figure;
@@ -15,7 +15,6 @@ mod palette;
 mod programs;
 pub(crate) mod protocol;
 pub(crate) mod question;
-mod svg;
 mod theme;
 mod turning;
 mod widget;
@@ -28,7 +27,7 @@ use mdbook_preprocessor::errors::{Error, Result};
 use mdbook_preprocessor::{Preprocessor, PreprocessorContext};
 use pulldown_cmark::{Event, Options, Parser};
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// The name of the preprocessor in `book.toml`.
 pub(crate) const NAME: &str = "tumbling";
@@ -91,7 +90,8 @@ fn run(context: &PreprocessorContext, mut book: Book) -> Result<Book> {
         };
         // The original chapter has already copied the same drawings and widgets.
         let seen = if other.is_some() { &mut Seen::default() } else { &mut seen };
-        let written = Source { path: &path, text: &own };
+        let file = format!("book/chapters/{}", path.display());
+        let written = Source { file: &file, text: &own };
         let text = exercises::replace(&written, &exercises)
             .and_then(|text| goals::replace(&text))
             .map(|text| home::replace(&text));
@@ -99,7 +99,7 @@ fn run(context: &PreprocessorContext, mut book: Book) -> Result<Book> {
             Ok(text) => text,
             Err(fault) => return faults.push(fault),
         };
-        let source = Source { path: &path, text: &text };
+        let source = Source { file: &file, text: &text };
         let shown = chapter_as_shown(&source, &maths, &folders, seen).and_then(|text| match &other {
             Some(other) => other.shown(&text).map_err(|fault| vec![fault]),
             None => Ok(text),
@@ -138,8 +138,8 @@ struct Seen {
 
 /// A chapter as written.
 struct Source<'a> {
-    /// Its file, relative to the folder of the chapters.
-    path: &'a Path,
+    /// Its file, as messages name it.
+    file: &'a str,
     text: &'a str,
 }
 
@@ -147,7 +147,13 @@ impl Source<'_> {
     /// A complaint about the text at this offset.
     fn fault(&self, offset: usize, what: impl std::fmt::Display) -> String {
         let line = 1 + self.text[..offset].bytes().filter(|&b| b == b'\n').count();
-        format!("book/chapters/{}:{line}: {what}", self.path.display())
+        format!("{}:{line}: {what}", self.file)
+    }
+
+    /// The chapter's name: that of its file, without folders and ending.
+    fn name(&self) -> &str {
+        let file = self.file.rsplit('/').next().unwrap_or_default();
+        file.strip_suffix(".md").unwrap_or(file)
     }
 }
 
@@ -201,8 +207,8 @@ fn chapter_as_shown(
 
 /// What is wrong with this chapter as Markdown and TeX, each with its line; figures and widgets are not
 /// looked for.
-pub(crate) fn unreadable(path: &Path, text: &str) -> Vec<String> {
-    let source = Source { path, text };
+pub(crate) fn unreadable(file: &str, text: &str) -> Vec<String> {
+    let source = Source { file, text };
     let pieces = pieces(text);
     let mut faults = check::faults(&source, &pieces);
     faults.extend(maths::Maths::new().replace(&source, &pieces, &mut Edits::default()));

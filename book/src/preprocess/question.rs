@@ -18,7 +18,6 @@ const OPENING: &str = "> **Predict.**";
 pub(super) fn replace(source: &Source<'_>, pieces: &[Piece<'_>], edits: &mut Edits) -> Vec<String> {
     let mut faults = Vec::new();
     let mut number = 0_usize;
-    let page = source.path.with_extension("");
     for (at, depth, (event, range)) in nested(pieces) {
         if let Event::Start(Tag::BlockQuote(_)) = event
             && source.text[range.clone()].starts_with(OPENING)
@@ -27,7 +26,7 @@ pub(super) fn replace(source: &Source<'_>, pieces: &[Piece<'_>], edits: &mut Edi
                 None => {
                     number += 1;
                     let start =
-                        format!("<div class=\"question\" id=\"{}-question-{number}\">\n\n", page.display());
+                        format!("<div class=\"question\" id=\"{}-question-{number}\">\n\n", source.name());
                     edits.replace(range.start..range.start, start);
                     edits.replace(range.end..range.end, "\n</div>\n\n".to_owned());
                 }
@@ -91,11 +90,10 @@ fn plain(text: &str) -> String {
 mod tests {
     use super::*;
     use crate::preprocess::pieces;
-    use std::path::Path;
 
     fn shown(text: &str) -> Result<String, Vec<String>> {
         let mut edits = Edits::default();
-        let source = Source { path: Path::new("x.md"), text };
+        let source = Source { file: "book/chapters/x.md", text };
         let faults = replace(&source, &pieces(text), &mut edits);
         if faults.is_empty() { Ok(edits.applied_to(text)) } else { Err(faults) }
     }

@@ -1,34 +1,29 @@
 //! The foot of each page: the chapter before and the one after, each with a sentence, and whose the book is.
 
 use crate::site::home;
-use crate::site::places::{Sentences, escaped};
+use crate::site::places::{self, escaped};
 use mdbook_preprocessor::book::{Book, BookItem};
 use std::path::{Path, PathBuf};
 
 /// Adds the foot to every chapter of a book that has sentences for its pages; returns what was wrong.
 pub(super) fn add(book: &mut Book, root: &Path) -> Vec<String> {
-    let sentences = match Sentences::read(root) {
-        Ok(Some(sentences)) => sentences,
-        Ok(None) => return Vec::new(),
+    let mut sentences = match places::sentences(root) {
+        Ok(sentences) if sentences.is_empty() => return Vec::new(),
+        Ok(sentences) => sentences,
         Err(what) => return vec![what],
     };
     let mut faults = Vec::new();
     let mut chapters = Vec::new();
-    for item in book.iter() {
-        if let BookItem::Chapter(chapter) = item
-            && let Some(path) = &chapter.source_path
-        {
-            match sentences.of(path) {
-                Ok(sentence) => chapters.push((path.clone(), chapter.name.clone(), sentence.to_owned())),
-                Err(what) => faults.push(what),
-            }
+    for chapter in book.chapters() {
+        let Some(path) = &chapter.source_path else { continue };
+        let page = path.with_extension("").display().to_string();
+        match sentences.remove(&page) {
+            Some(sentence) => chapters.push((path.clone(), chapter.name.clone(), sentence)),
+            None => faults.push(format!("book/pages.toml has no sentence for `{page}`")),
         }
     }
-    for page in sentences.pages() {
-        if !chapters.iter().any(|(path, ..)| path.file_stem().is_some_and(|name| name == page)) {
-            faults.push(format!("book/pages.toml has a sentence for `{page}`, which is no page"));
-        }
-    }
+    let other = |page| format!("book/pages.toml has a sentence for `{page}`, which is no page");
+    faults.extend(sentences.keys().map(other));
     if !faults.is_empty() {
         return faults;
     }

@@ -20,6 +20,17 @@ pub(crate) fn text(file: &Path) -> Result<String, String> {
     fs::read_to_string(file).map_err(|e| format!("cannot read {}: {e}", file.display()))
 }
 
+/// A table of texts by the names of pages; empty where there is no such file.
+///
+/// # Errors
+/// The fault in the file.
+pub(crate) fn table(file: &Path) -> Result<BTreeMap<String, String>, String> {
+    if !file.is_file() {
+        return Ok(BTreeMap::new());
+    }
+    toml::from_str(&text(file)?).map_err(|e| format!("{}: {e}", file.display()))
+}
+
 /// The pages that `SUMMARY.md` in this folder lists, in order: the name of each file without its ending, and
 /// its title.
 ///

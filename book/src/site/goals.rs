@@ -1,5 +1,6 @@
 //! What a reader can do after each chapter, `book/goals.toml`, and the exercise or question that shows it.
 
+use crate::preprocess::question;
 use crate::site::places::unsound;
 use crate::site::{files, paths};
 use serde::Deserialize;
@@ -85,7 +86,7 @@ fn read() -> Result<Goals, String> {
 /// The number of questions of a chapter.
 fn questions(folder: &Path, chapter: &str) -> usize {
     let text = fs::read_to_string(folder.join(format!("{chapter}.md"))).unwrap_or_default();
-    text.lines().filter(|line| line.starts_with("> **Predict.**")).count()
+    question::answers(&text).len()
 }
 
 /// What is wrong with the goals.

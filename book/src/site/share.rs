@@ -3,7 +3,7 @@
 
 use crate::language::{Language, with};
 use crate::site::files::{self, write_changed};
-use crate::site::places::{Sentences, escaped};
+use crate::site::places::{self, escaped};
 use std::path::Path;
 
 /// The picture shown where a page is shared, beside the pages.
@@ -46,15 +46,12 @@ impl Site {
 /// # Errors
 /// A page that cannot be read or written, or is not as expected.
 pub(crate) fn tell(book: &Path, pages: &Path, site: Option<&Site>) -> Result<(), String> {
-    let Some(sentences) = Sentences::read(book)? else {
-        return Ok(());
-    };
+    let sentences = places::sentences(book)?;
     for (name, sentence) in OTHERS {
         rewrite(&pages.join(format!("{name}.html")), |html| with_head(&named(html), sentence, None, site))?;
     }
     let mut map = String::new();
-    for name in sentences.pages() {
-        let sentence = sentences.of(Path::new(name))?;
+    for (name, sentence) in &sentences {
         // The first chapter is the index as well; the index is the one to be found.
         let file = pages.join(format!("{name}.html"));
         let index = name == "introduction";

@@ -45,7 +45,7 @@ fn works() -> Vec<Work> {
     let rule = Method::Rescaled;
     add("the rule", Box::new(move |system, motion, h| rule.step(system, motion, h).expect("a step")));
     add("fixed_rate", Box::new(|system, motion, h| fixed_rate(system, motion, h).expect("a step")));
-    for &method in Method::ALL.iter().filter(|method| method.info().conserved.unit) {
+    for &method in Method::ALL.iter().filter(|method| method.info().unit) {
         add(
             method.info().name,
             Box::new(move |system, motion, h| method.step(system, motion, h).expect("a step")),

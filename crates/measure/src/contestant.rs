@@ -44,7 +44,7 @@ impl Group {
     }
 
     pub(crate) fn of(info: MethodInfo) -> Self {
-        match (info.order, info.conserved.energy, info.conserved.momentum) {
+        match (info.order, info.energy, info.momentum) {
             (0, ..) => Self::Wrong,
             (_, true, true) => Self::Both,
             (_, _, true) => Self::Momentum,

@@ -60,6 +60,10 @@ fn a_figure_says_what_it_shows_and_takes_its_colours_from_the_page() {
             assert!(before.rfind("var(--fig-") > before.rfind(')'), "{name}: a fixed colour");
         }
         assert!(!marks.contains("NaN") && !marks.contains("inf"), "{name}");
+        // It loads nothing and runs nothing.
+        for outside in ["<script", "<image", "<foreignObject", "href", "http"] {
+            assert!(!marks.contains(outside), "{name} contains `{outside}`");
+        }
         assert!(svg.len() < 80_000, "{name} has {} bytes", svg.len());
     }
 }

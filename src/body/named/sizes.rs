@@ -36,9 +36,6 @@ pub const PHONE: Even<3> = Even { sizes: [0.0716, 0.0078, 0.1476], mass: 0.171 }
 
 pub(super) const REMOTE_CONTROL: Even<3> = Even { sizes: [0.035, 0.00925, 0.136], mass: 0.063 };
 
-/// The radius of a ball of one metre and one kilogram.
-pub const BALL: Even<1> = Even { sizes: [0.5], mass: 1.0 };
-
 impl Even<3> {
     /// The box as the only part of a body.
     pub(super) fn part(&self, name: &'static str, material: &'static str) -> Part {

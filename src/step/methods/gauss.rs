@@ -1,6 +1,6 @@
-//! The implicit midpoint rule in a form that keeps all that [`Conserved`](crate::step::Conserved) lists, and
-//! Gauss's collocation of orders 4 and 6 ([But64](crate::references), [HLW06](crate::references)), solved to
-//! rounding by iteration or by Newton's method.
+//! The implicit midpoint rule in a form that keeps all that [`MethodInfo`](crate::step::MethodInfo) names,
+//! and Gauss's collocation of orders 4 and 6 ([But64](crate::references), [HLW06](crate::references)), solved
+//! to rounding by iteration or by Newton's method.
 //!
 //! Their errors in conserved quantities are a random walk of roundings. This needs equations that conserve
 //! them even with rounded coefficients ([HMR08](crate::references)): if the rounding of a coefficient

@@ -57,8 +57,7 @@ pub fn answer(what: u32, row: &Numbers) -> usize {
         let Some(method) = Method::ALL.get(row.get(0) as usize) else { return 0 };
         let info = method.info();
         WORDS.say(info.name);
-        let keeps = info.conserved;
-        let kept = [keeps.energy, keeps.momentum, keeps.direction, keeps.unit, keeps.reversible];
+        let kept = [info.energy, info.momentum, info.direction, info.unit, info.reversible];
         let yes = |it: bool| f64::from(u8::from(it));
         let at = row.fill(&[f64::from(info.order), yes(info.implicit)]);
         return row.fill_from(at, &kept.map(yes));
@@ -178,7 +177,7 @@ mod tests {
         for &method in Method::ALL {
             let (places, row) = ran(method, 100.0);
             assert_eq!(places, HEAD + 101, "{method:?}");
-            let keeps = method.info().conserved;
+            let keeps = method.info();
             assert_eq!(keeps.energy, row.get(2) < 1e-13, "{method:?}: {}", row.get(2));
             assert_eq!(keeps.momentum, row.get(3) < 1e-13, "{method:?}: {}", row.get(3));
         }

@@ -4,7 +4,7 @@ use crate::Why;
 use exchange::Numbers;
 use nalgebra::Vector3;
 use tumbling::PrincipalMoments;
-use tumbling::body::named::{self, NamedBody};
+use tumbling::body::named::NamedBody;
 use tumbling::solid::{Ball, Cuboid, Shape};
 
 /// Those with a name, in the page's order. After them: 7, a ball; 8, a box of given edges; 9, a box of given
@@ -19,8 +19,11 @@ pub(crate) const BODIES: [NamedBody; 7] = [
     NamedBody::THandle,
 ];
 
-/// The mass of a box of the reader's own, kg.
+/// The mass of the ball and of a box of the reader's own, kg.
 pub(crate) const OWN_MASS: f64 = 1.0;
+
+/// The radius of the ball, m.
+pub(crate) const BALL: f64 = 0.5;
 
 /// A body of the page. Each lies with the smallest moment along z, the largest along y and the middle one
 /// along x.
@@ -54,7 +57,7 @@ impl Chosen {
                 let of = body.moments();
                 (of.inertia.diagonal(), of.centre)
             }
-            Self::Ball => (Ball::moments(&named::BALL.mass, named::BALL.sizes.each_ref()), Vector3::zeros()),
+            Self::Ball => (Ball::moments(&OWN_MASS, [&BALL]), Vector3::zeros()),
             Self::Box { moments, .. } => (*moments, Vector3::zeros()),
         }
     }

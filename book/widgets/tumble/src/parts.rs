@@ -1,8 +1,8 @@
 //! What the page draws: the parts of a body, as the library has them.
 
-use crate::bodies::{Chosen, OWN_MASS};
+use crate::bodies::{BALL, Chosen, OWN_MASS};
 use exchange::Numbers;
-use tumbling::body::named::{self, Part, Section};
+use tumbling::body::named::{Part, Section};
 
 /// How many numbers describe a part.
 pub(crate) const SIZE: usize = 8;
@@ -23,9 +23,7 @@ pub(crate) fn answer(which: f64, own: [f64; 3], row: &Numbers) -> usize {
     };
     match Chosen::new(which, own) {
         Some(Ok(Chosen::Named(body))) => body.each_part(&mut |part| put(numbers(&part))),
-        Some(Ok(Chosen::Ball)) => {
-            put([2.0, named::BALL.sizes[0], 0.0, 0.0, 0.0, 0.0, 0.0, named::BALL.mass]);
-        }
+        Some(Ok(Chosen::Ball)) => put([2.0, BALL, 0.0, 0.0, 0.0, 0.0, 0.0, OWN_MASS]),
         Some(Ok(Chosen::Box { edges: [wide, thick, long], .. })) => {
             put([0.0, 0.0, -0.5 * long, 0.0, 0.5 * long, wide, thick, OWN_MASS]);
         }

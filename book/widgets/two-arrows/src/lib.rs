@@ -13,6 +13,9 @@ const PLATE: Even<2> = Even { sizes: [2.0, 1.0], mass: 1.0 };
 /// The radius and the length along z of a pencil.
 const PENCIL: Even<2> = Even { sizes: [0.0035, 0.18], mass: 0.005 };
 
+/// The radius of a ball.
+const BALL: Even<1> = Even { sizes: [0.5], mass: 1.0 };
+
 /// The moments of a body, kg m², and its size along its axes, m. The bodies are those of the book.
 fn body(which: f64) -> (Vector3<f64>, [f64; 3]) {
     let cuboid = |body: Even<3>| (Cuboid::moments(&body.mass, body.sizes.each_ref()), body.sizes);
@@ -29,7 +32,7 @@ fn body(which: f64) -> (Vector3<f64>, [f64; 3]) {
             (Cylinder::moments(&mass, sizes.each_ref()), [2.0 * sizes[0], 2.0 * sizes[0], sizes[1]])
         }
         _ => {
-            let Even { sizes, mass } = named::BALL;
+            let Even { sizes, mass } = BALL;
             (Ball::moments(&mass, sizes.each_ref()), [2.0 * sizes[0]; 3])
         }
     }

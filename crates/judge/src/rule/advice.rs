@@ -191,7 +191,7 @@ impl Advice {
     }
 
     const fn of_method(method: Method) -> Self {
-        let kept = method.info().conserved;
+        let kept = method.info();
         match method {
             Method::ConstantSpin => Self::NO_TERM,
             Method::SemiImplicitEuler => Self::EXPLICIT,

@@ -152,7 +152,7 @@ impl Rule {
     pub(crate) fn keeps(&self, law: LawName) -> bool {
         let [energy, momentum, direction] = match (self.base, self.alteration) {
             (Base::Method(method, _), None) => {
-                let kept = method.info().conserved;
+                let kept = method.info();
                 [kept.energy, kept.momentum, kept.direction]
             }
             (Base::Exact | Base::PositionStage(_), None) => [true; 3],

@@ -27,7 +27,7 @@ fn the_exact_motion_is_kept_to_rounding_in_every_law() {
 fn every_method_is_graded_as_it_says_of_itself_and_named() {
     let mut all_said = [false; 3];
     for &method in Method::ALL {
-        let keeps = method.info().conserved;
+        let keeps = method.info();
         let spin = Vector3::new(1.0, 2.0, 1.5);
         let verdict = judged(&csv(&stepped(method, spin, 0.05, 1000)));
         let is_kept = |law| growth(&verdict, law) == Growth::Rounding;

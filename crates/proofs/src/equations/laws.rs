@@ -133,8 +133,8 @@ macro_rules! laws {
         $(#[allow(missing_docs, reason = "it says itself what it is proven to be")]
         pub const $name: Law = $law;)+
 
-        /// All of them.
-        pub const ALL: &[Law] = &[$($name),+];
+        /// All of them, by their names.
+        pub const ALL: &[(&str, Law)] = &[$((stringify!($name), $name)),+];
     };
 }
 

@@ -4,9 +4,8 @@
 //! something underflows, shows on which side the exact result lies. Where this is not certain, the next float
 //! on either side is used.
 
-use super::Interval;
-use num_traits::{One, Zero};
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use super::{Interval, whole};
+use crate::field;
 
 /// Between these sizes the error of a product is a float.
 pub(super) fn safe(x: f64) -> bool {
@@ -88,11 +87,8 @@ impl Interval {
         let size = self.abs();
         (size * size).not_negative()
     }
-}
 
-impl Add for Interval {
-    type Output = Self;
-    fn add(self, other: Self) -> Self {
+    fn plus(self, other: Self) -> Self {
         let (low, e, known) = sum(self.low, other.low);
         let (high, f, sure) = sum(self.high, other.high);
         if low.is_nan() || high.is_nan() {
@@ -100,60 +96,20 @@ impl Add for Interval {
         }
         Self { low: below(low, e, known), high: above(high, f, sure) }
     }
-}
-
-impl Neg for Interval {
-    type Output = Self;
-    fn neg(self) -> Self {
+    fn minus(self) -> Self {
         Self { low: -self.high, high: -self.low }
     }
-}
-
-impl Sub for Interval {
-    type Output = Self;
-    fn sub(self, other: Self) -> Self {
-        self + -other
-    }
-}
-
-impl Mul for Interval {
-    type Output = Self;
-    fn mul(self, other: Self) -> Self {
+    fn times(self, other: Self) -> Self {
         self.corners(other, product)
     }
-}
-
-/// All numbers where the divisor may be zero.
-impl Div for Interval {
-    type Output = Self;
-    fn div(self, other: Self) -> Self {
+    /// All numbers where the divisor may be zero.
+    fn over(self, other: Self) -> Self {
         if other.has_zero() && !self.low.is_nan() { Self::ALL } else { self.corners(other, quotient) }
     }
-}
-
-macro_rules! assigning {
-    ($($Op:ident $op:ident $by:tt),*) => {$(
-        impl $Op for Interval {
-            fn $op(&mut self, other: Self) {
-                *self = *self $by other;
-            }
-        }
-    )*};
-}
-assigning!(AddAssign add_assign +, SubAssign sub_assign -, MulAssign mul_assign *, DivAssign div_assign /);
-
-impl Zero for Interval {
-    fn zero() -> Self {
-        Self { low: 0.0, high: 0.0 }
-    }
-    /// Whether it is zero for certain.
-    fn is_zero(&self) -> bool {
+    fn zero_for_certain(&self) -> bool {
         self.low == 0.0 && self.high == 0.0
     }
 }
 
-impl One for Interval {
-    fn one() -> Self {
-        Self { low: 1.0, high: 1.0 }
-    }
-}
+// Not with floats, which convert into no interval.
+field!(Interval, whole);

@@ -18,14 +18,18 @@ fn exact(x: f64) -> Enclosed {
     Enclosed(Interval { low: x, high: x })
 }
 
-/// The traits of a field, and arithmetic with floats, from a sum, a product, a quotient and what a float is.
+/// The traits of a field, from a sum, a product, a quotient and what a float is; and arithmetic with floats.
 #[macro_export]
 macro_rules! field {
+    ($T:ident, $exact:ident, and floats) => {
+        $crate::field!($T, $exact);
+        $crate::field!($T, $exact, Add add, Sub sub, Mul mul, Div div);
+    };
     ($T:ident, $exact:ident) => {
-        $crate::field!($T, $exact, Add add AddAssign add_assign |a, b| a.plus(b));
-        $crate::field!($T, $exact, Sub sub SubAssign sub_assign |a, b| a.plus(b.minus()));
-        $crate::field!($T, $exact, Mul mul MulAssign mul_assign |a, b| a.times(b));
-        $crate::field!($T, $exact, Div div DivAssign div_assign |a, b| a.over(b));
+        $crate::field!($T, Add add AddAssign add_assign |a, b| a.plus(b));
+        $crate::field!($T, Sub sub SubAssign sub_assign |a, b| a.plus(b.minus()));
+        $crate::field!($T, Mul mul MulAssign mul_assign |a, b| a.times(b));
+        $crate::field!($T, Div div DivAssign div_assign |a, b| a.over(b));
         impl std::ops::Neg for $T {
             type Output = Self;
             fn neg(self) -> Self {
@@ -46,18 +50,12 @@ macro_rules! field {
             }
         }
     };
-    ($T:ident, $exact:ident, $Op:ident $op:ident $Assign:ident $assign:ident |$a:ident, $b:ident| $by:expr) => {
+    ($T:ident, $Op:ident $op:ident $Assign:ident $assign:ident |$a:ident, $b:ident| $by:expr) => {
         impl std::ops::$Op for $T {
             type Output = Self;
             fn $op(self, other: Self) -> Self {
                 let ($a, $b) = (self, other);
                 $by
-            }
-        }
-        impl std::ops::$Op<f64> for $T {
-            type Output = Self;
-            fn $op(self, other: f64) -> Self {
-                std::ops::$Op::$op(self, $exact(other))
             }
         }
         impl std::ops::$Assign for $T {
@@ -66,9 +64,17 @@ macro_rules! field {
             }
         }
     };
+    ($T:ident, $exact:ident, $($Op:ident $op:ident),*) => {$(
+        impl std::ops::$Op<f64> for $T {
+            type Output = Self;
+            fn $op(self, other: f64) -> Self {
+                std::ops::$Op::$op(self, $exact(other))
+            }
+        }
+    )*};
 }
 
-field!(Enclosed, exact);
+field!(Enclosed, exact, and floats);
 
 impl Enclosed {
     fn plus(self, other: Self) -> Self {

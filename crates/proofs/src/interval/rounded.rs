@@ -47,7 +47,7 @@ fn units(x: Interval, number: f64) -> Interval {
     within(Interval { low: 0.0, high: number * unit })
 }
 
-field!(Rounded, exact);
+field!(Rounded, exact, and floats);
 
 impl Rounded {
     /// Floats in this interval; as inputs they are exact.

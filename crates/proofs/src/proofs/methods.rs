@@ -193,8 +193,7 @@ fn quantities(system: &System<Number>, m: &State<Number>, other: &State<Number>)
 /// must break.
 fn laws(method: Method) -> Result<Scope, Residue> {
     let (info, last) = (method.info(), last_power(method));
-    let keeps = info.conserved;
-    let said = [keeps.energy, keeps.momentum, keeps.direction, keeps.unit, keeps.reversible];
+    let said = [info.energy, info.momentum, info.direction, info.unit, info.reversible];
     let mut broken = [0; 5];
     for (system, start) in &cases() {
         let h = Number::step(last);

@@ -40,7 +40,7 @@ fn ratio(a: i64, b: i64) -> Exact {
     Exact::new(a.into(), b.into())
 }
 
-field!(Bounded, exact);
+field!(Bounded, exact, and floats);
 
 impl Bounded {
     fn plus(self, other: Self) -> Self {
