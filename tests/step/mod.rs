@@ -14,7 +14,6 @@ mod method;
 mod moser_veselov;
 mod order;
 mod pitfalls;
-mod position_stage;
 mod position_stage_in_c;
 mod position_stage_in_one_file;
 mod requests;
