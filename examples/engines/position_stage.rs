@@ -133,10 +133,8 @@ impl PositionStage {
             return 0;
         }
         let parts = turn.ceil().max(1.0);
-        for _ in 0..parts as u32 {
-            if !self.part(&mut q, &mut w, h / parts) {
-                return 0;
-            }
+        if !(0..parts as u32).all(|_| self.part(&mut q, &mut w, h / parts)) {
+            return 0;
         }
         (*attitude, *omega) = (q, w);
         parts as u32
@@ -319,11 +317,8 @@ pub fn step_all<A: ?Sized, I: Copy>(
                 let Some(body) = body.take() else { continue };
                 let at = |i: usize| ends[i][k];
                 let (q, w) = ([at(0), at(1), at(2), at(3)], three(|i| at(4 + i)));
-                if taken(&end(q, &w, three(|i| at(7 + i)))) {
-                    write(all, body, q, w, 1);
-                    continue;
-                }
-                let (q, w, parts) = alone(read(all, body), h);
+                let is_taken = taken(&end(q, &w, three(|i| at(7 + i))));
+                let (q, w, parts) = if is_taken { (q, w, 1) } else { alone(read(all, body), h) };
                 write(all, body, q, w, parts);
             }
         }

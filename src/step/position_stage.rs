@@ -2,6 +2,8 @@
 
 pub(crate) mod coefficients;
 mod side_by_side;
+#[cfg(test)]
+mod tests;
 pub(crate) mod turn;
 
 use crate::attitude::product;

@@ -27,7 +27,6 @@ fn the_tennis_racket_is_within_a_seventh_of_a_measured_one() {
     for (ours, measured) in moments.iter().zip([0.00121, 0.01638, 0.01748]) {
         assert!((ours / measured - 1.0).abs() < 1.0 / 7.0, "{ours} {measured}");
     }
-    assert!((racket.mass() - 0.327).abs() < 1e-12);
     // All but the handle's thickness lies in one plane: the two smaller moments nearly make the largest.
     let flatness = (moments[0] + moments[1] - moments[2]) / moments[2];
     assert!(flatness > 0.0 && flatness < 0.01, "{flatness}");

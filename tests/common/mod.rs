@@ -130,6 +130,13 @@ pub fn any_vector() -> impl Strategy<Value = Vector3<f64>> {
     (anything(), anything(), anything()).prop_map(|(x, y, z)| Vector3::new(x, y, z))
 }
 
+/// The tensor with these moments about the axes that `axes` turns the body's to, made exactly symmetric.
+pub fn turned(moments: &Vector3<f64>, axes: impl Into<Matrix3<f64>>) -> Matrix3<f64> {
+    let axes = axes.into();
+    let tensor = axes * Matrix3::from_diagonal(moments) * axes.transpose();
+    (tensor + tensor.transpose()) * 0.5
+}
+
 /// The step from `x` to the next larger number.
 pub fn ulp(x: f64) -> f64 {
     x.abs().next_up() - x.abs()

@@ -57,10 +57,8 @@ proptest! {
 }
 
 #[test]
-fn a_disturbance_of_equal_moments_is_neutral_and_impossible_input_is_named() {
+fn a_disturbance_of_equal_moments_is_neutral_and_a_spin_that_is_no_number_is_refused() {
     assert_eq!(of_spin([1.0, 1.0, 1.5].try_into().unwrap(), Axis::Middle, 2.0).unwrap(), Stability::Neutral);
     assert_eq!(of_spin([1.0, 2.0, 2.5].try_into().unwrap(), Axis::Middle, 0.0).unwrap(), Stability::Neutral);
-    assert!(PrincipalMoments::new(1.0, -2.0, 2.5).unwrap_err().to_string().contains("-2.0"));
-    assert!(PrincipalMoments::new(0.0, 1.0, 2.0).is_err());
     assert!(of_spin([1.0, 2.0, 2.5].try_into().unwrap(), Axis::Middle, f64::NAN).is_err());
 }

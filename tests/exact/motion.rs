@@ -89,8 +89,6 @@ proptest! {
 fn what_no_body_can_do_is_named() {
     let new = |m: [f64; 3], w: [f64; 3]| FreeMotion::new(m.try_into()?, &w.into());
     let error = |m: [f64; 3], w: [f64; 3]| new(m, w).unwrap_err().to_string();
-    assert!(error([1.0, 1.0, 3.0], [1.0, 0.0, 0.0]).contains("triangle inequality"));
-    assert!(error([0.0, 1.0, 1.0], [1.0, 0.0, 0.0]).contains("principal moment"));
     assert!(error([1.0, 1.0, 1.0], [f64::NAN, 0.0, 0.0]).contains("the spin"));
     assert!(error([0.999e-100, 1.0, 1.0], [1.0, 0.5, 0.25]).contains("1e-100 of the largest moment"));
     assert!(new([1.001e-100, 1.0, 1.0], [1.0, 0.5, 0.25]).is_ok());

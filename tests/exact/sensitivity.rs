@@ -35,16 +35,6 @@ fn derivatives(motion: &FreeMotion, t: f64) -> Result<Derivatives, Error> {
     })
 }
 
-impl Derivatives {
-    fn omega_by_moments(&self) -> Matrix3<f64> {
-        self.omega_by_tensor.fixed_columns::<3>(0).into()
-    }
-
-    fn turn_by_moments(&self) -> Matrix3<f64> {
-        self.turn_by_tensor.fixed_columns::<3>(0).into()
-    }
-}
-
 /// The root of the sum of the squares, of numbers of any size.
 fn norm<const N: usize>(m: &SMatrix<f64, 3, N>) -> f64 {
     let size = m.amax();
@@ -166,8 +156,9 @@ proptest! {
         let by_spin = rotation * tensor * change.omega_by_omega + turned(&change.turn_by_omega);
         let size = norm(&(tensor * change.omega_by_omega)) + momentum.norm() * norm(&change.turn_by_omega);
         prop_assert!(agree(&by_spin, &tensor, size, condition), "{by_spin}");
-        let by_moments = rotation * (tensor * change.omega_by_moments() + diagonal(&at.omega))
-            + turned(&change.turn_by_moments());
+        let [spin_by, turn_by] = [change.omega_by_tensor, change.turn_by_tensor]
+            .map(|by_tensor| by_tensor.fixed_columns::<3>(0).into_owned());
+        let by_moments = rotation * (tensor * spin_by + diagonal(&at.omega)) + turned(&turn_by);
         // The accuracy is relative to the norm of the whole derivative by the tensor: its columns may have
         // any size.
         let size = norm(&(tensor * change.omega_by_tensor)) + omega.norm()

@@ -16,11 +16,7 @@ fn distance(a: &[f64], b: &[f64], sign: f64) -> f64 {
 /// The worst error of spin and attitude in each regime, in roundings times the condition of the motion.
 /// Comparing with the table's `f64` costs at most half a unit.
 fn judge(table: &str) -> BTreeMap<String, [f64; 2]> {
-    let cases: Value = serde_json::from_str(table).unwrap();
-    let mut worst = BTreeMap::new();
-    for case in cases.as_array().unwrap() {
-        let (name, top) = (case[0].as_str().unwrap(), top_of(case));
-        let most: &mut [f64; 2] = worst.entry(name.to_owned()).or_default();
+    worst(table, |case, top, most: &mut [f64; 2]| {
         for answer in case[4].as_array().unwrap() {
             let t = answer[0].as_str().unwrap().parse().unwrap();
             let Instant { omega, attitude } = top.at(t).unwrap();
@@ -33,6 +29,15 @@ fn judge(table: &str) -> BTreeMap<String, [f64; 2]> {
             let units = [units(off, &answer[3]), units(attitude_off, &answer[4])];
             *most = [most[0].max(units[0]), most[1].max(units[1])];
         }
+    })
+}
+
+/// What `add` makes of all cases of a table, by their regimes.
+fn worst<T: Default>(table: &str, add: impl Fn(&Value, &LagrangeTop, &mut T)) -> BTreeMap<String, T> {
+    let cases: Value = serde_json::from_str(table).unwrap();
+    let mut worst = BTreeMap::new();
+    for case in cases.as_array().unwrap() {
+        add(case, &top_of(case), worst.entry(case[0].as_str().unwrap().to_owned()).or_default());
     }
     worst
 }
@@ -98,13 +103,9 @@ fn a_plane_pendulum_stays_in_its_plane_for_ever() {
 /// Period, mean rate, and the highest and lowest lean: the worst relative error of each in each regime, in
 /// roundings times its condition number. Zero and infinite values must be exact.
 fn judge_observables(table: &str) -> BTreeMap<String, [f64; 4]> {
-    let cases: Value = serde_json::from_str(table).unwrap();
-    let mut worst = BTreeMap::new();
-    for case in cases.as_array().unwrap() {
-        let (name, top) = (case[0].as_str().unwrap(), top_of(case));
+    worst(table, |case, top, most: &mut [f64; 4]| {
         let [highest, lowest] = top.lean();
         let period = top.period().unwrap().unwrap_or(f64::NAN);
-        let most: &mut [f64; 4] = worst.entry(name.to_owned()).or_default();
         for (k, ours) in [period, top.precession_rate(), highest, lowest].into_iter().enumerate() {
             let truth: f64 = case[4][k][0].as_str().unwrap().parse().unwrap();
             if k == 0 && top.regime() == TopRegime::SteadyPrecession {
@@ -115,11 +116,10 @@ fn judge_observables(table: &str) -> BTreeMap<String, [f64; 4]> {
             } else {
                 (ours / truth - 1.0).abs() / (case[4][k][1].as_f64().unwrap().max(1.0) * ROUNDING)
             };
-            assert!(units < 1e300, "{name} {k}: {ours}, not {truth}: {case}");
+            assert!(units < 1e300, "{k}: {ours}, not {truth}: {case}");
             most[k] = most[k].max(units);
         }
-    }
-    worst
+    })
 }
 
 #[test]
@@ -205,15 +205,9 @@ proptest! {
 
 #[test]
 fn what_is_no_lagrange_top_is_named() {
+    let (start, spin) = (UnitQuaternion::identity(), Vector3::new(0.1, 0.2, 3.0));
     let new = |moments: [f64; 3], arm: [f64; 3], weight: f64| {
-        let moments = PrincipalMoments::try_from(moments)?;
-        LagrangeTop::new(
-            moments,
-            UnitQuaternion::identity(),
-            &Vector3::new(0.1, 0.2, 3.0),
-            &arm.into(),
-            weight,
-        )
+        LagrangeTop::new(moments.try_into()?, start, &spin, &arm.into(), weight)
     };
     refused(new([1.0, 1.1, 0.5], [0.0, 0.0, 1.0], 1.0), ErrorKind::OutOfBounds, "across the top's axis");
     refused(new([1.0, 1.0, 0.5], [0.0, 0.1, 1.0], 1.0), ErrorKind::OutOfBounds, "the part of the arm");
@@ -222,11 +216,18 @@ fn what_is_no_lagrange_top_is_named() {
     refused(new([1.0, 1.0, 0.5], [0.0, 0.0, 1.0], 1e-300), ErrorKind::Unrepresentable, "the weight's torque");
 }
 
-/// A top that leans by `lean` with its centre of mass 1 m up its axis and 2 N of weight.
-fn leaning(lean: f64, omega: [f64; 3]) -> Result<LagrangeTop, Error> {
+/// A top with its centre of mass 1 m up its axis, turned about x by an angle whose half has this cosine and
+/// this sine.
+fn tilted(w: f64, x: f64, omega: [f64; 3], weight: f64) -> Result<LagrangeTop, Error> {
+    let attitude = UnitQuaternion::new_unchecked(Quaternion::new(w, x, 0.0, 0.0));
     let moments = PrincipalMoments::new(1.0, 1.0, 0.5)?;
-    let attitude = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), lean);
-    LagrangeTop::new(moments, attitude, &omega.into(), &Vector3::z(), 2.0)
+    LagrangeTop::new(moments, attitude, &omega.into(), &Vector3::z(), weight)
+}
+
+/// One that leans by `lean`, with 2 N of weight.
+fn leaning(lean: f64, omega: [f64; 3]) -> Result<LagrangeTop, Error> {
+    let (sine, cosine) = (0.5 * lean).sin_cos();
+    tilted(cosine, sine, omega, 2.0)
 }
 
 #[test]
@@ -266,10 +267,9 @@ proptest! {
 
 #[test]
 fn a_top_at_rest_upright_hanging_or_without_weight_stays_where_it_is() {
-    let moments = PrincipalMoments::new(1.0, 1.0, 0.5).unwrap();
     for (w, x, weight) in [(1.0, 0.0, 2.0), (0.0, 1.0, 2.0), (0.8, 0.6, 0.0)] {
-        let start = UnitQuaternion::new_unchecked(nalgebra::Quaternion::new(w, x, 0.0, 0.0));
-        let top = LagrangeTop::new(moments, start, &Vector3::zeros(), &Vector3::z(), weight).unwrap();
+        let start = UnitQuaternion::new_unchecked(Quaternion::new(w, x, 0.0, 0.0));
+        let top = tilted(w, x, [0.0; 3], weight).unwrap();
         for t in [1.5, -3e4] {
             let Instant { omega, attitude } = top.at(t).unwrap();
             assert!(apart(&attitude, &start) < 1e-15 && omega == Vector3::zeros(), "{w} {t}: {attitude}");
@@ -279,11 +279,6 @@ fn a_top_at_rest_upright_hanging_or_without_weight_stays_where_it_is() {
 
 #[test]
 fn what_is_too_small_to_square_is_refused_and_not_taken_for_zero() {
-    let tilted = |w: f64, x: f64, omega: [f64; 3], weight: f64| {
-        let attitude = UnitQuaternion::new_unchecked(nalgebra::Quaternion::new(w, x, 0.0, 0.0));
-        let moments = PrincipalMoments::new(1.0, 1.0, 0.5)?;
-        LagrangeTop::new(moments, attitude, &omega.into(), &Vector3::z(), weight)
-    };
     for small in [1e-72, 1e-161, 1e-200, -1e-200, 1e-310, 5e-324] {
         for (result, words) in [
             (tilted(1.0, small, [0.0, 0.0, 3.0], 2.0), "1 less the cosine of the lean"),

@@ -9,10 +9,11 @@ use tumbling::{ErrorKind, Inertia};
 proptest! {
     #[test]
     fn the_inverse_is_the_exact_inverse_of_the_matrix_given(
-        any in any_tensor(), q in attitude(), thin in -11.0..0.0_f64, is_needle: bool,
+        any in any_tensor(), q in attitude(), thin in -11.0..0.0_f64, is_needle: bool, power in -660..500_i32,
     ) {
         let needle = || Inertia::from_moments(10_f64.powf(thin), 1.0, 1.0).unwrap().turned(q).unwrap();
         let inertia = if is_needle { needle() } else { any };
+        let inertia = Inertia::try_from(inertia.matrix() * 2_f64.powi(power)).unwrap();
         let m = exact_matrix(&inertia.matrix());
         let det = determinant(&m);
         let inverse = inertia.inverse().unwrap();
@@ -43,16 +44,6 @@ fn an_ideal_rod_has_no_inverse_but_a_thin_one_has() {
     assert_eq!(far.principal().moments(), nalgebra::Vector3::from([1e-300, 1e300, 1e300]));
     let tiny = Inertia::from_moments(1e-310, 1e-310, 1e-310).unwrap();
     refused(tiny.inverse(), ErrorKind::Unrepresentable, "an inverse moment comes out as inf");
-}
-
-#[test]
-fn the_inverse_of_a_tensor_times_the_tensor_is_one_over_the_whole_range_of_scales() {
-    let q = UnitQuaternion::from_euler_angles(0.5, -0.6, 2.7);
-    for scale in [1e-200, 1e-100, 1.0, 1e150] {
-        let tensor = Inertia::from_moments(0.5 * scale, 0.9 * scale, 1.2 * scale).unwrap().turned(q).unwrap();
-        let one = tensor.inverse().unwrap() * tensor.matrix();
-        assert!((one - Matrix3::identity()).amax() < 4e-15, "{scale:e}");
-    }
 }
 
 // A tensor that is known to a unit in the last place of its largest moment has no smallest moment below that.

@@ -5,13 +5,6 @@ use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use proptest::prelude::*;
 use tumbling::{Axis, Inertia};
 
-/// `R I R^T` by two plain products, made exactly symmetric.
-fn turned(moments: &Vector3<f64>, attitude: &UnitQuaternion<f64>) -> Matrix3<f64> {
-    let r = attitude.to_rotation_matrix().into_inner();
-    let m = r * Matrix3::from_diagonal(moments) * r.transpose();
-    (m + m.transpose()) * 0.5
-}
-
 /// The largest entry of `F diag(moments) F^T - tensor`, in units in the last place of the largest moment.
 fn misfit(inertia: &Inertia) -> f64 {
     let axes = inertia.principal();
@@ -39,7 +32,7 @@ proptest! {
         sorted.sort_by(f64::total_cmp);
         // Near-equal moments need no bracket (two roots may lie inside); the next tests see to them.
         prop_assume!(sorted[1] - sorted[0] > 1e-9 && sorted[2] - sorted[1] > 1e-9);
-        let inertia = Inertia::try_from(turned(&moments, &attitude)).unwrap();
+        let inertia = Inertia::try_from(turned(&moments, attitude)).unwrap();
         let matrix = exact_matrix(&inertia.matrix());
         let found = inertia.principal().moments();
         for moment in &found {
@@ -54,7 +47,7 @@ proptest! {
     fn the_frame_is_right_handed_and_gives_the_tensor_back(
         moments in prop_oneof![moments(), nearly_equal()], attitude in attitude(),
     ) {
-        let inertia = Inertia::try_from(turned(&moments, &attitude)).unwrap();
+        let inertia = Inertia::try_from(turned(&moments, attitude)).unwrap();
         prop_assert!(right_handed(&inertia.principal().frame()));
         prop_assert!(misfit(&inertia) < 24.0, "{} ulps", misfit(&inertia));
         let found = inertia.principal().moments();
@@ -65,7 +58,7 @@ proptest! {
     fn a_scale_by_a_power_of_two_changes_the_moments_by_it_and_the_frame_not_at_all(
         moments in moments(), attitude in attitude(), power in prop::sample::select(vec![-660, -60, 60, 495]),
     ) {
-        let tensor = turned(&moments, &attitude);
+        let tensor = turned(&moments, attitude);
         let factor = 2_f64.powi(power);
         let (plain, scaled) =
             (Inertia::try_from(tensor).unwrap().principal(), Inertia::try_from(tensor * factor).unwrap().principal());
@@ -91,7 +84,7 @@ proptest! {
         let own = if flat { across * (1.05 + 0.9 * along) } else { across * 0.9 * along };
         let moments = Vector3::new(across, across, own);
         let spin = UnitQuaternion::from_axis_angle(&Vector3::z_axis(), about);
-        let [one, other] = [tilt, tilt * spin].map(|q| Inertia::try_from(turned(&moments, &q)).unwrap().principal());
+        let [one, other] = [tilt, tilt * spin].map(|q| Inertia::try_from(turned(&moments, q)).unwrap().principal());
         // A component at the very threshold of the sign rule may fall on either side of it.
         prop_assume!(one.frame().iter().all(|x| (x.abs() - 0.57).abs() > 1e-9));
         // The lone axis is known to rounding over the relative difference of the moments.
@@ -121,7 +114,7 @@ proptest! {
 #[test]
 fn a_sphere_has_the_bodys_own_axes() {
     let q = UnitQuaternion::from_euler_angles(0.4, -1.0, 2.2);
-    let sphere = Inertia::try_from(turned(&Vector3::new(0.7, 0.7, 0.7), &q)).unwrap();
+    let sphere = Inertia::try_from(turned(&Vector3::repeat(0.7), q)).unwrap();
     assert_eq!(sphere.principal().frame(), Matrix3::identity());
 }
 
@@ -130,7 +123,7 @@ fn a_turned_needle_and_an_ideal_rod_are_found_to_rounding_of_their_largest_momen
     let q = UnitQuaternion::from_euler_angles(0.3, 1.1, -2.0);
     for (thin, scale) in [(1e-12, 1e-200), (1e-12, 1.0), (1e-12, 1e150), (0.0, 2.0)] {
         let moments = Vector3::new(thin * scale, scale, scale);
-        let axes = Inertia::try_from(turned(&moments, &q)).unwrap().principal();
+        let axes = Inertia::try_from(turned(&moments, q)).unwrap().principal();
         assert!((axes.moment(Axis::Smallest) - thin * scale).abs() < 2e-15 * scale);
         let along = q * Vector3::x();
         assert!(axes.axis(Axis::Smallest).cross(&along).norm() < 1e-15);
@@ -149,8 +142,7 @@ fn a_product_that_is_nothing_relative_to_the_large_moment_still_counts_for_the_s
 
 /// A tensor with the given moments about the columns of a rotation matrix.
 fn along(moments: [f64; 3], axes: Matrix3<f64>) -> Inertia {
-    let m = axes * Matrix3::from_diagonal(&Vector3::from(moments)) * axes.transpose();
-    Inertia::try_from((m + m.transpose()) * 0.5).unwrap()
+    Inertia::try_from(turned(&moments.into(), axes)).unwrap()
 }
 
 // (2, 3, 6)/7, (3, -6, 2)/7, (6, 2, -3)/7 are perpendicular and right-handed in this order.

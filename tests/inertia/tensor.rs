@@ -23,19 +23,14 @@ fn exact_angle(inertia: &Inertia, omega: &Vector3<f64>) -> f64 {
 const ANGLE_MARGIN: f64 = 4.0 * f64::EPSILON;
 
 proptest! {
-    #[test]
-    fn the_angle_is_right_to_its_last_digits_for_any_spin(inertia in any_tensor(), omega in vector(3.0)) {
-        let (ours, truth) = (inertia.angle_to_momentum(&omega).unwrap(), exact_angle(&inertia, &omega));
-        prop_assert!((ours - truth).abs() <= ANGLE_MARGIN * truth, "{ours:e} {truth:e}");
-    }
-
     // Along an axis as the library finds it the angle is rounding; tilt by 1e-12 and it must still be right.
     #[test]
-    fn the_angle_is_right_to_its_last_digits_a_hair_off_a_principal_axis(
-        inertia in any_tensor(), hair in vector(1.0), exponent in -14..-3_i32, axis in 0..3_usize, size in -150..150_i32,
+    fn the_angle_is_right_to_its_last_digits_far_from_the_principal_axes_and_a_hair_off_one(
+        inertia in any_tensor(), off in vector(1.0), exponent in prop_oneof![Just(1), -14..0_i32],
+        axis in 0..3_usize, size in -150..150_i32,
     ) {
         let along = inertia.principal().frame().column(axis).into_owned();
-        let omega = (along + hair * 10_f64.powi(exponent)) * 10_f64.powi(size);
+        let omega = (along + off * 10_f64.powi(exponent)) * 10_f64.powi(size);
         let (ours, truth) = (inertia.angle_to_momentum(&omega).unwrap(), exact_angle(&inertia, &omega));
         prop_assert!((ours - truth).abs() <= ANGLE_MARGIN * truth, "{ours:e} {truth:e}");
     }

@@ -1,4 +1,5 @@
-//! Flips of adaptive runs: free, where a pendulum turns back, and where the spin is zero for a while.
+//! Flips of adaptive runs: free, where a pendulum turns back, where the spin is zero for a while, and where
+//! runs meet.
 
 use super::driven::tilted;
 use super::spinning;
@@ -55,19 +56,44 @@ fn a_driven_swing_through_the_middle_axis_flips_where_its_pendulum_stands_still(
     }
 }
 
-/// The flips of a body that spins at 1 rad/s about its middle axis, with -1 rad/s² on it in these times.
-fn flips_by_pushes(times: &[[f64; 2]]) -> Vec<f64> {
+/// A body that spins at 1 rad/s about its middle axis, with -1 rad/s² on it in these times.
+fn pushed(times: &[[f64; 2]]) -> Stepper {
     let body = spinning([1.0, 2.0, 3.0], &Vector3::y());
     let push = |&[start, end]: &[f64; 2]| Torque::during(start, end, Torque::InBody(Vector3::y() * -2.0));
-    let stepper = Stepper::adaptive(&body, 1e-12, 1000).unwrap();
-    stepper.with_torques(times.iter().map(push)).unwrap().flips(4.0).unwrap()
+    Stepper::adaptive(&body, 1e-12, 1000).unwrap().with_torques(times.iter().map(push)).unwrap()
 }
 
 #[test]
 fn a_spin_that_is_zero_where_two_steps_meet_flips_where_it_leaves_zero() {
-    assert_eq!(flips_by_pushes(&[[0.0, 1.0], [1.0, 2.0]]), [1.0]);
-    assert_eq!(flips_by_pushes(&[[0.0, 1.0], [2.0, 3.0]]), [2.0]);
+    let flips = |times: &[[f64; 2]]| pushed(times).flips(4.0).unwrap();
+    assert_eq!(flips(&[[0.0, 1.0], [1.0, 2.0]]), [1.0]);
+    assert_eq!(flips(&[[0.0, 1.0], [2.0, 3.0]]), [2.0]);
     // At the middle of a step, and not at all.
-    assert_eq!(flips_by_pushes(&[[0.0, 2.0]]), [1.0]);
-    assert!(flips_by_pushes(&[[0.0, 1.0]]).is_empty());
+    assert_eq!(flips(&[[0.0, 2.0]]), [1.0]);
+    assert!(flips(&[[0.0, 1.0]]).is_empty());
+}
+
+#[test]
+fn a_flip_where_one_call_ends_and_the_next_begins_is_one_flip() {
+    // Back the way it came there is none.
+    for (end, expected) in [(2.0, &[1.0][..]), (0.5, &[])] {
+        let mut stepper = pushed(&[[0.0, 4.0]]);
+        assert!(stepper.flips(1.0).unwrap().is_empty());
+        assert_eq!(stepper.omega(), Vector3::zeros());
+        assert_eq!(stepper.flips(end).unwrap(), expected);
+    }
+    // A run in pieces that end at the flips, or next to them, has those of the whole.
+    let free = || Stepper::adaptive(&tilted(), 1e-12, 10_000).unwrap();
+    let whole = free().flips(40.0).unwrap();
+    assert!(whole.len() > 4);
+    for off in [0.0, 1e-15, -1e-15, 1e-12, -1e-12] {
+        let (mut stepper, mut found) = (free(), Vec::new());
+        for time in whole.iter().map(|time| time * (1.0 + off)).chain([40.0]) {
+            found.extend(stepper.flips(time).unwrap());
+        }
+        assert_eq!(found.len(), whole.len(), "{off}: {found:?} {whole:?}");
+        for (one, other) in found.iter().zip(&whole) {
+            assert!((one - other).abs() < 1e-10, "{off}: {one} {other}");
+        }
+    }
 }

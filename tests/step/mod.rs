@@ -14,7 +14,6 @@ mod method;
 mod moser_veselov;
 mod order;
 mod pitfalls;
-mod position_stage;
 mod position_stage_in_c;
 mod position_stage_in_one_file;
 mod requests;
@@ -24,7 +23,7 @@ mod top;
 mod torque;
 mod transition;
 
-use crate::common::{free, free_motion, under};
+use crate::common::{free, free_motion, turned, under};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use tumbling::step::{Method, State, Stepper, System};
 use tumbling::{Body, Error, Inertia};
@@ -79,9 +78,7 @@ fn spinning([a, b, c]: [f64; 3], omega: &Vector3<f64>) -> Body {
 }
 
 fn in_axes(moments: Vector3<f64>, axes: &UnitQuaternion<f64>) -> Inertia {
-    let turn = axes.to_rotation_matrix();
-    let tensor = turn * Matrix3::from_diagonal(&moments) * turn.transpose();
-    Inertia::try_from((tensor + tensor.transpose()) * 0.5).unwrap()
+    Inertia::try_from(turned(&moments, *axes)).unwrap()
 }
 
 /// The same state in other axes, which `turn` rotates to the old ones.

@@ -6,6 +6,7 @@ use nalgebra::{Quaternion, Vector3};
 use num_traits::Float;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::LazyLock;
 use tumbling::number::Field;
 use tumbling::step::PositionStage;
 
@@ -108,13 +109,13 @@ fn words(output: &Output) -> String {
     [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text)).concat()
 }
 
-/// The compiler's messages for a program that is given as text.
-fn of_text(compiler: &str, options: &[&str], program: &str) -> Output {
+/// The compiler's messages for a program that is given as text, which it preprocesses (`-E`) or reads too.
+fn of_text(compiler: &str, as_far_as: &str, options: &[&str], program: &str) -> Output {
     let folder = tempfile::tempdir().unwrap();
     let source = folder.path().join("program.c");
     std::fs::write(&source, program).unwrap();
     Command::new(compiler)
-        .arg("-fsyntax-only")
+        .arg(as_far_as)
         .args(options)
         .arg("-I")
         .args([header().parent().unwrap(), &source])
@@ -122,7 +123,7 @@ fn of_text(compiler: &str, options: &[&str], program: &str) -> Output {
         .unwrap()
 }
 
-/// The output of a program of `examples/engines/c`, which must compile without warnings and succeed.
+/// The output of a program for `examples/engines/c`, which must compile without warnings and succeed.
 fn printed(compiler: &str, options: &[&str], source: &Path) -> String {
     let folder = tempfile::tempdir().unwrap();
     let program = folder.path().join("program");
@@ -140,30 +141,45 @@ fn printed(compiler: &str, options: &[&str], source: &Path) -> String {
     words(&output).trim().to_owned()
 }
 
-fn example(name: &str) -> PathBuf {
-    header().with_file_name(name)
+/// Two programs of the folder as one, since the header takes the compiler longer than either of them.
+const BOTH: &str = r#"
+#define main extremes
+#include "extremes.c"
+#undef main
+#define main compare
+#include "compare.c"
+#undef main
+int main(int count, char **words) {
+    return extremes() + compare(count, words);
 }
+"#;
 
+/// And bodies at the ends of the range step as in their own scale, or are refused.
 #[test]
 fn the_header_in_c_has_the_bits_of_the_library() {
-    let (single, double) = (sum::<f32>(), sum::<f64>());
-    for compiler in compilers() {
-        let compared = |option| printed(compiler, &["-ffp-contract=off", option], &example("compare.c"));
-        assert_eq!(compared(f32::OPTION), single, "{compiler}");
-        assert_eq!(compared(f64::OPTION), double, "{compiler}");
+    let folder = tempfile::tempdir().unwrap();
+    let source = folder.path().join("both.c");
+    std::fs::write(&source, BOTH).unwrap();
+    for (option, sum) in [(f32::OPTION, &sum::<f32>()), (f64::OPTION, &*DOUBLE)] {
+        for compiler in compilers() {
+            assert_eq!(printed(compiler, &["-ffp-contract=off", option], &source), *sum, "{compiler}");
+        }
     }
 }
+
+/// The sum of the library's steps in double precision, which two tests compare with.
+static DOUBLE: LazyLock<String> = LazyLock::new(sum::<f64>);
 
 /// What gcc refuses by its macros, clang for x86 takes back over the functions of the header.
 #[cfg(target_arch = "x86_64")]
 #[test]
 fn options_for_other_bits_have_no_effect_in_clang() {
-    let bits = sum::<f64>();
+    let compare = header().with_file_name("compare.c");
     // The first has in it those for associative and reciprocal arithmetic, zeros without signs, and functions
     // that only come near.
     for option in ["-funsafe-math-optimizations", "-fno-honor-nans", "-fno-honor-infinities"] {
         if compilers().contains(&"clang") && std::arch::is_x86_feature_detected!("fma") {
-            assert_eq!(printed("clang", &["-mfma", option], &example("compare.c")), bits, "{option}");
+            assert_eq!(printed("clang", &["-mfma", option], &compare), *DOUBLE, "{option}");
         }
     }
 }
@@ -182,15 +198,15 @@ fn options_that_take_away_what_tells_a_number_from_none_do_not_compile() {
         ];
         let refused = if compiler == "gcc" { [fast, other_bits].concat() } else { fast.to_vec() };
         for options in refused {
-            let answer = of_text(compiler, options, program);
+            let answer = of_text(compiler, "-E", options, program);
             assert!(!answer.status.success(), "{compiler} takes {options:?}");
             assert!(words(&answer).contains("#error") || words(&answer).contains("compile without"));
         }
-        for options in [&["-O2"][..], &["-O3", "-fno-math-errno", "-fno-trapping-math"]] {
-            let answer = of_text(compiler, options, program);
-            assert!(answer.status.success(), "{compiler} {options:?}: {}", words(&answer));
-        }
-        let old = of_text(compiler, &["-DTUMBLING_REAL=float"], program);
+        // That `-O2` is taken, the other tests show.
+        let harmless = ["-O3", "-fno-math-errno", "-fno-trapping-math"];
+        let answer = of_text(compiler, "-fsyntax-only", &harmless, program);
+        assert!(answer.status.success(), "{compiler}: {}", words(&answer));
+        let old = of_text(compiler, "-E", &["-DTUMBLING_REAL=float"], program);
         assert!(words(&old).contains("define TUMBLING_FLOAT"), "{}", words(&old));
     }
 }
@@ -227,17 +243,8 @@ fn the_header_compiles_without_a_warning_in_every_c_and_cpp() {
             let language = if standard.contains('+') { "c++" } else { "c" };
             let standard = format!("-std={standard}");
             let options = [&strict[..], &["-x", language, &standard]].concat();
-            let answer = of_text(compiler, &options, EVERY_CALL);
+            let answer = of_text(compiler, "-fsyntax-only", &options, EVERY_CALL);
             assert!(answer.status.success(), "{compiler} {standard}: {}", words(&answer));
-        }
-    }
-}
-
-#[test]
-fn bodies_at_the_ends_of_the_range_step_as_in_their_own_scale_or_are_refused() {
-    for compiler in compilers() {
-        for option in [f32::OPTION, f64::OPTION] {
-            assert_eq!(printed(compiler, &["-ffp-contract=off", option], &example("extremes.c")), "");
         }
     }
 }

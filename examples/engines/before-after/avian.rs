@@ -31,7 +31,7 @@ fn app(gravity: f32) -> App {
 }
 
 fn built(body: &Body) -> impl Bundle + use<> {
-    let [w, x, y, z] = body.attitude;
+    let [w, x, y, z] = body.start.attitude;
     (
         RigidBody::Dynamic,
         Mass(body.mass),
@@ -40,9 +40,9 @@ fn built(body: &Body) -> impl Bundle + use<> {
         NoAutoMass,
         NoAutoAngularInertia,
         NoAutoCenterOfMass,
-        Transform::from_translation(body.position.into()).with_rotation(Quat::from_xyzw(x, y, z, w)),
-        LinearVelocity(body.velocity.into()),
-        AngularVelocity(body.spin.into()),
+        Transform::from_translation(body.start.position.into()).with_rotation(Quat::from_xyzw(x, y, z, w)),
+        LinearVelocity(body.start.velocity.into()),
+        AngularVelocity(body.start.spin.into()),
         SleepingDisabled,
     )
 }
@@ -59,7 +59,7 @@ impl Engine for Avian {
         let mut app = app(0.0);
         let entities: Vec<_> = bodies.iter().map(|body| app.world_mut().spawn(built(body)).id()).collect();
         if let Some(at) = axle {
-            let from = |body: &Body| Vec3::from(at) - Vec3::from(body.position);
+            let from = |body: &Body| Vec3::from(at) - Vec3::from(body.start.position);
             let hinge = RevoluteJoint::new(entities[0], entities[1])
                 .with_hinge_axis(Vec3::Z)
                 .with_local_anchor1(from(&bodies[0]))

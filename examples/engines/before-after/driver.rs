@@ -1,7 +1,6 @@
 //! What the programs in Rust share: a scene a line on standard input, a record a scene into the folder that
 //! the command line names. The lines are those of `before_after.py`.
 
-use std::fmt::Write as _;
 use std::io::BufRead as _;
 use std::time::Instant;
 
@@ -21,11 +20,7 @@ pub struct Seen {
 pub struct Body {
     pub mass: f32,
     pub moments: [f32; 3],
-    pub attitude: [f32; 4],
-    /// In world axes.
-    pub spin: [f32; 3],
-    pub position: [f32; 3],
-    pub velocity: [f32; 3],
+    pub start: Seen,
 }
 
 /// The scenes in an engine, stepped at [`H`].
@@ -50,13 +45,17 @@ fn turned([w, x, y, z]: [f64; 4], [a, b, c]: [f64; 3], back: f64) -> [f64; 3] {
     [a + 2.0 * (w * u + twice[0]), b + 2.0 * (w * v + twice[1]), c + 2.0 * (w * t + twice[2])]
 }
 
+/// Three numbers from a place on; what is not there is zero.
+fn three(numbers: &[f32], from: usize) -> [f32; 3] {
+    [0, 1, 2].map(|i| numbers.get(from + i).copied().unwrap_or(0.0))
+}
+
 fn body(words: &[f32]) -> Body {
-    let at = |i: usize| words.get(i).copied().unwrap_or(0.0);
-    let attitude = [at(4), at(5), at(6), at(7)];
-    let spin = turned(attitude.map(f64::from), [at(8), at(9), at(10)].map(f64::from), 1.0).map(|x| x as f32);
-    let position = [at(11), at(12), at(13)];
-    let velocity = [at(14), at(15), at(16)];
-    Body { mass: at(0), moments: [at(1), at(2), at(3)], attitude, spin, position, velocity }
+    let ([mass, ..], [w, ..], [x, y, z]) = (three(words, 0), three(words, 4), three(words, 5));
+    let spin = turned([w, x, y, z].map(f64::from), three(words, 8).map(f64::from), 1.0).map(|x| x as f32);
+    let (position, velocity) = (three(words, 11), three(words, 14));
+    let start = Seen { attitude: [w, x, y, z], spin, position, velocity };
+    Body { mass, moments: three(words, 1), start }
 }
 
 /// Rows of time, attitude and spin in body axes; of several bodies also position and velocity.
@@ -68,13 +67,10 @@ fn record<E: Engine>(world: &mut E, count: usize, steps: u32, every: u32) -> Str
                 let seen = world.see(i);
                 let attitude = seen.attitude.map(f64::from);
                 let spin = turned(attitude, seen.spin.map(f64::from), -1.0);
-                let mut row = vec![f64::from(n) / 60.0];
-                row.extend(attitude.into_iter().chain(spin));
-                if count > 1 {
-                    row.extend(seen.position.into_iter().chain(seen.velocity).map(f64::from));
-                }
-                let row: Vec<String> = row.iter().map(|x| format!("{x:?}")).collect();
-                let _ = writeln!(text, "{}", row.join(","));
+                let place = if count > 1 { [seen.position, seen.velocity].concat() } else { Vec::new() };
+                let row = [f64::from(n) / 60.0].into_iter().chain(attitude).chain(spin);
+                let row = row.chain(place.into_iter().map(f64::from)).map(|x| format!("{x:?}"));
+                text += &(row.collect::<Vec<_>>().join(",") + "\n");
             }
         }
         world.step();
@@ -83,17 +79,14 @@ fn record<E: Engine>(world: &mut E, count: usize, steps: u32, every: u32) -> Str
 }
 
 fn timed<E: Engine>(mut new: impl FnMut() -> E, steps: u32, repeats: u32) {
-    let times: Vec<f64> = (0..repeats)
-        .map(|_| {
-            let mut world = new();
-            world.step();
-            let start = Instant::now();
-            (0..steps).for_each(|_| world.step());
-            start.elapsed().as_secs_f64() * 1e6 / f64::from(steps)
-        })
-        .collect();
-    let times: Vec<String> = times.iter().map(|x| format!("{x:.3}")).collect();
-    println!("{}", times.join(" "));
+    let time = |_| {
+        let mut world = new();
+        world.step();
+        let start = Instant::now();
+        (0..steps).for_each(|_| world.step());
+        format!("{:.3}", start.elapsed().as_secs_f64() * 1e6 / f64::from(steps))
+    };
+    println!("{}", (0..repeats).map(time).collect::<Vec<_>>().join(" "));
 }
 
 /// Runs the scenes.
@@ -109,34 +102,31 @@ pub fn run<E: Engine>() -> Result<(), Box<dyn std::error::Error>> {
         let text = match *kind {
             "free" => {
                 let [_, a, b, c, ..] = numbers[..] else { continue };
-                let _ = write!(head, "# inertia: {a} {b} {c} kg m2\nt,qw,qx,qy,qz,wx,wy,wz\n");
+                head += &format!("# inertia: {a} {b} {c} kg m2\nt,qw,qx,qy,qz,wx,wy,wz\n");
                 record(&mut E::bodies(&[body(&numbers)], None), 1, steps, every)
             }
             "wheel" => {
-                let (one, two) = (body(&numbers[3..20]), body(&numbers[20..]));
-                let axle = [numbers[0], numbers[1], numbers[2]];
-                record(&mut E::bodies(&[one, two], Some(axle)), 2, steps, every)
+                let both = [body(&numbers[3..20]), body(&numbers[20..])];
+                record(&mut E::bodies(&both, Some(three(&numbers, 0))), 2, steps, every)
             }
             "top" => {
-                let mut world = E::top(body(&numbers[4..]), [numbers[0], numbers[1], numbers[2]], numbers[3]);
-                record(&mut world, 1, steps, every)
+                record(&mut E::top(body(&numbers[4..]), three(&numbers, 0), numbers[3]), 1, steps, every)
             }
             "stack" => {
-                let half = [numbers[1], numbers[2], numbers[3]];
-                record(&mut E::stack(numbers[0] as usize, half), numbers[0] as usize, steps, every)
+                let count = numbers[0] as usize;
+                record(&mut E::stack(count, three(&numbers, 1)), count, steps, every)
             }
             "time-stack" => {
-                timed(|| E::stack(numbers[0] as usize, [numbers[1], numbers[2], numbers[3]]), steps, every);
+                timed(|| E::stack(numbers[0] as usize, three(&numbers, 1)), steps, every);
                 continue;
             }
             "time-crowd" => {
-                let crowd: Vec<Body> = (0..numbers[0] as usize)
-                    .map(|i| {
-                        let one = body(&numbers[1..]);
-                        let turn = |x: f32| x * (1.0 + 0.001 * (i % 100) as f32);
-                        Body { spin: one.spin.map(turn), position: [3.0 * i as f32, 0.0, 0.0], ..one }
-                    })
-                    .collect();
+                let one = body(&numbers[1..]);
+                let of = |i: usize| {
+                    let spin = one.start.spin.map(|x| x * (1.0 + 0.001 * (i % 100) as f32));
+                    Body { start: Seen { spin, position: [3.0 * i as f32, 0.0, 0.0], ..one.start }, ..one }
+                };
+                let crowd: Vec<Body> = (0..numbers[0] as usize).map(of).collect();
                 timed(|| E::bodies(&crowd, None), steps, every);
                 continue;
             }

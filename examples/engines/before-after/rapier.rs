@@ -16,13 +16,13 @@ fn vector([x, y, z]: [f32; 3]) -> Vector {
 }
 
 fn built(body: &Body) -> RigidBodyBuilder {
-    let [w, x, y, z] = body.attitude;
+    let [w, x, y, z] = body.start.attitude;
     RigidBodyBuilder::dynamic()
         .additional_mass_properties(MassProperties::new(Vector::ZERO, body.mass, vector(body.moments)))
-        .translation(vector(body.position))
+        .translation(vector(body.start.position))
         .rotation(Rotation::from_xyzw(x, y, z, w).to_scaled_axis())
-        .linvel(vector(body.velocity))
-        .angvel(vector(body.spin))
+        .linvel(vector(body.start.velocity))
+        .angvel(vector(body.start.spin))
         .can_sleep(false)
 }
 
@@ -47,8 +47,8 @@ impl Engine for Rapier {
         let handles: Vec<_> = bodies.iter().map(|body| world.insert_body(built(body))).collect();
         if let Some(at) = axle {
             let joint = RevoluteJointBuilder::new(Vector::Z)
-                .local_anchor1(vector(at) - vector(bodies[0].position))
-                .local_anchor2(vector(at) - vector(bodies[1].position));
+                .local_anchor1(vector(at) - vector(bodies[0].start.position))
+                .local_anchor2(vector(at) - vector(bodies[1].start.position));
             world.insert_impulse_joint(handles[0], handles[1], joint);
         }
         Self { world, bodies: handles }

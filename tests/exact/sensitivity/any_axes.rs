@@ -127,10 +127,7 @@ proptest! {
             2 => Vector3::new(m.x, m.y, m.x + m.y), // a plate
             _ => m,
         };
-        let tensor = Matrix3::from_diagonal(&m);
-        let turning = turn.to_rotation_matrix().into_inner();
-        let other = turning * tensor * turning.transpose();
-        let other = (other + other.transpose()) * 0.5;
+        let (tensor, other) = (Matrix3::from_diagonal(&m), turned(&m, turn));
         let start = UnitQuaternion::from_euler_angles(0.3, -0.4, 0.9);
         let one = answers(&motion_of(&tensor, &omega, &start), t);
         let other = answers(&motion_of(&other, &(turn * omega), &(start * turn.inverse())), t);
@@ -145,9 +142,7 @@ proptest! {
     fn the_derivatives_by_the_tensor_are_differences_of_the_motion(
         m in moments(), omega in generic_spin(), turn in attitude(), t in -4.0..4.0_f64, k in 0..6_usize,
     ) {
-        let turning = turn.to_rotation_matrix().into_inner();
-        let tensor = turning * Matrix3::from_diagonal(&m) * turning.transpose();
-        let tensor = (tensor + tensor.transpose()) * 0.5;
+        let tensor = turned(&m, turn);
         let start = UnitQuaternion::identity();
         let motion = motion_of(&tensor, &omega, &start);
         let size = m.min();

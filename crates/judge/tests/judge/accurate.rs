@@ -1,10 +1,10 @@
 //! Rules that are none of those known: which are accurate, and which are not.
 
-use crate::common::MOMENTS;
+use crate::common::{MOMENTS, judged, spins};
 use nalgebra::Vector3;
 use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::exact::FreeMotion;
-use tumbling_judge::{Confidence, Options, Outcome, Verdict, judge};
+use tumbling_judge::{Confidence, Outcome, Verdict};
 
 type Spin = Vector3<f64>;
 /// A step of the spin in this number of seconds.
@@ -77,12 +77,10 @@ const STARTS: [Spin; 3] =
 /// The error of the middle step, as a share of what the exact motion changes in the middle step; and the
 /// verdict on spins written in a unit of which this many are a radian a second.
 fn tried(step: Step, omega: Spin, h: f64, unit: f64) -> (f64, Verdict) {
-    let mut text = String::from("# inertia: 1 2 2.5\nt,wx,wy,wz\n");
-    let mut now = omega;
+    let (mut now, mut rows) = (omega, Vec::new());
     let (mut errors, mut changes) = (Vec::new(), Vec::new());
     for i in 0..=600 {
-        let [x, y, z] = (now * unit).into();
-        text += &format!("{:e},{x:e},{y:e},{z:e}\n", h * f64::from(i));
+        rows.push((h * f64::from(i), now * unit));
         let exact = FreeMotion::new(MOMENTS.try_into().unwrap(), &now).unwrap().omega(h).unwrap();
         let end = step(now, h);
         errors.push((end - exact).norm() / now.norm());
@@ -93,7 +91,7 @@ fn tried(step: Step, omega: Spin, h: f64, unit: f64) -> (f64, Verdict) {
         all.sort_by(f64::total_cmp);
         all[all.len() / 2]
     };
-    (middle(errors) / middle(changes), judge(text.as_bytes(), &Options::default()).unwrap())
+    (middle(errors) / middle(changes), judged(&spins("# inertia: 1 2 2.5", rows)))
 }
 
 #[test]
@@ -108,9 +106,11 @@ fn a_rule_is_accurate_by_what_its_steps_leave_of_the_gyroscopic_term_and_never_b
                     let praised = confidence == Confidence::Accurate;
                     assert!(!praised || share < 1e-4 && verdict.outcome != Outcome::Failed, "{what}");
                     assert!(!accurate || praised && share < 8e-5, "{what}");
-                    let said = tried(*step, omega, h, 1f64.to_degrees()).1.to_string();
-                    let is_sound = said.contains("in degrees a second") && said.contains("The rule is sound");
-                    assert!(!accurate || is_sound, "{said}");
+                    if accurate {
+                        let said = tried(*step, omega, h, 1f64.to_degrees()).1.to_string();
+                        let is_sound = said.contains("in degrees a second") && said.contains("is sound");
+                        assert!(is_sound, "{said}");
+                    }
                     assert!(accurate || share > 3e-3, "{what}");
                     assert!(!verdict.to_string().contains("Nothing to do") || share > 1.9, "{what}");
                 }

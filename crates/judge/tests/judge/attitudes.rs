@@ -1,11 +1,11 @@
 //! Records of attitudes alone.
 
-use crate::common::{MOMENTS, Row, SPINS, csv, exact, judged, stepped, stepped_by, written};
+use crate::common::{MOMENTS, Row, SPINS, csv, exact, judged, refused, stepped, stepped_by, written};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use tumbling::attitude::{product, rotation_matrix, turn};
 use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::step::{Method, State, System};
-use tumbling_judge::{FileMistake, LawName, Options, Outcome, Rule, judge};
+use tumbling_judge::{FileMistake, LawName, Outcome, Rule};
 
 fn alone(rows: &[Row], number: impl Fn(f64) -> String) -> String {
     let text = written("# inertia: 1 2 2.5", rows, |t| format!("{t:?}"), number);
@@ -74,7 +74,7 @@ fn the_order_and_the_sense_of_attitudes_alone_are_determined_by_the_law() {
 #[test]
 fn steps_near_half_a_turn_are_refused_in_plain_words() {
     let text = attitudes(&exact(Vector3::new(1.0, 2.0, 1.5), 0.9, 100));
-    let error = judge(text.as_bytes(), &Options::default()).unwrap_err().to_string();
+    let error = refused(text);
     assert!(error.starts_with("line 4: the attitude turns by") && error.contains("shorter steps"), "{error}");
     // A run that gets there is judged as far as its turns are known.
     let mut rows = exact(Vector3::new(1.0, 2.0, 1.5), 0.02, 400);
@@ -94,7 +94,7 @@ fn attitudes_written_again_are_refused_or_said_to_be_the_end_and_never_a_rest() 
         (0..240).map(row).collect::<Vec<Row>>()
     };
     for twice in [|i| i / 2, |i| i / 3] {
-        let error = judge(attitudes(&at(twice)).as_bytes(), &Options::default()).unwrap_err().to_string();
+        let error = refused(attitudes(&at(twice)));
         assert!(error.contains("Write each instant once"), "{error}");
     }
     let stopped = at(|i| i.min(200));
@@ -156,7 +156,7 @@ fn a_reading_that_leads_to_an_error_does_not_end_the_verdict_of_the_other() {
     rows.extend(after.iter().skip(1).map(|(t, q, w)| (end + t, join * q, *w)));
     rows[2150].1 = rows[2149].1;
     rows.iter_mut().for_each(|(_, q, _)| *q = Quaternion::new(q.i, q.j, q.k, q.w));
-    let verdict = judge(attitudes(&rows).as_bytes(), &Options::default()).unwrap();
+    let verdict = judged(&attitudes(&rows));
     assert_eq!(
         (&verdict.file_mistakes[..], verdict.resets[0].line),
         (&[FileMistake::Order][..], 2104),

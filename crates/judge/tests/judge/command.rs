@@ -1,6 +1,7 @@
 //! The program from outside: exit codes, what it prints, what it takes.
 
-use std::fmt::Write as _;
+use crate::common::spins;
+use nalgebra::Vector3;
 use std::io::Write as _;
 use std::process::{Command, Output, Stdio};
 
@@ -21,13 +22,11 @@ fn judge(arguments: &[&str], input: &str) -> Output {
 fn top(growth: f64) -> String {
     let (transverse, along, h) = (1.0_f64, 2.0_f64, 0.01_f64);
     let rate = (along - transverse) / transverse * 3.0;
-    let mut text = String::from("# inertia: 1 1 2\nt,wx,wy,wz\n");
-    for i in 0..400_i32 {
-        let (t, size) = (h * f64::from(i), growth.powi(i));
-        let [x, y, z] = [0.5 * (rate * t).cos(), 0.5 * (rate * t).sin(), 3.0].map(|x| x * size);
-        writeln!(text, "{t:.2},{x:.17},{y:.17},{z:.17}").unwrap();
-    }
-    text
+    let row = |i: i32| {
+        let t = h * f64::from(i);
+        (t, Vector3::new(0.5 * (rate * t).cos(), 0.5 * (rate * t).sin(), 3.0) * growth.powi(i))
+    };
+    spins("# inertia: 1 1 2", (0..400).map(row))
 }
 
 fn words(output: &Output) -> String {
@@ -45,15 +44,8 @@ fn a_right_record_exits_with_0_a_wrong_one_with_1_and_no_record_with_2() {
     for (arguments, input, problem) in [
         (&["-"][..], "", "the file is empty"),
         (&["-"], "t,wx,wy,wz\n0,1,2,3\n1,1,2,3\n", "--inertia"),
-        (
-            &["-"],
-            "# inertia: 1 1 2\nt,wx,wy,wz\n0,1,2,3\n1,1,x,3\n",
-            "line 4, column 3 (`wy`): `x` is not a number",
-        ),
         (&["no-such-file.csv"], "", "no-such-file.csv"),
-        (&["-", "--inertia", "1,2"], "", "three numbers"),
         (&["-", "--inertia", "1,1,9"], "t,wx,wy,wz\n0,1,2,3\n1,1,2,3\n", "9"),
-        (&["-", "--threshold", "nothing"], "", "above zero"),
         (&["-", "--jsno"], "", "similar argument exists: '--json'"),
         (&["-", "--inertai", "1,2,3"], "", "'--inertia'"),
         (&[], "", "<FILE>"),

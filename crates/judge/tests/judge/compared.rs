@@ -3,7 +3,7 @@
 use nalgebra::{UnitQuaternion, Vector3};
 use tumbling::exact::FreeMotion;
 use tumbling::{Body, Inertia, PrincipalMoments};
-use tumbling_judge::{Comparison, Motion, Options, compare, fit_inertia};
+use tumbling_judge::{Comparison, Error, Motion, Options, compare, fit_inertia};
 
 /// A body whose own axes and origin lie as its description has them.
 struct Description {
@@ -113,6 +113,11 @@ fn a_centre_of_mass_elsewhere_and_a_start_otherwise_are_distinguished() {
     assert!(found.to_string().contains("It turns the same"), "{found}");
 }
 
+fn two(records: &[String; 2]) -> Result<Comparison, Error> {
+    let read = |text: &String| Motion::read(text.as_bytes(), &Options::default()).unwrap();
+    compare(&[("a".into(), read(&records[0])), ("b".into(), read(&records[1]))], None)
+}
+
 /// An origin that leaves its place after five seconds is said to do so then.
 #[test]
 fn a_position_that_drifts_late_is_named_with_that_time() {
@@ -125,19 +130,17 @@ fn a_position_that_drifts_late_is_named_with_that_time() {
         _ => format!("{line}\n"),
     });
     texts[1] = drifting.collect();
-    let read = |text: &String| Motion::read(text.as_bytes(), &Options::default()).unwrap();
-    let found = compare(&[("a".into(), read(&texts[0])), ("b".into(), read(&texts[1]))], None).unwrap();
+    let found = two(&texts).unwrap();
     let since = found.others[0].1.off[2].since.unwrap();
     assert!((5.0..5.1).contains(&since), "{found}");
 }
 
 #[test]
 fn records_of_every_other_row_are_compared_at_common_times_and_origins_are_found() {
-    let texts = [0, 2].map(|k| four()[k].record());
+    let mut texts = [0, 2].map(|k| four()[k].record());
     let lines = texts[1].lines().enumerate().filter(|(i, _)| i % 2 != 0 || *i == 0);
-    let half: String = lines.map(|(_, line)| format!("{line}\n")).collect();
-    let read = |text: &String| Motion::read(text.as_bytes(), &Options::default()).unwrap();
-    let found = compare(&[("a".into(), read(&texts[0])), ("b".into(), read(&half))], None).unwrap();
+    texts[1] = lines.map(|(_, line)| format!("{line}\n")).collect();
+    let found = two(&texts).unwrap();
     let apart = found.alike[1].1;
     assert_eq!((apart.rows, found.others.len()), (300, 0), "{found}");
     assert!((apart.origin.unwrap() - Vector3::new(0.1, -0.3, 0.2)).norm() < 1e-9, "{found}");
@@ -147,9 +150,9 @@ fn records_of_every_other_row_are_compared_at_common_times_and_origins_are_found
 fn a_record_that_cannot_be_compared_says_why() {
     let rows = |from: usize| {
         let rows = (from..from + 3).map(|i| format!("{i},1,0,0,0\n")).collect::<String>();
-        Motion::read(format!("t,qw,qx,qy,qz\n{rows}").as_bytes(), &Options::default()).unwrap()
+        format!("t,qw,qx,qy,qz\n{rows}")
     };
-    let wrong = compare(&[("a".into(), rows(0)), ("b".into(), rows(5))], None).unwrap_err().to_string();
+    let wrong = two(&[0, 5].map(rows)).unwrap_err().to_string();
     assert!(wrong.contains("a and b have fewer than two times in common"), "{wrong}");
     for (record, why) in [
         ("t,wx,wy,wz\n0,1,2,3\n1,1,2,3\n", "by their attitudes"),

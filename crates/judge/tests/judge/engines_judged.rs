@@ -1,16 +1,17 @@
 //! Every recorded engine judged: the diagnosis names the rule that the engine goes by.
 
+use crate::common::judged;
+use crate::common::record::{engine, reset};
+use std::sync::LazyLock;
 use tumbling::step::Method;
 use tumbling_judge::records::{RECORDED, Recorded};
-use tumbling_judge::{Confidence, LawName, Options, Outcome, PHYSICS_ENGINES, Verdict, judge};
+use tumbling_judge::{Confidence, LawName, Outcome, Verdict};
 
-fn records() -> Vec<(String, Verdict)> {
-    let read = |run: &Recorded| {
-        let verdict = judge(run.text.as_bytes(), &Options::default()).unwrap();
-        (format!("{}--{}", run.engine, run.story), verdict)
-    };
+/// Every record's name and verdict, judged once for all tests.
+static JUDGED: LazyLock<Vec<(String, Verdict)>> = LazyLock::new(|| {
+    let read = |run: &Recorded| (format!("{}--{}", run.engine, run.story), judged(run.text));
     RECORDED.iter().map(read).collect()
-}
+});
 
 /// A record as it stands in its file.
 fn text(name: &str) -> &'static str {
@@ -23,7 +24,7 @@ fn text(name: &str) -> &'static str {
 fn of_two_engines_with_the_same_steps_both_are_named_first() {
     let text = text("bullet-3.2.7-rigid--box-middle");
     let of_header = |header: &str| {
-        let words = judge(format!("{header}{text}").as_bytes(), &Options::default()).unwrap().to_string();
+        let words = judged(&format!("{header}{text}")).to_string();
         words.lines().skip(1).take(3).map(|line| line.trim().to_string()).collect::<Vec<_>>()
     };
     let (bullet, mujoco) = ("Bullet 3.2.7 (pybullet), rigid body", "MuJoCo 4.0.0, implicitfast");
@@ -51,11 +52,10 @@ fn every_record_in_the_folder_is_listed() {
 
 #[test]
 fn the_diagnosis_of_every_recorded_engine_names_its_rule() {
-    for (name, verdict) in records() {
-        let (engine, story) = name.split_once("--").unwrap();
-        let engine = engine.trim_end_matches("-1e9");
-        let engine = PHYSICS_ENGINES.iter().find(|x| x.record == Some(engine)).unwrap();
-        let diagnosis = verdict.diagnosis.unwrap();
+    for (name, verdict) in JUDGED.iter() {
+        let (record, story) = name.split_once("--").unwrap();
+        let engine = engine(record.trim_end_matches("-1e9"));
+        let diagnosis = verdict.diagnosis.as_ref().unwrap();
         let twins = [Method::ImplicitOneNewton, Method::LinearisedImplicit];
         let (method, parts) = diagnosis.best.rule.method().unwrap();
         let same = method == engine.method
@@ -69,17 +69,11 @@ fn the_diagnosis_of_every_recorded_engine_names_its_rule() {
 
 #[test]
 fn the_file_of_no_engine_is_misread_and_only_the_four_resets_are_seen() {
-    for (name, verdict) in records() {
+    for (name, verdict) in JUDGED.iter() {
         assert_eq!(verdict.file_mistakes, [], "{name}");
-        let expected = match name.as_str() {
-            "mujoco-4.0.0-euler--major" => Some(336.0),
-            "mujoco-4.0.0-euler--minor" => Some(795.0),
-            "mujoco-4.0.0-euler--fast" => Some(20.0),
-            "mujoco-4.0.0-euler--wound" => Some(12.0),
-            _ => None,
-        };
-        let found: Vec<f64> = verdict.resets.iter().map(|reset| (reset.time * 60.0).round()).collect();
-        assert_eq!(found, expected.into_iter().collect::<Vec<_>>(), "{name}");
+        let (record, story) = name.split_once("--").unwrap();
+        let found = verdict.resets.iter().map(|reset| (reset.time * 60.0).round() as usize);
+        assert!(found.eq(reset(record, story)), "{name}: {:?}", verdict.resets);
         assert!(verdict.resets.iter().all(|reset| reset.to_rest));
     }
 }
@@ -101,7 +95,7 @@ fn by_hand(name: &str) -> [f64; 3] {
 
 #[test]
 fn an_engine_that_turns_a_fast_body_by_less_than_its_spin_is_named() {
-    for (name, verdict) in records() {
+    for (name, verdict) in JUDGED.iter() {
         let mut all = verdict.complaints.iter().map(ToString::to_string);
         let named = all.any(|complaint| complaint.contains("does not turn by the spin"));
         // 60 rad/s at 60 Hz are one radian a step. Bullet turns by 2 atan(4 tan(pi/8) / pi), 3 in 100 less.
@@ -114,8 +108,7 @@ fn an_engine_that_turns_a_fast_body_by_less_than_its_spin_is_named() {
 
 #[test]
 fn the_laws_that_the_engines_break_are_those_that_their_records_show() {
-    let records = records();
-    for (name, verdict) in &records {
+    for (name, verdict) in JUDGED.iter() {
         if name.ends_with("pushed") || !verdict.resets.is_empty() {
             continue;
         }
@@ -126,7 +119,7 @@ fn the_laws_that_the_engines_break_are_those_that_their_records_show() {
             assert!(off < 1e-12, "{name} {law:?}: {found} {expected}");
         }
     }
-    for (name, verdict) in &records {
+    for (name, verdict) in JUDGED.iter() {
         if name.contains("-rk4--") && !name.ends_with("wound") && !name.ends_with("pushed") {
             assert_eq!(verdict.outcome, Outcome::Passed, "{name}");
         }
@@ -138,6 +131,6 @@ fn the_laws_that_the_engines_break_are_those_that_their_records_show() {
 
 #[test]
 fn a_limit_that_was_raised_is_read_off_the_record() {
-    let verdict = judge(text("bullet-3.2.7-multibody-1e9--major").as_bytes(), &Options::default()).unwrap();
+    let verdict = judged(text("bullet-3.2.7-multibody-1e9--major"));
     assert!(verdict.to_string().contains("spin is cut at 1.0000e9 rad/s"), "{verdict}");
 }

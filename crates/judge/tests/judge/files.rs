@@ -1,6 +1,7 @@
 //! What a file may have wrong: mistakes of meaning, each made on purpose in a good record, and bad input.
 
-use crate::common::{MOMENTS, Row, csv, exact, judged, stepped};
+use crate::common::invented::Chance;
+use crate::common::{MOMENTS, Row, csv, exact, judged, refused as error, spins, stepped};
 use nalgebra::{Quaternion, Vector3};
 use std::f64::consts::PI;
 use tumbling::dynamics::euler::angular_acceleration;
@@ -64,18 +65,14 @@ fn each_misread_file_made_on_purpose_is_named_and_the_rule_behind_it_too() {
 }
 
 /// Columns of spin alone.
-fn spins(rows: &[Row]) -> String {
-    let mut text = String::from("# inertia: 1 2 2.5\nt;wx;wy;wz\n");
-    for (t, _, w) in rows {
-        text += &format!("{t:?};{:?};{:?};{:?}\n", w.x, w.y, w.z);
-    }
-    text
+fn alone(rows: &[Row]) -> String {
+    spins("# inertia: 1 2 2.5", rows.iter().map(|(t, _, w)| (*t, *w))).replace(',', ";")
 }
 
 #[test]
 fn without_an_attitude_the_law_determines_units_and_hand() {
     for rows in good() {
-        assert_eq!(judged(&spins(&rows)).file_mistakes, []);
+        assert_eq!(judged(&alone(&rows)).file_mistakes, []);
         for (misread, how) in [
             (
                 FileMistake::Degrees,
@@ -84,17 +81,16 @@ fn without_an_attitude_the_law_determines_units_and_hand() {
             (FileMistake::Milliseconds, &|(t, q, w)| (t * 1e3, *q, *w)),
             (FileMistake::LeftHandedSpin, &|(t, q, w)| (*t, *q, -w)),
         ] {
-            assert_eq!(judged(&spins(&altered(&rows, how))).file_mistakes, [misread]);
+            assert_eq!(judged(&alone(&altered(&rows, how))).file_mistakes, [misread]);
         }
     }
     // A term that is cut off is no mistake of two units, though 2 pi / 1000 is near.
     let mut spin = Vector3::new(0.01, -0.04, 6.0);
-    let cut = std::iter::repeat_with(|| {
+    let cut = (0..400).map(|i| {
         spin += angular_acceleration(&MOMENTS, &spin, &Vector3::zeros()) * (6.47e-3 * 0.01);
-        spin
+        (0.01 * f64::from(i), spin)
     });
-    let cut = (0..400).zip(cut).map(|(i, spin)| (0.01 * f64::from(i), Quaternion::identity(), spin));
-    assert_eq!(judged(&spins(&cut.collect::<Vec<_>>())).file_mistakes, []);
+    assert_eq!(judged(&spins("# inertia: 1 2 2.5", cut)).file_mistakes, []);
 }
 
 #[test]
@@ -164,10 +160,6 @@ fn missing_rows_are_counted_and_a_varying_step_is_said() {
     assert_eq!(verdict.outcome, Outcome::Passed);
 }
 
-fn error(text: &str) -> String {
-    judge(text.as_bytes(), &Options::default()).unwrap_err().to_string()
-}
-
 #[test]
 fn bad_input_is_an_error_with_line_and_column() {
     let head = "# inertia: 1 2 2.5\nt,wx,wy,wz\n0,1,2,3\n";
@@ -198,10 +190,9 @@ fn bad_input_is_an_error_with_line_and_column() {
     let no_attitude = "# inertia: 1 2 3\nt,wx,wy,wz,qw,qx,qy,qz\n0,1,2,3,1,0,0,0\n1,1,2,3,0,0,0,0\n";
     assert_eq!(error(no_attitude), "line 4: the quaternion has no length: from here on there is no motion");
     let bytes = [head.as_bytes(), &[0xff, 0xfe, b'\n']].concat();
-    let error = judge(&bytes[..], &Options::default()).unwrap_err().to_string();
-    assert_eq!(error, "line 4: the line is not text in UTF-8: save the file in UTF-8");
+    assert_eq!(error(bytes), "line 4: the line is not text in UTF-8: save the file in UTF-8");
     let long = format!("{head}{}", "1".repeat(100_000));
-    assert!(judge(long.as_bytes(), &Options::default()).unwrap_err().to_string().contains("longer than"));
+    assert!(error(long).contains("longer than"));
 }
 
 #[test]
@@ -242,19 +233,15 @@ fn the_json_has_the_sentences_of_the_text_and_none_names_an_option_of_the_comman
     }
     let alone = csv(&rows[..1]);
     for text in ["t,wx,wy,wz\n0,1,2,3\n1,1,2,3\n", &*alone] {
-        let error = judge(text.as_bytes(), &Options::default()).unwrap_err().to_string();
-        assert!(!error.contains("--"), "{error}");
+        assert!(!error(text).contains("--"), "{}", error(text));
     }
 }
 
 #[test]
 fn no_damage_to_a_file_makes_the_judge_panic() {
     let good = csv(&stepped(Method::SemiImplicitEuler, SPIN, 0.05, 12)).into_bytes();
-    let mut seed = 1_u64;
-    let mut random = |below: usize| {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        usize::try_from(seed >> 33).unwrap() % below
-    };
+    let mut chance = Chance(1);
+    let mut random = |below: usize| chance.below(below);
     let mut refused = 0;
     for _ in 0..1000 {
         let mut text = good.clone();
@@ -281,11 +268,8 @@ fn no_damage_to_a_file_makes_the_judge_panic() {
 #[test]
 fn spins_from_the_slowest_to_the_fastest_that_a_number_holds_are_judged_or_refused() {
     for scale in [1e-300, 1e-160, 1e-30, 1e30, 1e100, 1e154, 1e300] {
-        let mut text = String::from("# inertia: 1 2 2.5\nt,wx,wy,wz\n");
-        for (t, _, w) in exact(SPIN, 0.01, 100) {
-            let w = w * scale;
-            text += &format!("{:?},{:?},{:?},{:?}\n", t / scale, w.x, w.y, w.z);
-        }
+        let rows = exact(SPIN, 0.01, 100).into_iter().map(|(t, _, w)| (t / scale, w * scale));
+        let text = spins("# inertia: 1 2 2.5", rows);
         if let Ok(verdict) = judge(text.as_bytes(), &Options::default()) {
             assert!(!verdict.to_string().is_empty());
             if (1e-100..1e101).contains(&scale) {

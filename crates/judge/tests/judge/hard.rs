@@ -1,13 +1,8 @@
 //! Input that is not what it should be.
 
-use crate::common::{exact, judged};
+use crate::common::{exact, judged, refused as error, spins};
 use nalgebra::Vector3;
-use std::fmt::Write as _;
 use tumbling_judge::{Options, Outcome, judge};
-
-fn error(text: impl AsRef<[u8]>) -> String {
-    judge(text.as_ref(), &Options::default()).unwrap_err().to_string()
-}
 
 const HEAD: &str = "# inertia: 1 2 2.5\nt,wx,wy,wz\n0,1,2,3\n";
 
@@ -41,10 +36,8 @@ fn columns_that_say_a_thing_twice_are_refused() {
 
 #[test]
 fn separators_at_the_ends_of_lines_and_any_line_end_do_no_harm() {
-    let mut plain = String::from("# inertia: 1 2 2.5\nt,wx,wy,wz\n");
-    for (t, _, w) in exact(Vector3::new(1.0, 2.0, 1.5), 0.01, 50) {
-        writeln!(plain, "{t:?},{:?},{:?},{:?}", w.x, w.y, w.z).unwrap();
-    }
+    let rows = exact(Vector3::new(1.0, 2.0, 1.5), 0.01, 50);
+    let plain = spins("# inertia: 1 2 2.5", rows.into_iter().map(|(t, _, w)| (t, w)));
     let (expected, quoted) = (judged(&plain), plain.replace('\n', "\"\n\"").replace(',', "\",\""));
     for text in [
         plain.replace('\n', ",\n").replacen(",\n", "\n", 1),

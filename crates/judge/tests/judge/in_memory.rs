@@ -102,12 +102,8 @@ fn the_exact_motion_and_sound_methods_pass_every_story_in_both_precisions() {
 /// A constant spin is all that a sphere has; whether the attitude turns by it, and the direction of the
 /// momentum, can still be wrong.
 #[test]
-fn a_sphere_that_turns_by_its_spin_passes_and_one_that_does_not_fails() {
+fn a_sphere_that_does_not_turn_by_its_spin_fails() {
     let (story, h) = (Story::named("sphere-5").unwrap(), 1.0 / 60.0);
-    for method in SOUND {
-        assert_passes!(story.run::<f64>(h, engine(method, &story, h)));
-        assert_passes!(story.run::<f32>(h, engine(method, &story, h)));
-    }
     let mut twice = engine::<f64>(Method::ImplicitMidpoint, &story, 2.0 * h);
     let outcome = |verdict: Result<Verdict, Error>| verdict.unwrap().outcome;
     assert_eq!(outcome(story.run(h, |q, w| (twice(q, w).0, w))), Outcome::Failed);

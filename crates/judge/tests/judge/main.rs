@@ -6,7 +6,6 @@ mod attitudes;
 mod command;
 mod common;
 mod compared;
-mod engines_fate;
 mod engines_judged;
 mod engines_recorded;
 mod engines_table;

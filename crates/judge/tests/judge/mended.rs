@@ -1,6 +1,7 @@
 //! Verdicts that were wrong of records that engines make: rows written at the display's rate, single
 //! precision, needles, starts on an axis.
 
+use crate::common::invented::Chance;
 use crate::common::{MOMENTS, Row, csv, exact, exact_of, judged, stepped, stepped_by, written};
 use nalgebra::{Quaternion, Vector3};
 use std::fmt::Write as _;
@@ -27,11 +28,8 @@ fn printed(moments: [f64; 3], rows: &[Row], single: bool) -> String {
 
 #[test]
 fn a_spin_that_starts_without_a_middle_component_is_not_held_to_a_flip_at_the_start() {
-    let mut seed = 7_u64;
-    let mut random = || {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        f64::from((seed >> 33) as u32) / f64::from(1_u32 << 31)
-    };
+    let mut chance = Chance(7);
+    let mut random = || chance.share();
     for _ in 0..60 {
         let (a, b) = (1.0 + random(), 2.5 + random());
         let moments = [a, b, b + 0.9 * a * random()];

@@ -1,6 +1,6 @@
 //! What is read from column names, units and comments, and what is said of those that are not read.
 
-use crate::common::{MOMENTS, Row, csv, exact, judged, stepped, written};
+use crate::common::{MOMENTS, Row, csv, exact, judged, refused as error, stepped, written};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::{attitude::rotation_matrix, step::Method};
 use tumbling_judge::{FileMistake, Options, Outcome, Verdict, judge};
@@ -18,10 +18,6 @@ fn altered(how: impl Fn(&Row) -> Row) -> Vec<Row> {
 
 fn named(rows: &[Row], names: &str) -> String {
     csv(rows).replace("t,qw,qx,qy,qz,wx,wy,wz", names)
-}
-
-fn error(text: &str) -> String {
-    judge(text.as_bytes(), &Options::default()).unwrap_err().to_string()
 }
 
 fn sound(verdict: &Verdict) {

@@ -1,6 +1,6 @@
 //! What the caller may choose: limits for each law; and the points that the run is drawn by.
 
-use crate::common::{MOMENTS, csv, judged, stepped};
+use crate::common::{MOMENTS, Row, csv, judged, stepped};
 use nalgebra::Vector3;
 use tumbling::exact::FreeMotion;
 use tumbling::step::Method;
@@ -26,12 +26,22 @@ fn the_phase_may_have_a_limit_of_its_own() {
 
 #[test]
 fn the_points_to_draw_a_run_by_are_the_rows_and_the_exact_motion() {
-    let rows = stepped(Method::SemiImplicitEuler, SPIN, 0.02, 3000);
-    let verdict = judged(&csv(&rows));
+    // However many rows there are, in at most 256 points.
+    for (count, each) in [(100, 1), (256, 1), (257, 2), (512, 2), (5000, 32), (3001, 16)] {
+        let rows = stepped(Method::SemiImplicitEuler, SPIN, 0.02, count - 1);
+        let verdict = judged(&csv(&rows));
+        drawn(&verdict, &rows, each);
+        if count == 3001 {
+            the_json_has_the_same(&verdict);
+        }
+    }
+}
+
+/// That each point of the run's drawing is of its rows.
+fn drawn(verdict: &Verdict, rows: &[Row], each: usize) {
     let motion = FreeMotion::new(MOMENTS.try_into().unwrap(), &SPIN).unwrap();
     let energy = |w: &Vector3<f64>| w.dot(&MOMENTS.component_mul(w));
-    let each = 16; // 3001 rows in at most 256 points
-    assert_eq!(verdict.curve.len(), 3001_usize.div_ceil(each));
+    assert_eq!(verdict.curve.len(), rows.len().div_ceil(each));
     for (point, rows) in verdict.curve.iter().zip(rows.chunks(each)) {
         assert_eq!((point.time, point.spin), (rows[0].0, rows[0].2));
         assert!((point.exact - motion.omega(rows[0].0).unwrap()).norm() < 1e-9);
@@ -41,6 +51,9 @@ fn the_points_to_draw_a_run_by_are_the_rows_and_the_exact_motion() {
         let greatest = rows.iter().map(|row| row.2.y).fold(f64::NEG_INFINITY, f64::max);
         assert_eq!(point.spin_range[1].y, greatest);
     }
+}
+
+fn the_json_has_the_same(verdict: &Verdict) {
     let json = verdict.json();
     let curve = &json["curve"];
     let one = ["time", "energy", "momentum", "direction", "phase"].map(|name| vec![&curve[name]]);
@@ -49,7 +62,7 @@ fn the_points_to_draw_a_run_by_are_the_rows_and_the_exact_motion() {
     let lengths = one.iter().chain(&three).flatten().map(|all| all.as_array().unwrap().len());
     assert!(lengths.eq([verdict.curve.len(); 23]));
     assert_eq!(curve["spin"][1][0].as_f64(), Some(3.0));
-    let flips = verdict.flips.unwrap();
+    let flips = verdict.flips.as_ref().unwrap();
     assert_eq!(flips.times.len() as u64, flips.found);
     assert_eq!(json["flips"]["times"][0].as_f64(), flips.first);
 }

@@ -64,13 +64,8 @@ fn momentum_taken_for_spin_is_named_where_the_record_is_of_momentum() {
     let run = Engine::MomentumForSpin.run(&body, 0.01, 500).unwrap();
     // What the engine itself believes in: a momentum that stays, in the world.
     let momentum = body.momentum_world();
-    let mut text = String::from("# inertia: 1 2 2.5\nt qw qx qy qz lxw lyw lzw\n");
-    for (i, body) in (0_u32..).zip(&run) {
-        let q = body.attitude();
-        let [x, y, z] = momentum.into();
-        text +=
-            &format!("{:?} {:?} {:?} {:?} {:?} {x:?} {y:?} {z:?}\n", 0.01 * f64::from(i), q.w, q.i, q.j, q.k);
-    }
+    let row = |(i, body): (u32, &Body)| (0.01 * f64::from(i), body.attitude().into_inner(), momentum);
+    let text = csv(&(0..).zip(&run).map(row).collect::<Vec<_>>()).replace("wx,wy,wz", "lxw,lyw,lzw");
     let diagnosis = judged(&text).diagnosis.unwrap();
     // Runge and Kutta's turn is right to 1e-10 here, and the number is the mean of the moments.
     let Base::MomentumForSpin(mass) = diagnosis.best.rule.base else { panic!("{diagnosis}") };

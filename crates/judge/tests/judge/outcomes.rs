@@ -1,23 +1,14 @@
 //! What a record passes and fails by, besides the laws that the exact motion keeps.
 
-use crate::common::{MOMENTS, Row, csv, exact, judged, stepped};
+use crate::common::{MOMENTS, Row, csv, exact, judged, spins, stepped};
 use nalgebra::{Quaternion, Vector3};
-use std::fmt::Write as _;
 use tumbling::exact::FreeMotion;
 use tumbling::step::Method;
 use tumbling_judge::{LawName, Options, Outcome, Verdict, judge};
 
+const HEADER: &str = "# inertia: 1 2 2.5";
 const H: f64 = 1.0 / 60.0;
 const SPIN: Vector3<f64> = Vector3::new(1.0, 2.0, 1.5);
-
-/// Spins alone, of any moments, at any times.
-fn spins(moments: [f64; 3], rows: impl Iterator<Item = (f64, Vector3<f64>)>) -> String {
-    let mut text = format!("# inertia: {:?} {:?} {:?}\nt,wx,wy,wz\n", moments[0], moments[1], moments[2]);
-    for (t, w) in rows {
-        writeln!(text, "{t:.17},{:.17},{:.17},{:.17}", w.x, w.y, w.z).unwrap();
-    }
-    text
-}
 
 fn complains(verdict: &Verdict, word: &str) -> bool {
     verdict.complaints.iter().any(|complaint| complaint.to_string().contains(word))
@@ -26,14 +17,17 @@ fn complains(verdict: &Verdict, word: &str) -> bool {
 #[test]
 fn a_spin_that_stands_still_where_it_should_go_round_fails_though_energy_and_momentum_are_kept() {
     let cases = [
-        ([1.0, 1.0, 1.8], Vector3::new(0.5, 0.0, 3.0)),
-        ([1.0, 2.0, 2.7], SPIN),
-        ([1.0, 2.0, 2.7], Vector3::new(0.0, 0.5, 4.0)),
+        ("1 1 1.8", Vector3::new(0.5, 0.0, 3.0)),
+        ("1 2 2.7", SPIN),
+        ("1 2 2.7", Vector3::new(0.0, 0.5, 4.0)),
     ];
     for (moments, spin) in cases {
         for count in [60, 600] {
-            let verdict = judged(&spins(moments, (0..count).map(|i| (H * f64::from(i), spin))));
-            assert_eq!(verdict.outcome, Outcome::Failed, "{moments:?} {count}\n{verdict}");
+            let verdict = judged(&spins(
+                &format!("# inertia: {moments}"),
+                (0..count).map(|i| (H * f64::from(i), spin)),
+            ));
+            assert_eq!(verdict.outcome, Outcome::Failed, "{moments} {count}\n{verdict}");
             assert!(complains(&verdict, "no gyroscopic term"), "{verdict}");
             assert!(verdict.broken().next().is_none(), "{verdict}");
         }
@@ -47,7 +41,7 @@ fn the_exact_motion_at_another_pace_fails_and_at_its_own_passes() {
         let rows = (0..=600).map(|i| (H * f64::from(i), motion.omega(H * f64::from(i) * pace).unwrap()));
         // An error that no rule makes to rounding, so that the pace alone decides.
         let rows = rows.enumerate().map(|(i, (t, w))| (t, w * (1.0 + 1e-9 * (i as f64 * 0.7).sin())));
-        let text = spins([1.0, 2.0, 2.5], rows);
+        let text = spins(HEADER, rows);
         let verdict = judged(&text);
         if pace == 1.0 {
             assert_eq!(verdict.outcome, Outcome::Passed, "{verdict}");
@@ -67,9 +61,7 @@ fn a_spin_too_fast_to_follow_is_never_passed_nor_said_to_be_right() {
     let mut lost = 0;
     for power in [3, 10, 16, 20, 30, 50, 100, 150, 153, 155, 200, 300, 307] {
         let w = spin * format!("1e{power}").parse::<f64>().unwrap();
-        let rows: String =
-            (0..40).map(|i| format!("{},{:e},{:e},{:e}\n", 0.1 * f64::from(i), w.x, w.y, w.z)).collect();
-        let text = format!("# inertia: 1 2 3\nt,wx,wy,wz\n{rows}");
+        let text = spins("# inertia: 1 2 3", (0..40).map(|i| (0.1 * f64::from(i), w)));
         // Beyond what numbers hold the record may be refused.
         let Ok(verdict) = judge(text.as_bytes(), &Options::default()) else { continue };
         assert!(!verdict.to_string().contains("correct for this start"), "1e{power}\n{verdict}");
@@ -86,7 +78,7 @@ fn a_spin_too_fast_to_follow_is_never_passed_nor_said_to_be_right() {
     assert!(lost > 0);
     // About an axis it is right at any speed; and a motion that can be followed is.
     let axis = (0..40).map(|i| (0.1 * f64::from(i), Vector3::new(0.0, 0.0, 1e100)));
-    let verdict = judged(&spins([1.0, 2.0, 3.0], axis));
+    let verdict = judged(&spins("# inertia: 1 2 3", axis));
     assert!(verdict.outcome == Outcome::NothingToJudge && !verdict.untraceable, "{verdict}");
     assert!(!judged(&csv(&exact(SPIN, H, 600))).untraceable);
 }
@@ -137,14 +129,14 @@ fn flips_that_come_late_by_a_time_or_a_share_are_said_to_and_others_are_not() {
     let said = |start: f64, time: fn(f64) -> f64| {
         let rows = (0..=600).map(|i| (H * f64::from(i), motion.omega(time(H * f64::from(i))).unwrap()));
         let rows = rows.enumerate().map(|(i, (t, w))| (start + t, if i == 0 { spin } else { w }));
-        judged(&spins([1.0, 2.0, 2.5], rows)).to_string()
+        judged(&spins(HEADER, rows)).to_string()
     };
     // However late the clock is at the start.
     assert!(said(1e4, |t| t - 0.05).contains("; they come later by 0.0500 s."));
     assert!(said(0.0, |t| t / 0.99).contains("; they come earlier by 1.00 % of the time since the start."));
     // Beside its smallest moment's axis a spin that is noise has many more changes of sign than the motion.
     let noise = |i: u32| Vector3::new(5.0, 1e-5 * f64::from(i * i % 7) - 3e-5, 0.0);
-    let noisy = judged(&spins([1.0, 2.0, 2.5], (0..600).map(|i| (H * f64::from(i), noise(i)))));
+    let noisy = judged(&spins(HEADER, (0..600).map(|i| (H * f64::from(i), noise(i)))));
     // No flips are farther apart than the record is long.
     assert!(noisy.flips.as_ref().unwrap().apart < noisy.record.duration, "{noisy}");
     for other in [said(0.0, |t| t - 1e-3 * t * t), said(-100.0, |t| t - 0.1 * H), noisy.to_string()] {

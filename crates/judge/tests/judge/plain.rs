@@ -1,8 +1,7 @@
 //! What a hobby engine does, its records with few digits or many, and records that say too little.
 
-use crate::common::{Row, judged, stepped_by, written};
+use crate::common::{Row, judged, spins, stepped_by, written};
 use nalgebra::{Quaternion, Vector3};
-use std::fmt::Write as _;
 use tumbling::attitude::product;
 use tumbling::dynamics::euler::angular_acceleration;
 use tumbling::step::{Method, State, System};
@@ -77,13 +76,11 @@ fn an_error_beyond_the_limit_is_never_kept_to_rounding_and_a_great_one_never_bou
     let direction = verdict.laws.iter().find(|law| law.name == LawName::Direction).unwrap();
     assert!(direction.most > 1.0 && direction.growth.rank() > 0, "{verdict}");
     // An energy that grows a millionfold in a second, and stays there.
-    let mut text = String::from("# inertia: 1 2 2.5\nt,wx,wy,wz\n");
-    for i in 0..600 {
+    let rows = (0..600).map(|i| {
         let t = 0.01 * f64::from(i);
-        let size = (7.0 * t.min(1.0)).exp();
-        writeln!(text, "{t},{:e},{:e},{:e}", 0.1 * size, 3.0 * size, 0.2 * size).unwrap();
-    }
-    let verdict = judged(&text);
+        (t, Vector3::new(0.1, 3.0, 0.2) * (7.0 * t.min(1.0)).exp())
+    });
+    let verdict = judged(&spins("# inertia: 1 2 2.5", rows));
     let energy = verdict.laws.iter().find(|law| law.name == LawName::Energy).unwrap();
     assert!(energy.most > 1e6 && energy.growth.name() == "changed, then stayed", "{energy}");
     assert_eq!(energy.growth.rank(), 5);

@@ -1,6 +1,6 @@
 //! Rules written out here, by nothing of the library's steps: the judge has to name them.
 
-use crate::common::judged;
+use crate::common::{self, judged};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use tumbling::step::{Engine, Method};
 use tumbling::{Body, Inertia};
@@ -48,14 +48,9 @@ fn start() -> State {
 }
 
 fn written(rows: impl Iterator<Item = (f64, State)>, attitude: bool) -> String {
-    let mut text = String::from("# inertia: 1 2 2.7\n");
-    text += if attitude { "t,qw,qx,qy,qz,wx,wy,wz\n" } else { "t,wx,wy,wz\n" };
-    for (t, (q, w)) in rows {
-        let all = [t, q.w, q.i, q.j, q.k, w.x, w.y, w.z].map(|x| format!("{x:?}"));
-        let numbers = if attitude { all.join(",") } else { [&all[..1], &all[5..]].concat().join(",") };
-        text += &format!("{numbers}\n");
-    }
-    text
+    let rows: Vec<_> = rows.map(|(t, (q, w))| (t, q.into_inner(), w)).collect();
+    let text = common::written("# inertia: 1 2 2.7", &rows, |t| t.to_string(), |x| x.to_string());
+    if attitude { text } else { text.replacen("qw,qx,qy,qz", "a,b,c,d", 1) }
 }
 
 fn run(rule: fn(&State) -> State, from: State) -> impl Iterator<Item = (f64, State)> {

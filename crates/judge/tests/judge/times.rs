@@ -1,5 +1,6 @@
 //! Times that are wrong by one factor, and attitudes that turn otherwise than by their spin.
 
+use crate::common::invented::Chance;
 use crate::common::{Row, SPINS, exact_of, judged, written};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::attitude::{product, rotation_matrix, turn};
@@ -232,12 +233,8 @@ fn an_attitude_that_is_turned_on_the_wrong_side_or_twice_is_named_with_its_remed
 #[test]
 fn noise_scatters_and_the_roundings_of_a_fine_run_turned_on_the_wrong_side_do_not() {
     let exact = run(BODIES[0], SPINS[3].into(), None);
-    let mut seed = 1_u64;
-    let mut noise = || {
-        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        3e-3 * ((seed >> 40) as f64 / 16_777_216.0 - 0.5)
-    };
-    let noisy = exact.iter().map(|(t, q, w)| (*t, *q, w + Vector3::from_fn(|_, _| noise())));
+    let mut chance = Chance(1);
+    let noisy = exact.iter().map(|(t, q, w)| (*t, *q, w + chance.vector() * 1.5e-3));
     let said = judged(&timed(BODIES[0], &noisy.collect::<Vec<_>>(), 1, 1.0)).to_string();
     assert!(said.contains("The rows scatter") && said.contains("noisy sensor"), "{said}");
     // Friction of one size, which overshoots at rest.

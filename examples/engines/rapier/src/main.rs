@@ -16,23 +16,20 @@ fn run(story: &Story, h: f64) -> Vec<[f64; 8]> {
     let mut world = PhysicsWorld::new();
     world.gravity = Vector::ZERO;
     world.integration_parameters.dt = h;
-    let mass = MassProperties::new(Vector::ZERO, 1.0, vector(story.moments));
     // Rapier takes the spin in world axes. A body that sleeps would stop.
     let body = RigidBodyBuilder::dynamic()
-        .additional_mass_properties(mass)
+        .additional_mass_properties(MassProperties::new(Vector::ZERO, 1.0, vector(story.moments)))
         .rotation(attitude.to_scaled_axis())
         .angvel(attitude * vector(story.spin))
         .can_sleep(false);
     let handle = world.insert_body(body);
-    let steps = (story.duration / h).round() as u32;
-    let mut rows = Vec::new();
-    for n in 0..=steps {
+    let row = |n: u32| {
         let body = &world.bodies[handle];
         let (q, w) = (*body.rotation(), body.rotation().inverse() * body.angvel());
-        rows.push([f64::from(n) * h, q.w, q.x, q.y, q.z, w.x, w.y, w.z]);
         world.step();
-    }
-    rows
+        [f64::from(n) * h, q.w, q.x, q.y, q.z, w.x, w.y, w.z]
+    };
+    (0..=(story.duration / h).round() as u32).map(row).collect()
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -44,8 +41,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     std::fs::create_dir_all(here.join("records"))?;
-    let asked = |story: &Story| wanted.is_empty() || wanted.contains(&story.name);
-    for story in Story::all().iter().filter(|story| asked(story)) {
+    for story in Story::all().iter().filter(|story| wanted.is_empty() || wanted.contains(&story.name)) {
         let (name, [a, b, c]) = (&story.name, story.moments);
         let mut text = format!(
             "# engine: Rapier 0.36.1 (rapier3d-f64), gyroscopic forces on\n# inertia: {a:?} {b:?} {c:?} kg m2\n# dt: {step} s\nt,qw,qx,qy,qz,wx,wy,wz\n"

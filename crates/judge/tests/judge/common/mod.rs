@@ -79,6 +79,17 @@ pub fn written(
     text
 }
 
+/// Spins alone, with all their digits, below a header.
+pub fn spins(header: &str, rows: impl IntoIterator<Item = (f64, Vector3<f64>)>) -> String {
+    let row = |(t, w): (f64, Vector3<f64>)| format!("{t:e},{:e},{:e},{:e}\n", w.x, w.y, w.z);
+    format!("{header}\nt,wx,wy,wz\n{}", rows.into_iter().map(row).collect::<String>())
+}
+
 pub fn judged(text: &str) -> Verdict {
     judge(text.as_bytes(), &Options::default()).unwrap()
+}
+
+/// The sentence with which a text is refused.
+pub fn refused(text: impl AsRef<[u8]>) -> String {
+    judge(text.as_ref(), &Options::default()).unwrap_err().to_string()
 }

@@ -4,9 +4,22 @@ use nalgebra::Vector3;
 use tumbling::step::{State, System, Torque};
 pub use tumbling_judge::records::RecordedRow as Row;
 use tumbling_judge::records::{RECORDED, Trajectory};
+use tumbling_judge::{PHYSICS_ENGINES, PhysicsEngine};
 
 /// The step of all records, s.
 pub const H: f64 = 1.0 / 60.0;
+
+/// The engine of a record's name.
+pub fn engine(record: &str) -> &'static PhysicsEngine {
+    PHYSICS_ENGINES.iter().find(|engine| engine.record == Some(record)).unwrap()
+}
+
+/// The step at which a recorded body was put back to rest, if it was.
+pub fn reset(record: &str, story: &str) -> Option<usize> {
+    let steps = [("major", 336), ("minor", 795), ("fast", 20), ("wound", 12)];
+    let euler = record == "mujoco-4.0.0-euler";
+    steps.into_iter().find(|(name, _)| euler && *name == story).map(|(_, step)| step)
+}
 
 pub struct Record {
     pub system: System<f64>,

@@ -17,10 +17,10 @@ type Motion = (Quaternion<f64>, Vector3<f64>);
 type Step = Box<dyn Fn(&Motion, f64) -> Option<Motion>>;
 
 /// Numbers by chance, the same for the same seed: Steele, Lea and Flood's SplitMix64.
-struct Chance(u64);
+pub struct Chance(pub u64);
 
 impl Chance {
-    fn share(&mut self) -> f64 {
+    pub fn share(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -28,7 +28,7 @@ impl Chance {
         ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    fn below(&mut self, most: usize) -> usize {
+    pub fn below(&mut self, most: usize) -> usize {
         ((self.share() * most as f64) as usize).min(most - 1)
     }
 
@@ -40,7 +40,7 @@ impl Chance {
         least * (most / least).powf(self.share())
     }
 
-    fn vector(&mut self) -> Vector3<f64> {
+    pub fn vector(&mut self) -> Vector3<f64> {
         Vector3::from_fn(|_, _| self.share() * 2.0 - 1.0)
     }
 }

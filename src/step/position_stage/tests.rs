@@ -1,18 +1,25 @@
 //! The position stage of an engine: no energy from nothing, flips at the right times, any body, any step.
+//! These tests take millions of steps, and generic code is optimised with the crate that uses it: so they are
+//! here.
 
-use super::free_motion;
+use super::{PositionStage, Stepped};
+use crate::body::named::NamedBody;
+use crate::exact::FreeMotion;
+use crate::number::Field;
+use alloc::vec::Vec;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use num_traits::Float;
 use proptest::prelude::*;
-use tumbling::body::named::NamedBody;
-use tumbling::number::Field;
-use tumbling::step::{PositionStage, Stepped};
 
 trait Real: Field + Float + From<f32> + Into<f64> {}
 impl<T: Field + Float + From<f32> + Into<f64>> Real for T {}
 
 fn real<T: Real>(x: f64) -> T {
     <T as num_traits::NumCast>::from(x).unwrap()
+}
+
+fn free_motion(moments: Vector3<f64>, omega: &Vector3<f64>) -> FreeMotion {
+    FreeMotion::new(moments.try_into().unwrap(), omega).unwrap()
 }
 
 /// A motion in `f64`: the attitude with length 1, the spin and the momentum along the principal axes.
@@ -284,7 +291,7 @@ fn a_tensor_in_any_frame_moves_as_in_its_own() {
 }
 
 /// Powers of two, so that only overflow and underflow could make a difference.
-fn frames_of_any_length<T: Real + std::fmt::Debug>(exponents: std::ops::RangeInclusive<i32>) {
+fn frames_of_any_length<T: Real + core::fmt::Debug>(exponents: core::ops::RangeInclusive<i32>) {
     let own = body::<T>(&Vector3::new(0.3, 0.5, 0.7));
     let from = start::<T>([1.0, 4.0, -2.0]);
     let frame = |size: T| own.in_frame(Quaternion::new(size, -size, size, size));
@@ -298,7 +305,7 @@ fn frames_of_any_length<T: Real + std::fmt::Debug>(exponents: std::ops::RangeInc
         assert!(frame(size).is_err(), "{size:?}");
     }
     let none = Quaternion::new(T::one(), T::zero(), T::nan(), T::zero());
-    assert_eq!(own.in_frame(none).unwrap_err().kind(), tumbling::ErrorKind::NotFinite);
+    assert_eq!(own.in_frame(none).unwrap_err().kind(), crate::ErrorKind::NotFinite);
 }
 
 #[test]
@@ -311,7 +318,7 @@ fn a_frame_of_any_length_stands_for_its_direction_and_one_of_none_is_refused() {
 fn moments_whose_ratios_have_no_number_are_refused() {
     for moments in [[1e-300, 1.0, 1e300], [1e-308, 1.0, 1.5], [1.0, 1e300, 1.0], [1.0, 1e200, 1e-200]] {
         let refused = PositionStage::new(&Vector3::from(moments)).unwrap_err();
-        assert_eq!(refused.kind(), tumbling::ErrorKind::Unrepresentable, "{moments:?}");
+        assert_eq!(refused.kind(), crate::ErrorKind::Unrepresentable, "{moments:?}");
         let inverse = Vector3::from(moments.map(|x| 1.0 / x));
         assert!(PositionStage::of_inverse(&inverse).is_err(), "{moments:?}");
     }
