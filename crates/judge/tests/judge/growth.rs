@@ -1,4 +1,4 @@
-//! How an error grows with time, in numbers and in words, and the points by which a record is drawn.
+//! How an error grows with time, in numbers and in words.
 
 use crate::common::{MOMENTS, exact};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
@@ -57,25 +57,6 @@ fn each_way_to_grow_is_distinguished_from_the_others_whatever_the_length() {
     // takes to grow faster by a thousandth.
     let rises = of_direction(3000, |t| 1e-13 * t.exp());
     assert!(matches!(rises, Growth::Exponential { rate } if (rate - 1.001).abs() < 1e-3), "{rises:?}");
-}
-
-#[test]
-fn however_long_the_record_there_are_few_points_and_no_extreme_is_lost() {
-    for (rows, points) in [(2, 2), (255, 255), (256, 256), (257, 129), (3000, 188)] {
-        let extreme = 0.01 * f64::from(rows / 3);
-        let verdict = a_record(rows, |t, _, spin| (None, if t == extreme { spin * 1.001 } else { spin }));
-        let all = &verdict.curve;
-        assert_eq!(all.len(), points);
-        let apart: Vec<f64> = all.windows(2).map(|two| two[1].time - two[0].time).collect();
-        assert!(all[0].time == 0.0 && apart.iter().all(|x| (x / apart[0] - 1.0).abs() < 1e-9), "evenly");
-        let most = all.iter().map(|point| point.energy).fold(0.0, f64::max);
-        assert!((most - (1.001 * 1.001 - 1.0)).abs() < 1e-12 || rows == 2, "{rows}: {most}");
-        // Of each component of the spin the least and the greatest, over all rows.
-        let rows = exact(SPIN, 0.01, rows - 1);
-        let spins = rows.iter().map(|(t, _, spin)| if *t == extreme { spin * 1.001 } else { *spin });
-        let least = spins.fold(SPIN, |least, spin| least.inf(&spin));
-        assert_eq!(all.iter().fold(SPIN, |least, point| least.inf(&point.spin_range[0])), least);
-    }
 }
 
 fn said(name: LawName, growth: Growth) -> String {
