@@ -9,7 +9,7 @@ mod variation;
 
 use super::law::{DissipationLaw, GradientLaw, Law, WorldLaw, turned};
 use super::sums::{
-    Coefficients, Lanes, across, across_sums, add_scaled, lanes, own_sums, pairs, scaled, sums, turn,
+    Coefficients, Lanes, across, across_sums, add_scaled, each, lanes, own_sums, pairs, scaled, sums, turn,
 };
 use crate::attitude::rotate_inverse;
 use alloc::boxed::Box;
@@ -202,7 +202,7 @@ impl<const N: usize> Series<N> {
         self.attitude[n + 1] = scaled(&turn(&sums.turn), inverse / 2.0);
         let pairs = pairs(&sums.pairs);
         if let (Some(own), Some(dissipation)) = (&mut self.dissipation, &law.dissipation) {
-            let free = core::array::from_fn(|i| law.coupling[i] * pairs[i]);
+            let free = each(|i| law.coupling[i] * pairs[i]);
             own.add(dissipation, &spin.up[n], &free, n, &mut rate);
         }
         if ACROSS && let ([own, more @ ..], [first, others @ ..]) = (&mut *self.gradients, &*law.gradients) {
@@ -215,7 +215,7 @@ impl<const N: usize> Series<N> {
         }
         // The next coefficients wait for the sums alone: all else is scaled beforehand.
         let next = |i: usize| law.coupling[i] * inverse * pairs[i] + rate[i] * inverse;
-        self.spin.set(n + 1, core::array::from_fn(next));
+        self.spin.set(n + 1, each(next));
         self.order = n + 1;
     }
 
@@ -228,7 +228,8 @@ impl<const N: usize> Series<N> {
     pub(super) fn torque(&self, law: &Law) -> [f64; 3] {
         let ([x, y, z, _], rate) = (self.spin.up[0], &self.spin.up[1]);
         let pairs = [y * z, z * x, x * y];
-        core::array::from_fn(|i| rate[i] - law.coupling[i] * pairs[i])
+        let torque = |i: usize| rate[i] - law.coupling[i] * pairs[i];
+        [torque(0), torque(1), torque(2)]
     }
 
     /// The larger of the attitude's coefficient of this power and the momentum's, in units of `1 / weights`;
@@ -236,7 +237,7 @@ impl<const N: usize> Series<N> {
     #[inline(always)]
     pub(super) fn size(&self, power: usize, weights: &[f64; 3]) -> f64 {
         let spin = &self.spin.up[power];
-        let momentum = [0, 1, 2].map(|i| spin[i].abs() * weights[i]);
+        let momentum = [spin[0].abs() * weights[0], spin[1].abs() * weights[1], spin[2].abs() * weights[2]];
         let attitude = &self.attitude[power];
         let size = super::largest(&[super::largest(attitude), super::largest(&momentum)]);
         self.variations.as_ref().map_or(size, |variations| super::largest(&[size, variations.size(power)]))
@@ -257,11 +258,12 @@ impl<const N: usize> Series<N> {
                 w[i] = w[i] * x + spin[i];
             }
         }
-        [q.map(|y| y * x), w.map(|y| y * x)]
+        [scaled(&q, x), scaled(&w, x)]
     }
 
     /// The changes of attitude (vector part first) and spin after `x` units of time, and their rates there.
-    #[inline]
+    // Not inlined: where a number is not used, the compiler does not compute two at a time.
+    #[inline(never)]
     pub(super) fn at(&self, x: f64) -> [Lanes; 4] {
         let [mut q, mut w, mut dq, mut dw] = [[0.0; 4]; 4];
         let powers = 1..=self.order;
@@ -273,8 +275,8 @@ impl<const N: usize> Series<N> {
                 w[i] = w[i] * x + spin[i];
             }
         }
-        let rate = |value: &Lanes, derivative: &Lanes| core::array::from_fn(|i| value[i] + derivative[i] * x);
-        [q.map(|y| y * x), w.map(|y| y * x), rate(&q, &dq), rate(&w, &dw)]
+        let rate = |value: &Lanes, derivative: &Lanes| each(|i| value[i] + derivative[i] * x);
+        [scaled(&q, x), scaled(&w, x), rate(&q, &dq), rate(&w, &dw)]
     }
 }
 
@@ -292,8 +294,8 @@ impl<const N: usize> DissipationSeries<N> {
     /// Adds the angular acceleration `J k L x (L x w)`; the argument is the acceleration without a torque.
     fn add(&mut self, law: &DissipationLaw, spin: &Lanes, free: &Lanes, n: usize, rate: &mut Lanes) {
         let m = &law.moments;
-        self.coupling.set(n, core::array::from_fn(|i| m[i] * free[i]));
-        self.momentum[n] = core::array::from_fn(|i| m[i] * spin[i]);
+        self.coupling.set(n, each(|i| m[i] * free[i]));
+        self.momentum[n] = each(|i| m[i] * spin[i]);
         let across = across(&across_sums(n + 1, &self.momentum, &self.coupling));
         for i in 0..4 {
             rate[i] += law.acceleration[i] * across[i];
@@ -314,7 +316,7 @@ impl<const N: usize> GradientSeries<N> {
         inverse: f64,
         rate: &mut Lanes,
     ) {
-        self.turning.set(n, core::array::from_fn(|i| spin[i] - self.orbit[n][i]));
+        self.turning.set(n, each(|i| spin[i] - self.orbit[n][i]));
         self.orbit[n + 1] = scaled(&turned, inverse);
         let (turned, own) = own_sums(n + 1, &self.direction, &self.turning);
         let pairs = pairs(&own);

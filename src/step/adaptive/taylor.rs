@@ -2,6 +2,7 @@
 
 use super::law::{Law, Rates};
 use super::series::{LENGTH, MOST, Series, Variation, in_units};
+use super::sums::each;
 use super::{Run, TRIES, exponential, largest, logarithm, ratio};
 use crate::body::State;
 use crate::error::Error;
@@ -82,9 +83,12 @@ impl Taylor {
                 below = small;
             }
         }
+        // All divisions are of numbers known before the last coefficients.
         let goal = logarithm(tolerance);
-        let longest = |order: usize| (goal - logarithm(self.series.size(order, weights))) / order as f64;
-        let [last, before] = [self.most, self.most - 1].map(longest);
+        let longest = |order: usize, per: f64| (goal - logarithm(self.series.size(order, weights))) * per;
+        let (last, before) = (self.most, self.most - 1);
+        let last = longest(last, 1.0 / last as f64);
+        let before = longest(before, 1.0 / before as f64);
         let longest = exponential(if last < before { last } else { before });
         // A last step that is somewhat longer is better than a very short one after it.
         if left < 1.1 * longest { left } else { longest }
@@ -99,8 +103,9 @@ impl Taylor {
         let per = 1.0 / self.unit;
         self.begin(run, &end, time);
         let [turned, spun] = self.next.rate();
-        let turned: [f64; 4] = core::array::from_fn(|i| turned[i] - dq[i]);
-        let pushed: [f64; 3] = core::array::from_fn(|i| (spun[i] - dw[i]) * run.system.moments()[i] * per);
+        let turned = each(|i| turned[i] - dq[i]);
+        let pushed = |i: usize| (spun[i] - dw[i]) * run.system.moments()[i] * per;
+        let pushed = [pushed(0), pushed(1), pushed(2)];
         let share = x.abs() / (self.series.order as f64 + 1.0);
         let error = share * largest(&[largest(&turned), ratio(largest(&pushed), scale)]);
         let varied = if run.variation.is_some() { share * self.end_variations(x) } else { 0.0 };
@@ -131,7 +136,7 @@ impl Taylor {
     fn scale(&self, run: &Run, unit: f64) -> (bool, f64) {
         let least = f64::MIN_POSITIVE / run.tolerance;
         let (torque, moments) = (self.next.torque(&self.law), run.system.moments());
-        let gained: [f64; 3] = core::array::from_fn(|i| torque[i] * moments[i]);
+        let gained = [torque[0] * moments.x, torque[1] * moments.y, torque[2] * moments.z];
         let held = largest(run.state.momentum.as_slice()) + largest(&gained) / unit;
         let rounding =
             self.rates.acceleration * largest(moments.as_slice()) * unit * 8.0 * f64::EPSILON / run.tolerance;
@@ -173,14 +178,15 @@ impl Taylor {
         }
         let (moves, scale) = self.scale(run, unit);
         let weights = [0, 1, 2].map(|i| ratio(run.system.moments()[i].abs() / unit, scale).min(f64::MAX));
-        let left = remaining.abs() / unit;
+        let per = 1.0 / unit;
+        let left = remaining.abs() * per;
         let mut x = self.fill(&weights, left, run.tolerance);
         if !(x * unit).is_finite() {
             x = run.ahead().abs() / unit;
         }
         for _ in 0..TRIES {
             let (h, next) = run.fitted((x * unit).copysign(remaining))?;
-            let signed = h / unit;
+            let signed = h * per;
             let (end, error) = self.end(run, signed, next, scale);
             if error <= run.tolerance.max(32.0 * f64::EPSILON) {
                 run.count_stiffness(if moves { decay * h.abs() } else { 0.0 });
