@@ -21,8 +21,8 @@ pub(super) use variation::{Variation, Variations, identity, in_units};
 /// The largest order.
 pub(super) const MOST: usize = 26;
 
-/// The number of coefficients of a series of this order.
-pub(super) const LENGTH: usize = MOST + 1;
+/// The number of coefficients of a series of this order, and one that the end of a step adds.
+pub(super) const LENGTH: usize = MOST + 2;
 
 /// The series for the dissipation.
 #[derive(Debug, Clone)]
@@ -217,6 +217,16 @@ impl<const N: usize> Series<N> {
         let next = |i: usize| law.coupling[i] * inverse * pairs[i] + rate[i] * inverse;
         self.spin.set(n + 1, each(next));
         self.order = n + 1;
+    }
+
+    /// Sets the coefficients above the highest power to what changes attitude and spin by this much after `x`
+    /// units of time.
+    pub(super) fn append(&mut self, x: f64, attitude: &Lanes, spin: &Lanes) {
+        let per = 1.0 / (0..self.order).fold(x, |power, _| power * x);
+        // Where the power is not a normal number, the change is none.
+        let per = if per.is_finite() { per } else { 0.0 };
+        let next = (self.order + 1).min(N - 1);
+        (self.attitude[next], self.spin.up[next]) = (scaled(attitude, per), scaled(spin, per));
     }
 
     /// The rates of attitude and spin at the start.

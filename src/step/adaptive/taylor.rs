@@ -94,21 +94,26 @@ impl Taylor {
         if left < 1.1 * longest { left } else { longest }
     }
 
-    /// The end of a step of `x` units at a time (s after the start of the run), and the error of the step:
-    /// the difference between the rates of the series and of the law there.
-    fn end(&mut self, run: &Run, x: f64, time: f64, scale: f64) -> (State<f64>, f64) {
+    /// The end of a step of `x` units at a time (s after the start of the run), and the error of the step,
+    /// refused above `limit`: the difference between the rates of the series and of the law at the end of the
+    /// series. From it follows the next term of the series, which is added.
+    fn end(&mut self, run: &Run, x: f64, time: f64, scale: f64, limit: f64) -> (State<f64>, f64) {
         let [q, w, dq, dw] = self.series.at(x);
         let mut end = self.moved(run, &run.state, &q, &w);
-        let stretched = run.settle(&mut end);
-        let per = 1.0 / self.unit;
         self.begin(run, &end, time);
         let [turned, spun] = self.next.rate();
-        let turned = each(|i| turned[i] - dq[i]);
-        let pushed = |i: usize| (spun[i] - dw[i]) * run.system.moments()[i] * per;
-        let pushed = [pushed(0), pushed(1), pushed(2)];
-        let share = x.abs() / (self.series.order as f64 + 1.0);
-        let error = share * largest(&[largest(&turned), ratio(largest(&pushed), scale)]);
-        let varied = if run.variation.is_some() { share * self.end_variations(x) } else { 0.0 };
+        let (per, share) = (1.0 / self.unit, x / (self.series.order as f64 + 1.0));
+        let (turned, spun) = (each(|i| (turned[i] - dq[i]) * share), each(|i| (spun[i] - dw[i]) * share));
+        let pushed = |i: usize| spun[i] * run.system.moments()[i] * per;
+        let error = largest(&[largest(&turned), ratio(largest(&[pushed(0), pushed(1), pushed(2)]), scale)]);
+        if error > limit || error.is_nan() {
+            return (end, error);
+        }
+        self.series.append(x, &turned, &spun);
+        end = self.moved(run, &run.state, &each(|i| q[i] + turned[i]), &each(|i| w[i] + spun[i]));
+        let stretched = run.settle(&mut end);
+        self.begin(run, &end, time);
+        let varied = if run.variation.is_some() { share.abs() * self.end_variations(x) } else { 0.0 };
         (end, largest(&[error, stretched, varied]))
     }
 
@@ -184,11 +189,13 @@ impl Taylor {
         if !(x * unit).is_finite() {
             x = run.ahead().abs() / unit;
         }
+        let limit = run.tolerance.max(32.0 * f64::EPSILON);
         for _ in 0..TRIES {
             let (h, next) = run.fitted((x * unit).copysign(remaining))?;
             let signed = h * per;
-            let (end, error) = self.end(run, signed, next, scale);
-            if error <= run.tolerance.max(32.0 * f64::EPSILON) {
+            let (end, error) = self.end(run, signed, next, scale, limit);
+            if error <= limit {
+                self.series.order += 1;
                 run.count_stiffness(if moves { decay * h.abs() } else { 0.0 });
                 if let Some(flips) = &mut run.flips {
                     let spin = self.series.spin(flips.axis);
