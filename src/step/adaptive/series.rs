@@ -35,6 +35,8 @@ struct DissipationSeries<const N: usize> {
 /// The series for the gravity gradient, all in body axes.
 #[derive(Debug, Clone)]
 struct GradientSeries<const N: usize> {
+    /// The direction at the start, in world axes.
+    toward: Vector3<f64>,
     direction: Coefficients<N>,
     orbit: [Lanes; N],
     /// Spin minus orbit: the rate at which the direction turns.
@@ -48,7 +50,8 @@ pub(super) struct Series<const N: usize> {
     pub(super) order: usize,
     attitude: [Lanes; N],
     spin: Coefficients<N>,
-    /// Cosine and sine of each periodic torque: the last coefficient alone.
+    /// Cosine and sine of each periodic torque at the start, and the last coefficient alone.
+    phases: Vec<[f64; 2]>,
     periodic: Vec<[f64; 2]>,
     // Few laws have them, and all runs are moved.
     /// World vectors in body axes.
@@ -68,6 +71,7 @@ impl<const N: usize> Series<N> {
             order: 0,
             attitude: rows,
             spin: none(),
+            phases: vec![[0.0; 2]; law.periodic.len()],
             periodic: vec![[0.0; 2]; law.periodic.len()],
             world: vec![rows; law.world.len()],
             dissipation: law
@@ -76,14 +80,30 @@ impl<const N: usize> Series<N> {
             gradients: law
                 .gradients
                 .iter()
-                .map(|_| GradientSeries { direction: none(), orbit: rows, turning: none() })
+                .map(|_| GradientSeries {
+                    toward: Vector3::zeros(),
+                    direction: none(),
+                    orbit: rows,
+                    turning: none(),
+                })
                 .collect(),
             variations: varied.then(|| Box::new(Variations::new(law.gradients.len()))),
         }
     }
 
-    /// The first coefficients at a time (s after the system's): the state itself, with its spin in units.
-    pub(super) fn begin(&mut self, law: &Law, attitude: &Quaternion<f64>, spin: [f64; 3], time: f64) {
+    /// Sets the time at the start, s after the system's.
+    pub(super) fn set_time(&mut self, law: &Law, time: f64) {
+        for (now, one) in self.phases.iter_mut().zip(&law.periodic) {
+            let (sine, cosine) = turned(0.0, one.rate, time);
+            *now = [cosine, sine];
+        }
+        for (own, gradient) in self.gradients.iter_mut().zip(&law.gradients) {
+            own.toward = gradient.circle.at(time);
+        }
+    }
+
+    /// The first coefficients at the time that is set: the state itself, with its spin in units.
+    pub(super) fn begin(&mut self, law: &Law, attitude: &Quaternion<f64>, spin: [f64; 3]) {
         let in_body = |v: &Vector3<f64>| lanes(rotate_inverse(attitude, v).into());
         self.order = 0;
         let q = &attitude.coords;
@@ -92,13 +112,12 @@ impl<const N: usize> Series<N> {
         for (rows, one) in self.world.iter_mut().zip(&law.world) {
             rows[0] = in_body(&one.vector);
         }
-        for (now, one) in self.periodic.iter_mut().zip(&law.periodic) {
-            let (sine, cosine) = turned(0.0, one.rate, time);
-            *now = [cosine, sine];
+        for (last, phase) in self.periodic.iter_mut().zip(&self.phases) {
+            *last = *phase;
         }
         for (own, gradient) in self.gradients.iter_mut().zip(&law.gradients) {
             own.orbit[0] = in_body(&gradient.orbit);
-            own.direction.set(0, in_body(&gradient.circle.at(time)));
+            own.direction.set(0, in_body(&own.toward));
         }
     }
 

@@ -37,10 +37,10 @@ impl Taylor {
         Some(Self { law, unit: 1.0, rates, series, next, ready: false, most: order(run.tolerance) })
     }
 
-    /// Begins the next series at a state and a time, s after the start of the run.
-    fn begin(&mut self, run: &Run, state: &State<f64>, time: f64) {
+    /// Begins the next series at a state, at the time that is set.
+    fn begin(&mut self, run: &Run, state: &State<f64>) {
         let spin = run.system.omega(&state.momentum).map(|x| x * self.unit).into();
-        self.next.begin(&self.law, &state.attitude, spin, time);
+        self.next.begin(&self.law, &state.attitude, spin);
         self.next.extend_to(1, &self.law);
     }
 
@@ -100,7 +100,8 @@ impl Taylor {
     fn end(&mut self, run: &Run, x: f64, time: f64, scale: f64, limit: f64) -> (State<f64>, f64) {
         let [q, w, dq, dw] = self.series.at(x);
         let mut end = self.moved(run, &run.state, &q, &w);
-        self.begin(run, &end, time);
+        self.next.set_time(&self.law, time);
+        self.begin(run, &end);
         let [turned, spun] = self.next.rate();
         let (per, share) = (1.0 / self.unit, x / (self.series.order as f64 + 1.0));
         let (turned, spun) = (each(|i| (turned[i] - dq[i]) * share), each(|i| (spun[i] - dw[i]) * share));
@@ -112,7 +113,7 @@ impl Taylor {
         self.series.append(x, &turned, &spun);
         end = self.moved(run, &run.state, &each(|i| q[i] + turned[i]), &each(|i| w[i] + spun[i]));
         let stretched = run.settle(&mut end);
-        self.begin(run, &end, time);
+        self.begin(run, &end);
         let varied = if run.variation.is_some() { share.abs() * self.end_variations(x) } else { 0.0 };
         (end, largest(&[error, stretched, varied]))
     }
@@ -176,7 +177,8 @@ impl Taylor {
             (self.unit, self.ready) = (unit, false);
         }
         if !core::mem::take(&mut self.ready) {
-            self.begin(run, &run.state, run.time);
+            self.next.set_time(&self.law, run.time);
+            self.begin(run, &run.state);
             if let Some(variation) = &run.variation {
                 self.begin_variations(&in_units(variation, unit));
             }
