@@ -35,12 +35,31 @@ struct DissipationSeries<const N: usize> {
 /// The series for the gravity gradient, all in body axes.
 #[derive(Debug, Clone)]
 struct GradientSeries<const N: usize> {
-    /// The direction at the start, in world axes.
-    toward: Vector3<f64>,
     direction: Coefficients<N>,
     orbit: [Lanes; N],
     /// Spin minus orbit: the rate at which the direction turns.
     turning: Coefficients<N>,
+}
+
+/// What depends on the time alone.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Now {
+    /// Cosine and sine of each periodic torque.
+    phases: Vec<[f64; 2]>,
+    /// The direction of each gravity gradient, in world axes.
+    toward: Vec<Vector3<f64>>,
+}
+
+impl Now {
+    /// Sets the time, s after the system's.
+    pub(super) fn set(&mut self, law: &Law, time: f64) {
+        let phase = |rate: f64| <[f64; 2]>::from(turned(0.0, rate, time));
+        self.phases.clear();
+        self.phases
+            .extend(law.periodic.iter().map(|one| phase(one.rate)).map(|[sine, cosine]| [cosine, sine]));
+        self.toward.clear();
+        self.toward.extend(law.gradients.iter().map(|one| one.circle.at(time)));
+    }
 }
 
 /// Coefficients of powers of the time in units; `N` of each.
@@ -50,8 +69,7 @@ pub(super) struct Series<const N: usize> {
     pub(super) order: usize,
     attitude: [Lanes; N],
     spin: Coefficients<N>,
-    /// Cosine and sine of each periodic torque at the start, and the last coefficient alone.
-    phases: Vec<[f64; 2]>,
+    /// Cosine and sine of each periodic torque: the last coefficient alone.
     periodic: Vec<[f64; 2]>,
     // Few laws have them, and all runs are moved.
     /// World vectors in body axes.
@@ -71,7 +89,6 @@ impl<const N: usize> Series<N> {
             order: 0,
             attitude: rows,
             spin: none(),
-            phases: vec![[0.0; 2]; law.periodic.len()],
             periodic: vec![[0.0; 2]; law.periodic.len()],
             world: vec![rows; law.world.len()],
             dissipation: law
@@ -80,30 +97,14 @@ impl<const N: usize> Series<N> {
             gradients: law
                 .gradients
                 .iter()
-                .map(|_| GradientSeries {
-                    toward: Vector3::zeros(),
-                    direction: none(),
-                    orbit: rows,
-                    turning: none(),
-                })
+                .map(|_| GradientSeries { direction: none(), orbit: rows, turning: none() })
                 .collect(),
             variations: varied.then(|| Box::new(Variations::new(law.gradients.len()))),
         }
     }
 
-    /// Sets the time at the start, s after the system's.
-    pub(super) fn set_time(&mut self, law: &Law, time: f64) {
-        for (now, one) in self.phases.iter_mut().zip(&law.periodic) {
-            let (sine, cosine) = turned(0.0, one.rate, time);
-            *now = [cosine, sine];
-        }
-        for (own, gradient) in self.gradients.iter_mut().zip(&law.gradients) {
-            own.toward = gradient.circle.at(time);
-        }
-    }
-
-    /// The first coefficients at the time that is set: the state itself, with its spin in units.
-    pub(super) fn begin(&mut self, law: &Law, attitude: &Quaternion<f64>, spin: [f64; 3]) {
+    /// The first coefficients at a time: the state itself, with its spin in units.
+    pub(super) fn begin(&mut self, law: &Law, now: &Now, attitude: &Quaternion<f64>, spin: [f64; 3]) {
         let in_body = |v: &Vector3<f64>| lanes(rotate_inverse(attitude, v).into());
         self.order = 0;
         let q = &attitude.coords;
@@ -112,38 +113,10 @@ impl<const N: usize> Series<N> {
         for (rows, one) in self.world.iter_mut().zip(&law.world) {
             rows[0] = in_body(&one.vector);
         }
-        for (last, phase) in self.periodic.iter_mut().zip(&self.phases) {
-            *last = *phase;
-        }
-        for (own, gradient) in self.gradients.iter_mut().zip(&law.gradients) {
+        self.periodic.clone_from(&now.phases);
+        for ((own, gradient), toward) in self.gradients.iter_mut().zip(&law.gradients).zip(&now.toward) {
             own.orbit[0] = in_body(&gradient.orbit);
-            own.direction.set(0, in_body(&own.toward));
-        }
-    }
-
-    /// Starts with the coefficients of another series.
-    #[inline(always)]
-    pub(super) fn begin_as<const M: usize>(&mut self, other: &Series<M>) {
-        self.order = other.order;
-        self.periodic.clone_from(&other.periodic);
-        if let (Some(own), Some(other)) = (&mut self.variations, &other.variations) {
-            own.begin(&other.coefficient(0));
-        }
-        for power in 0..=other.order {
-            self.attitude[power] = other.attitude[power];
-            self.spin.set(power, other.spin.up[power]);
-            for (rows, others) in self.world.iter_mut().zip(&other.world) {
-                rows[power] = others[power];
-            }
-            if let (Some(own), Some(other)) = (&mut self.dissipation, &other.dissipation) {
-                own.momentum[power] = other.momentum[power];
-                own.coupling.set(power, other.coupling.up[power]);
-            }
-            for (own, other) in self.gradients.iter_mut().zip(&other.gradients) {
-                own.orbit[power] = other.orbit[power];
-                own.direction.set(power, other.direction.up[power]);
-                own.turning.set(power, other.turning.up[power]);
-            }
+            own.direction.set(0, in_body(toward));
         }
     }
 

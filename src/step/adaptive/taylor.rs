@@ -1,7 +1,7 @@
 //! Steps by Taylor series; the length of a step is limited by the size of the last terms.
 
 use super::law::{Law, Rates};
-use super::series::{LENGTH, MOST, Series, Variation, in_units};
+use super::series::{LENGTH, MOST, Now, Series, in_units};
 use super::sums::each;
 use super::{Run, TRIES, exponential, largest, logarithm, ratio};
 use crate::body::State;
@@ -17,12 +17,12 @@ pub(super) struct Taylor {
     law: Law,
     unit: f64,
     rates: Rates,
+    now: Now,
+    /// Whether `now` is the current time of the run.
+    ready: bool,
     series: Box<Series<LENGTH>>,
-    /// The first-order series about the end of a step: it measures the step's error and begins the next
-    /// series.
+    /// The first-order series about the end of the other: it measures the error.
     next: Series<2>,
-    /// Whether `next` is about the current state of the run.
-    pub(super) ready: bool,
     /// The highest power that a step takes.
     most: usize,
 }
@@ -33,23 +33,23 @@ impl Taylor {
         let law = Law::of(&run.system, 1.0)?;
         let varied = run.variation.is_some();
         let (series, next) = (Box::new(Series::new(&law, varied)), Series::new(&law, varied));
-        let rates = Rates::of(&run.system, &law);
-        Some(Self { law, unit: 1.0, rates, series, next, ready: false, most: order(run.tolerance) })
+        let (rates, now) = (Rates::of(&run.system, &law), Now::default());
+        Some(Self { law, unit: 1.0, rates, now, ready: false, series, next, most: order(run.tolerance) })
     }
 
-    /// Begins the next series at a state, at the time that is set.
-    fn begin(&mut self, run: &Run, state: &State<f64>) {
-        let spin = run.system.omega(&state.momentum).map(|x| x * self.unit).into();
-        self.next.begin(&self.law, &state.attitude, spin);
-        self.next.extend_to(1, &self.law);
+    /// The spin of a state, in units.
+    fn spin(&self, run: &Run, state: &State<f64>) -> [f64; 3] {
+        run.system.omega(&state.momentum).map(|x| x * self.unit).into()
     }
 
-    /// Begins the variations of the next series, in units; that series must have begun.
-    fn begin_variations(&mut self, start: &Variation) {
-        if let Some(variations) = &mut self.next.variations {
-            variations.begin(start);
+    /// Begins the series of a step at the current state.
+    fn begin(&mut self, run: &Run) {
+        let spin = self.spin(run, &run.state);
+        self.series.begin(&self.law, &self.now, &run.state.attitude, spin);
+        if let (Some(own), Some(start)) = (&mut self.series.variations, &run.variation) {
+            own.begin(&in_units(start, self.unit));
         }
-        self.next.extend_to(1, &self.law);
+        self.series.extend_to(1, &self.law);
     }
 
     /// Begins the variations at the end of a step of `x` units; returns the difference between the rates of
@@ -57,7 +57,10 @@ impl Taylor {
     #[inline(never)]
     fn end_variations(&mut self, x: f64) -> f64 {
         let Some([value, rate]) = self.series.variations.as_ref().map(|own| own.at(x)) else { return 0.0 };
-        self.begin_variations(&value);
+        if let Some(next) = &mut self.next.variations {
+            next.begin(&value);
+        }
+        self.next.extend_to(1, &self.law);
         let both = self.series.variations.as_ref().zip(self.next.variations.as_ref());
         both.map_or(0.0, |(own, next)| own.off(&next.coefficient(1), &rate))
     }
@@ -65,7 +68,6 @@ impl Taylor {
     /// Computes the coefficients about the current state; returns about the longest step, in units, that
     /// keeps the last terms below the tolerance.
     fn fill(&mut self, weights: &[f64; 3], left: f64, tolerance: f64) -> f64 {
-        self.series.begin_as(&self.next);
         let (mut power, mut below) = (left, false);
         if left > 1.0 {
             self.series.extend_to(self.most, &self.law);
@@ -100,8 +102,10 @@ impl Taylor {
     fn end(&mut self, run: &Run, x: f64, time: f64, scale: f64, limit: f64) -> (State<f64>, f64) {
         let [q, w, dq, dw] = self.series.at(x);
         let mut end = self.moved(run, &run.state, &q, &w);
-        self.next.set_time(&self.law, time);
-        self.begin(run, &end);
+        self.now.set(&self.law, time);
+        let spin = self.spin(run, &end);
+        self.next.begin(&self.law, &self.now, &end.attitude, spin);
+        self.next.extend_to(1, &self.law);
         let [turned, spun] = self.next.rate();
         let (per, share) = (1.0 / self.unit, x / (self.series.order as f64 + 1.0));
         let (turned, spun) = (each(|i| (turned[i] - dq[i]) * share), each(|i| (spun[i] - dw[i]) * share));
@@ -113,7 +117,6 @@ impl Taylor {
         self.series.append(x, &turned, &spun);
         end = self.moved(run, &run.state, &each(|i| q[i] + turned[i]), &each(|i| w[i] + spun[i]));
         let stretched = run.settle(&mut end);
-        self.begin(run, &end);
         let varied = if run.variation.is_some() { share.abs() * self.end_variations(x) } else { 0.0 };
         (end, largest(&[error, stretched, varied]))
     }
@@ -141,7 +144,7 @@ impl Taylor {
     /// their remaining sum is rounding.
     fn scale(&self, run: &Run, unit: f64) -> (bool, f64) {
         let least = f64::MIN_POSITIVE / run.tolerance;
-        let (torque, moments) = (self.next.torque(&self.law), run.system.moments());
+        let (torque, moments) = (self.series.torque(&self.law), run.system.moments());
         let gained = [torque[0] * moments.x, torque[1] * moments.y, torque[2] * moments.z];
         let held = largest(run.state.momentum.as_slice()) + largest(&gained) / unit;
         let rounding =
@@ -177,12 +180,9 @@ impl Taylor {
             (self.unit, self.ready) = (unit, false);
         }
         if !core::mem::take(&mut self.ready) {
-            self.next.set_time(&self.law, run.time);
-            self.begin(run, &run.state);
-            if let Some(variation) = &run.variation {
-                self.begin_variations(&in_units(variation, unit));
-            }
+            self.now.set(&self.law, run.time);
         }
+        self.begin(run);
         let (moves, scale) = self.scale(run, unit);
         let weights = [0, 1, 2].map(|i| ratio(run.system.moments()[i].abs() / unit, scale).min(f64::MAX));
         let per = 1.0 / unit;
