@@ -67,8 +67,8 @@ impl Now {
 pub(super) struct Series<const N: usize> {
     /// The highest power.
     pub(super) order: usize,
-    attitude: [Lanes; N],
-    spin: Coefficients<N>,
+    pub(super) attitude: [Lanes; N],
+    pub(super) spin: Coefficients<N>,
     /// Cosine and sine of each periodic torque: the last coefficient alone.
     periodic: Vec<[f64; 2]>,
     // Few laws have them, and all runs are moved.
@@ -202,7 +202,10 @@ impl<const N: usize> Series<N> {
                 if alone { across(&sums.across) } else { across(&across_sums(n + 1, &own.orbit, spin)) };
             own.add(first, turned, &spin.up[n], n, inverse, &mut rate);
             if !more.is_empty() {
-                rate = GradientSeries::add_all(more, others, spin, n, inverse, rate);
+                for (own, law) in more.iter_mut().zip(others) {
+                    let turned = across(&across_sums(n + 1, &own.orbit, spin));
+                    own.add(law, turned, &spin.up[n], n, inverse, &mut rate);
+                }
             }
         }
         // The next coefficients wait for the sums alone: all else is scaled beforehand.
@@ -219,11 +222,6 @@ impl<const N: usize> Series<N> {
         let per = if per.is_finite() { per } else { 0.0 };
         let next = (self.order + 1).min(N - 1);
         (self.attitude[next], self.spin.up[next]) = (scaled(attitude, per), scaled(spin, per));
-    }
-
-    /// The rates of attitude and spin at the start.
-    pub(super) fn rate(&self) -> [Lanes; 2] {
-        [self.attitude[1], self.spin.up[1]]
     }
 
     /// The angular acceleration by the torques at the start.
@@ -326,22 +324,5 @@ impl<const N: usize> GradientSeries<N> {
             rate[i] -= law.acceleration[i] * pairs[i];
         }
         self.direction.set(n + 1, scaled(&across(&turned), inverse));
-    }
-
-    // Few laws have two; inlined, the code for the second would take registers from the first.
-    #[inline(never)]
-    fn add_all(
-        all: &mut [Self],
-        laws: &[GradientLaw],
-        spin: &Coefficients<N>,
-        n: usize,
-        inverse: f64,
-        mut rate: Lanes,
-    ) -> Lanes {
-        for (own, law) in all.iter_mut().zip(laws) {
-            let turned = across(&across_sums(n + 1, &own.orbit, spin));
-            own.add(law, turned, &spin.up[n], n, inverse, &mut rate);
-        }
-        rate
     }
 }

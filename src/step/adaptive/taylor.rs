@@ -37,14 +37,9 @@ impl Taylor {
         Some(Self { law, unit: 1.0, rates, now, ready: false, series, next, most: order(run.tolerance) })
     }
 
-    /// The spin of a state, in units.
-    fn spin(&self, run: &Run, state: &State<f64>) -> [f64; 3] {
-        run.system.omega(&state.momentum).map(|x| x * self.unit).into()
-    }
-
     /// Begins the series of a step at the current state.
     fn begin(&mut self, run: &Run) {
-        let spin = self.spin(run, &run.state);
+        let spin = run.system.omega(&run.state.momentum).map(|x| x * self.unit).into();
         self.series.begin(&self.law, &self.now, &run.state.attitude, spin);
         if let (Some(own), Some(start)) = (&mut self.series.variations, &run.variation) {
             own.begin(&in_units(start, self.unit));
@@ -87,10 +82,8 @@ impl Taylor {
         }
         // All divisions are of numbers known before the last coefficients.
         let goal = logarithm(tolerance);
-        let longest = |order: usize, per: f64| (goal - logarithm(self.series.size(order, weights))) * per;
-        let (last, before) = (self.most, self.most - 1);
-        let last = longest(last, 1.0 / last as f64);
-        let before = longest(before, 1.0 / before as f64);
+        let longest = |order| (goal - logarithm(self.series.size(order, weights))) * (1.0 / order as f64);
+        let [last, before] = [self.most, self.most - 1].map(longest);
         let longest = exponential(if last < before { last } else { before });
         // A last step that is somewhat longer is better than a very short one after it.
         if left < 1.1 * longest { left } else { longest }
@@ -103,10 +96,10 @@ impl Taylor {
         let [q, w, dq, dw] = self.series.at(x);
         let mut end = self.moved(run, &run.state, &q, &w);
         self.now.set(&self.law, time);
-        let spin = self.spin(run, &end);
+        let spin = run.system.omega(&end.momentum).map(|x| x * self.unit).into();
         self.next.begin(&self.law, &self.now, &end.attitude, spin);
         self.next.extend_to(1, &self.law);
-        let [turned, spun] = self.next.rate();
+        let (turned, spun) = (&self.next.attitude[1], &self.next.spin.up[1]);
         let (per, share) = (1.0 / self.unit, x / (self.series.order as f64 + 1.0));
         let (turned, spun) = (each(|i| (turned[i] - dq[i]) * share), each(|i| (spun[i] - dw[i]) * share));
         let pushed = |i: usize| spun[i] * run.system.moments()[i] * per;
@@ -156,9 +149,8 @@ impl Taylor {
     /// more).
     pub(super) fn advance(&mut self, run: &mut Run) -> Result<(), Error> {
         let remaining = run.duration - run.time;
-        let omega = run.system.omega(&run.state.momentum);
         let decay = self.rates.fastest_decay(&run.state.momentum);
-        let rate = self.rates.fastest(&omega, decay);
+        let rate = self.rates.fastest(&run.system.omega(&run.state.momentum), decay);
         // The unit should be within a factor of four of the time in which the motion changes; otherwise it is
         // chosen again.
         let rate_in_units = rate * self.unit;
