@@ -17,7 +17,7 @@ use crate::number::{Analytic, exponent, times_power_of_two};
 use crate::step::system::System;
 use alloc::boxed::Box;
 use alloc::sync::Arc;
-use core::f64::consts::{LN_2, SQRT_2};
+use core::f64::consts::{LN_2, LOG2_E, SQRT_2};
 use flips::Flips;
 use nalgebra::{Quaternion, Vector3};
 #[cfg(not(feature = "std"))]
@@ -140,13 +140,13 @@ impl Run {
     /// As [`project`](Self::project), at the end of a step: a component of the momentum below the normal
     /// numbers becomes zero, so that what decays comes to rest.
     fn settle(&self, end: &mut State<f64>) -> f64 {
-        end.momentum.apply(|x| *x = if x.is_subnormal() { 0.0 } else { *x });
+        end.momentum.apply(|x| *x = if x.abs() < f64::MIN_POSITIVE { 0.0 } else { *x });
         self.project(end)
     }
 
     /// Restores the constant lengths of attitude and momentum; returns the relative deviation before.
     fn project(&self, end: &mut State<f64>) -> f64 {
-        let attitude = normalize(&mut end.attitude) - 1.0;
+        let attitude = normalize_near(&mut end.attitude);
         if self.momentum == 0.0 {
             return attitude.abs();
         }
@@ -193,6 +193,18 @@ impl Run {
 /// Brings the attitude to length 1, unless its length is zero.
 pub(super) fn unit_length<T: Analytic>(attitude: &mut Quaternion<T>) -> Result<(), Error> {
     positive(Subject::AttitudeLength, normalize(attitude).min(f64::MAX)).map(drop)
+}
+
+/// As [`normalize`]; returns the length before minus 1.
+fn normalize_near(attitude: &mut Quaternion<f64>) -> f64 {
+    let off = attitude.coords.dot(&attitude.coords) - 1.0;
+    if off.abs() >= 1e-4 || off.is_nan() {
+        return normalize(attitude) - 1.0;
+    }
+    // Neither a root nor a division: the first term that is left out of the inverse length is below 2^-54.
+    let short = off * (0.5 - off * (0.375 - 0.3125 * off));
+    attitude.coords.apply(|x| *x -= *x * short);
+    short
 }
 
 /// Brings the attitude to length 1; returns its length before.
@@ -253,7 +265,7 @@ fn logarithm(x: f64) -> f64 {
 fn exponential(x: f64) -> f64 {
     // Beyond these numbers it is infinite or zero.
     let x = x.clamp(-800.0, 800.0);
-    let whole = (x / LN_2) as i32;
+    let whole = (x * LOG2_E) as i32;
     let rest = x - f64::from(whole) * LN_2;
     let [more, less] = [rest + 3.0, rest - 3.0].map(|y| y * y + 3.0);
     times_power_of_two(more / less, whole)

@@ -23,7 +23,8 @@ impl Stepper {
     /// requested. A [`step`](Self::step) that needs more than `budget` steps of the run is refused.
     ///
     /// A step of the run is a Taylor series in the time, of an order between 6 and 26 by the tolerance, whose
-    /// error is estimated by the residual of the series in the law of motion at its end. Where a torque is
+    /// error is estimated by the residual of the series in the law of motion at its end. The residual gives
+    /// about the next term too, which is added, so that the step errs less than estimated. Where a torque is
     /// given by a function, it is a step of DOP853, the pair of Dormand and Prince of order 8. Where damping
     /// far faster than the motion would keep such steps short, the run uses collocation at Radau's nodes.
     /// After each the attitude is brought back to length 1, and the momentum of a free body to the length

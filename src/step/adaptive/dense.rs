@@ -163,9 +163,6 @@ impl AdaptiveRun {
         self.run.variation = Some(Box::new(identity()));
         // The error of the variations limits the next steps again.
         self.run.stiff = 0;
-        if let Steps::Series(series) = &mut self.steps {
-            series.ready = false;
-        }
     }
 
     /// The flips before the time `end` that were not returned yet, s after the start, and the sign of the

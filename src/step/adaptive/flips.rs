@@ -1,6 +1,6 @@
 //! Changes of sign of the spin about the middle axis, from the series of each step.
 
-use super::series::MOST;
+use super::series::LENGTH;
 use crate::body::State;
 use crate::inertia::ascending;
 use crate::step::system::System;
@@ -8,7 +8,7 @@ use alloc::vec::Vec;
 
 /// A polynomial from 0 to 1 in Bernstein form. Its number of roots there is the number of sign changes of its
 /// coefficients, or less by an even number.
-type Bernstein = [f64; MOST + 1];
+type Bernstein = [f64; LENGTH];
 
 /// The number of halvings of an interval to separate two roots; after them its length is below the rounding
 /// of its ends.
@@ -51,7 +51,7 @@ impl Flips {
     /// Looks for flips in a step of `length` units from `start` (s after the start of the run), where the
     /// spin has these coefficients.
     pub(super) fn find(&mut self, coefficients: &[f64], length: f64, start: f64, unit: f64) {
-        let mut scaled = [0.0; MOST + 1];
+        let mut scaled = [0.0; LENGTH];
         let mut power = 1.0;
         for (term, c) in scaled.iter_mut().zip(coefficients) {
             *term = c * power;
@@ -103,7 +103,7 @@ fn sign_at_start(coefficients: &mut [f64]) -> f64 {
 
 /// The Bernstein coefficients from the coefficients of powers: `b[i]` is the sum of `C(i, k) / C(n, k) c[k]`.
 fn bernstein(coefficients: &[f64]) -> Bernstein {
-    let mut out = [0.0; MOST + 1];
+    let mut out = [0.0; LENGTH];
     let n = coefficients.len().saturating_sub(1);
     for (i, b) in out.iter_mut().enumerate().take(n + 1) {
         let mut share = 1.0;

@@ -9,7 +9,7 @@ mod variation;
 
 use super::law::{DissipationLaw, GradientLaw, Law, WorldLaw, turned};
 use super::sums::{
-    Coefficients, Lanes, across, across_sums, add_scaled, lanes, own_sums, pairs, scaled, sums, turn,
+    Coefficients, Lanes, across, across_sums, add_scaled, each, lanes, own_sums, pairs, scaled, sums, turn,
 };
 use crate::attitude::rotate_inverse;
 use alloc::boxed::Box;
@@ -21,8 +21,8 @@ pub(super) use variation::{Variation, Variations, identity, in_units};
 /// The largest order.
 pub(super) const MOST: usize = 26;
 
-/// The number of coefficients of a series of this order.
-pub(super) const LENGTH: usize = MOST + 1;
+/// The number of coefficients of a series of this order, and one that the end of a step adds.
+pub(super) const LENGTH: usize = MOST + 2;
 
 /// The series for the dissipation.
 #[derive(Debug, Clone)]
@@ -41,13 +41,34 @@ struct GradientSeries<const N: usize> {
     turning: Coefficients<N>,
 }
 
+/// What depends on the time alone.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Now {
+    /// Cosine and sine of each periodic torque.
+    phases: Vec<[f64; 2]>,
+    /// The direction of each gravity gradient, in world axes.
+    toward: Vec<Vector3<f64>>,
+}
+
+impl Now {
+    /// Sets the time, s after the system's.
+    pub(super) fn set(&mut self, law: &Law, time: f64) {
+        let phase = |rate: f64| <[f64; 2]>::from(turned(0.0, rate, time));
+        self.phases.clear();
+        self.phases
+            .extend(law.periodic.iter().map(|one| phase(one.rate)).map(|[sine, cosine]| [cosine, sine]));
+        self.toward.clear();
+        self.toward.extend(law.gradients.iter().map(|one| one.circle.at(time)));
+    }
+}
+
 /// Coefficients of powers of the time in units; `N` of each.
 #[derive(Debug, Clone)]
 pub(super) struct Series<const N: usize> {
     /// The highest power.
     pub(super) order: usize,
-    attitude: [Lanes; N],
-    spin: Coefficients<N>,
+    pub(super) attitude: [Lanes; N],
+    pub(super) spin: Coefficients<N>,
     /// Cosine and sine of each periodic torque: the last coefficient alone.
     periodic: Vec<[f64; 2]>,
     // Few laws have them, and all runs are moved.
@@ -82,8 +103,8 @@ impl<const N: usize> Series<N> {
         }
     }
 
-    /// The first coefficients at a time (s after the system's): the state itself, with its spin in units.
-    pub(super) fn begin(&mut self, law: &Law, attitude: &Quaternion<f64>, spin: [f64; 3], time: f64) {
+    /// The first coefficients at a time: the state itself, with its spin in units.
+    pub(super) fn begin(&mut self, law: &Law, now: &Now, attitude: &Quaternion<f64>, spin: [f64; 3]) {
         let in_body = |v: &Vector3<f64>| lanes(rotate_inverse(attitude, v).into());
         self.order = 0;
         let q = &attitude.coords;
@@ -92,39 +113,10 @@ impl<const N: usize> Series<N> {
         for (rows, one) in self.world.iter_mut().zip(&law.world) {
             rows[0] = in_body(&one.vector);
         }
-        for (now, one) in self.periodic.iter_mut().zip(&law.periodic) {
-            let (sine, cosine) = turned(0.0, one.rate, time);
-            *now = [cosine, sine];
-        }
-        for (own, gradient) in self.gradients.iter_mut().zip(&law.gradients) {
+        self.periodic.clone_from(&now.phases);
+        for ((own, gradient), toward) in self.gradients.iter_mut().zip(&law.gradients).zip(&now.toward) {
             own.orbit[0] = in_body(&gradient.orbit);
-            own.direction.set(0, in_body(&gradient.circle.at(time)));
-        }
-    }
-
-    /// Starts with the coefficients of another series.
-    #[inline(always)]
-    pub(super) fn begin_as<const M: usize>(&mut self, other: &Series<M>) {
-        self.order = other.order;
-        self.periodic.clone_from(&other.periodic);
-        if let (Some(own), Some(other)) = (&mut self.variations, &other.variations) {
-            own.begin(&other.coefficient(0));
-        }
-        for power in 0..=other.order {
-            self.attitude[power] = other.attitude[power];
-            self.spin.set(power, other.spin.up[power]);
-            for (rows, others) in self.world.iter_mut().zip(&other.world) {
-                rows[power] = others[power];
-            }
-            if let (Some(own), Some(other)) = (&mut self.dissipation, &other.dissipation) {
-                own.momentum[power] = other.momentum[power];
-                own.coupling.set(power, other.coupling.up[power]);
-            }
-            for (own, other) in self.gradients.iter_mut().zip(&other.gradients) {
-                own.orbit[power] = other.orbit[power];
-                own.direction.set(power, other.direction.up[power]);
-                own.turning.set(power, other.turning.up[power]);
-            }
+            own.direction.set(0, in_body(toward));
         }
     }
 
@@ -202,7 +194,7 @@ impl<const N: usize> Series<N> {
         self.attitude[n + 1] = scaled(&turn(&sums.turn), inverse / 2.0);
         let pairs = pairs(&sums.pairs);
         if let (Some(own), Some(dissipation)) = (&mut self.dissipation, &law.dissipation) {
-            let free = core::array::from_fn(|i| law.coupling[i] * pairs[i]);
+            let free = each(|i| law.coupling[i] * pairs[i]);
             own.add(dissipation, &spin.up[n], &free, n, &mut rate);
         }
         if ACROSS && let ([own, more @ ..], [first, others @ ..]) = (&mut *self.gradients, &*law.gradients) {
@@ -210,25 +202,34 @@ impl<const N: usize> Series<N> {
                 if alone { across(&sums.across) } else { across(&across_sums(n + 1, &own.orbit, spin)) };
             own.add(first, turned, &spin.up[n], n, inverse, &mut rate);
             if !more.is_empty() {
-                rate = GradientSeries::add_all(more, others, spin, n, inverse, rate);
+                for (own, law) in more.iter_mut().zip(others) {
+                    let turned = across(&across_sums(n + 1, &own.orbit, spin));
+                    own.add(law, turned, &spin.up[n], n, inverse, &mut rate);
+                }
             }
         }
         // The next coefficients wait for the sums alone: all else is scaled beforehand.
         let next = |i: usize| law.coupling[i] * inverse * pairs[i] + rate[i] * inverse;
-        self.spin.set(n + 1, core::array::from_fn(next));
+        self.spin.set(n + 1, each(next));
         self.order = n + 1;
     }
 
-    /// The rates of attitude and spin at the start.
-    pub(super) fn rate(&self) -> [Lanes; 2] {
-        [self.attitude[1], self.spin.up[1]]
+    /// Sets the coefficients above the highest power to what changes attitude and spin by this much after `x`
+    /// units of time.
+    pub(super) fn append(&mut self, x: f64, attitude: &Lanes, spin: &Lanes) {
+        let per = 1.0 / (0..self.order).fold(x, |power, _| power * x);
+        // Where the power is not a normal number, the change is none.
+        let per = if per.is_finite() { per } else { 0.0 };
+        let next = (self.order + 1).min(N - 1);
+        (self.attitude[next], self.spin.up[next]) = (scaled(attitude, per), scaled(spin, per));
     }
 
     /// The angular acceleration by the torques at the start.
     pub(super) fn torque(&self, law: &Law) -> [f64; 3] {
         let ([x, y, z, _], rate) = (self.spin.up[0], &self.spin.up[1]);
         let pairs = [y * z, z * x, x * y];
-        core::array::from_fn(|i| rate[i] - law.coupling[i] * pairs[i])
+        let torque = |i: usize| rate[i] - law.coupling[i] * pairs[i];
+        [torque(0), torque(1), torque(2)]
     }
 
     /// The larger of the attitude's coefficient of this power and the momentum's, in units of `1 / weights`;
@@ -236,7 +237,7 @@ impl<const N: usize> Series<N> {
     #[inline(always)]
     pub(super) fn size(&self, power: usize, weights: &[f64; 3]) -> f64 {
         let spin = &self.spin.up[power];
-        let momentum = [0, 1, 2].map(|i| spin[i].abs() * weights[i]);
+        let momentum = [spin[0].abs() * weights[0], spin[1].abs() * weights[1], spin[2].abs() * weights[2]];
         let attitude = &self.attitude[power];
         let size = super::largest(&[super::largest(attitude), super::largest(&momentum)]);
         self.variations.as_ref().map_or(size, |variations| super::largest(&[size, variations.size(power)]))
@@ -257,11 +258,12 @@ impl<const N: usize> Series<N> {
                 w[i] = w[i] * x + spin[i];
             }
         }
-        [q.map(|y| y * x), w.map(|y| y * x)]
+        [scaled(&q, x), scaled(&w, x)]
     }
 
     /// The changes of attitude (vector part first) and spin after `x` units of time, and their rates there.
-    #[inline]
+    // Not inlined: where a number is not used, the compiler does not compute two at a time.
+    #[inline(never)]
     pub(super) fn at(&self, x: f64) -> [Lanes; 4] {
         let [mut q, mut w, mut dq, mut dw] = [[0.0; 4]; 4];
         let powers = 1..=self.order;
@@ -273,8 +275,8 @@ impl<const N: usize> Series<N> {
                 w[i] = w[i] * x + spin[i];
             }
         }
-        let rate = |value: &Lanes, derivative: &Lanes| core::array::from_fn(|i| value[i] + derivative[i] * x);
-        [q.map(|y| y * x), w.map(|y| y * x), rate(&q, &dq), rate(&w, &dw)]
+        let rate = |value: &Lanes, derivative: &Lanes| each(|i| value[i] + derivative[i] * x);
+        [scaled(&q, x), scaled(&w, x), rate(&q, &dq), rate(&w, &dw)]
     }
 }
 
@@ -292,8 +294,8 @@ impl<const N: usize> DissipationSeries<N> {
     /// Adds the angular acceleration `J k L x (L x w)`; the argument is the acceleration without a torque.
     fn add(&mut self, law: &DissipationLaw, spin: &Lanes, free: &Lanes, n: usize, rate: &mut Lanes) {
         let m = &law.moments;
-        self.coupling.set(n, core::array::from_fn(|i| m[i] * free[i]));
-        self.momentum[n] = core::array::from_fn(|i| m[i] * spin[i]);
+        self.coupling.set(n, each(|i| m[i] * free[i]));
+        self.momentum[n] = each(|i| m[i] * spin[i]);
         let across = across(&across_sums(n + 1, &self.momentum, &self.coupling));
         for i in 0..4 {
             rate[i] += law.acceleration[i] * across[i];
@@ -314,7 +316,7 @@ impl<const N: usize> GradientSeries<N> {
         inverse: f64,
         rate: &mut Lanes,
     ) {
-        self.turning.set(n, core::array::from_fn(|i| spin[i] - self.orbit[n][i]));
+        self.turning.set(n, each(|i| spin[i] - self.orbit[n][i]));
         self.orbit[n + 1] = scaled(&turned, inverse);
         let (turned, own) = own_sums(n + 1, &self.direction, &self.turning);
         let pairs = pairs(&own);
@@ -322,22 +324,5 @@ impl<const N: usize> GradientSeries<N> {
             rate[i] -= law.acceleration[i] * pairs[i];
         }
         self.direction.set(n + 1, scaled(&across(&turned), inverse));
-    }
-
-    // Few laws have two; inlined, the code for the second would take registers from the first.
-    #[inline(never)]
-    fn add_all(
-        all: &mut [Self],
-        laws: &[GradientLaw],
-        spin: &Coefficients<N>,
-        n: usize,
-        inverse: f64,
-        mut rate: Lanes,
-    ) -> Lanes {
-        for (own, law) in all.iter_mut().zip(laws) {
-            let turned = across(&across_sums(n + 1, &own.orbit, spin));
-            own.add(law, turned, &spin.up[n], n, inverse, &mut rate);
-        }
-        rate
     }
 }

@@ -14,9 +14,15 @@ pub(super) fn lanes([x, y, z]: [f64; 3]) -> Lanes {
     [x, y, z, x]
 }
 
+// Not by `from_fn`, which calls a function for each.
+#[inline(always)]
+pub(super) fn each(of: impl Fn(usize) -> f64) -> Lanes {
+    [of(0), of(1), of(2), of(3)]
+}
+
 #[inline(always)]
 pub(super) fn scaled(a: &Lanes, by: f64) -> Lanes {
-    core::array::from_fn(|i| a[i] * by)
+    each(|i| a[i] * by)
 }
 
 #[inline(always)]

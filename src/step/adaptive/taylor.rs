@@ -1,7 +1,8 @@
 //! Steps by Taylor series; the length of a step is limited by the size of the last terms.
 
 use super::law::{Law, Rates};
-use super::series::{LENGTH, MOST, Series, Variation, in_units};
+use super::series::{LENGTH, MOST, Now, Series, in_units};
+use super::sums::each;
 use super::{Run, TRIES, exponential, largest, logarithm, ratio};
 use crate::body::State;
 use crate::error::Error;
@@ -16,12 +17,12 @@ pub(super) struct Taylor {
     law: Law,
     unit: f64,
     rates: Rates,
+    now: Now,
+    /// Whether `now` is the current time of the run.
+    ready: bool,
     series: Box<Series<LENGTH>>,
-    /// The first-order series about the end of a step: it measures the step's error and begins the next
-    /// series.
+    /// The first-order series about the end of the other: it measures the error.
     next: Series<2>,
-    /// Whether `next` is about the current state of the run.
-    pub(super) ready: bool,
     /// The highest power that a step takes.
     most: usize,
 }
@@ -32,23 +33,18 @@ impl Taylor {
         let law = Law::of(&run.system, 1.0)?;
         let varied = run.variation.is_some();
         let (series, next) = (Box::new(Series::new(&law, varied)), Series::new(&law, varied));
-        let rates = Rates::of(&run.system, &law);
-        Some(Self { law, unit: 1.0, rates, series, next, ready: false, most: order(run.tolerance) })
+        let (rates, now) = (Rates::of(&run.system, &law), Now::default());
+        Some(Self { law, unit: 1.0, rates, now, ready: false, series, next, most: order(run.tolerance) })
     }
 
-    /// Begins the next series at a state and a time, s after the start of the run.
-    fn begin(&mut self, run: &Run, state: &State<f64>, time: f64) {
-        let spin = run.system.omega(&state.momentum).map(|x| x * self.unit).into();
-        self.next.begin(&self.law, &state.attitude, spin, time);
-        self.next.extend_to(1, &self.law);
-    }
-
-    /// Begins the variations of the next series, in units; that series must have begun.
-    fn begin_variations(&mut self, start: &Variation) {
-        if let Some(variations) = &mut self.next.variations {
-            variations.begin(start);
+    /// Begins the series of a step at the current state.
+    fn begin(&mut self, run: &Run) {
+        let spin = run.system.omega(&run.state.momentum).map(|x| x * self.unit).into();
+        self.series.begin(&self.law, &self.now, &run.state.attitude, spin);
+        if let (Some(own), Some(start)) = (&mut self.series.variations, &run.variation) {
+            own.begin(&in_units(start, self.unit));
         }
-        self.next.extend_to(1, &self.law);
+        self.series.extend_to(1, &self.law);
     }
 
     /// Begins the variations at the end of a step of `x` units; returns the difference between the rates of
@@ -56,7 +52,10 @@ impl Taylor {
     #[inline(never)]
     fn end_variations(&mut self, x: f64) -> f64 {
         let Some([value, rate]) = self.series.variations.as_ref().map(|own| own.at(x)) else { return 0.0 };
-        self.begin_variations(&value);
+        if let Some(next) = &mut self.next.variations {
+            next.begin(&value);
+        }
+        self.next.extend_to(1, &self.law);
         let both = self.series.variations.as_ref().zip(self.next.variations.as_ref());
         both.map_or(0.0, |(own, next)| own.off(&next.coefficient(1), &rate))
     }
@@ -64,7 +63,6 @@ impl Taylor {
     /// Computes the coefficients about the current state; returns about the longest step, in units, that
     /// keeps the last terms below the tolerance.
     fn fill(&mut self, weights: &[f64; 3], left: f64, tolerance: f64) -> f64 {
-        self.series.begin_as(&self.next);
         let (mut power, mut below) = (left, false);
         if left > 1.0 {
             self.series.extend_to(self.most, &self.law);
@@ -82,28 +80,37 @@ impl Taylor {
                 below = small;
             }
         }
+        // All divisions are of numbers known before the last coefficients.
         let goal = logarithm(tolerance);
-        let longest = |order: usize| (goal - logarithm(self.series.size(order, weights))) / order as f64;
+        let longest = |order| (goal - logarithm(self.series.size(order, weights))) * (1.0 / order as f64);
         let [last, before] = [self.most, self.most - 1].map(longest);
         let longest = exponential(if last < before { last } else { before });
         // A last step that is somewhat longer is better than a very short one after it.
         if left < 1.1 * longest { left } else { longest }
     }
 
-    /// The end of a step of `x` units at a time (s after the start of the run), and the error of the step:
-    /// the difference between the rates of the series and of the law there.
-    fn end(&mut self, run: &Run, x: f64, time: f64, scale: f64) -> (State<f64>, f64) {
+    /// The end of a step of `x` units at a time (s after the start of the run), and the error of the step,
+    /// refused above `limit`: the difference between the rates of the series and of the law at the end of the
+    /// series. From it follows the next term of the series, which is added.
+    fn end(&mut self, run: &Run, x: f64, time: f64, scale: f64, limit: f64) -> (State<f64>, f64) {
         let [q, w, dq, dw] = self.series.at(x);
         let mut end = self.moved(run, &run.state, &q, &w);
+        self.now.set(&self.law, time);
+        let spin = run.system.omega(&end.momentum).map(|x| x * self.unit).into();
+        self.next.begin(&self.law, &self.now, &end.attitude, spin);
+        self.next.extend_to(1, &self.law);
+        let (turned, spun) = (&self.next.attitude[1], &self.next.spin.up[1]);
+        let (per, share) = (1.0 / self.unit, x / (self.series.order as f64 + 1.0));
+        let (turned, spun) = (each(|i| (turned[i] - dq[i]) * share), each(|i| (spun[i] - dw[i]) * share));
+        let pushed = |i: usize| spun[i] * run.system.moments()[i] * per;
+        let error = largest(&[largest(&turned), ratio(largest(&[pushed(0), pushed(1), pushed(2)]), scale)]);
+        if error > limit || error.is_nan() {
+            return (end, error);
+        }
+        self.series.append(x, &turned, &spun);
+        end = self.moved(run, &run.state, &each(|i| q[i] + turned[i]), &each(|i| w[i] + spun[i]));
         let stretched = run.settle(&mut end);
-        let per = 1.0 / self.unit;
-        self.begin(run, &end, time);
-        let [turned, spun] = self.next.rate();
-        let turned: [f64; 4] = core::array::from_fn(|i| turned[i] - dq[i]);
-        let pushed: [f64; 3] = core::array::from_fn(|i| (spun[i] - dw[i]) * run.system.moments()[i] * per);
-        let share = x.abs() / (self.series.order as f64 + 1.0);
-        let error = share * largest(&[largest(&turned), ratio(largest(&pushed), scale)]);
-        let varied = if run.variation.is_some() { share * self.end_variations(x) } else { 0.0 };
+        let varied = if run.variation.is_some() { share.abs() * self.end_variations(x) } else { 0.0 };
         (end, largest(&[error, stretched, varied]))
     }
 
@@ -130,8 +137,8 @@ impl Taylor {
     /// their remaining sum is rounding.
     fn scale(&self, run: &Run, unit: f64) -> (bool, f64) {
         let least = f64::MIN_POSITIVE / run.tolerance;
-        let (torque, moments) = (self.next.torque(&self.law), run.system.moments());
-        let gained: [f64; 3] = core::array::from_fn(|i| torque[i] * moments[i]);
+        let (torque, moments) = (self.series.torque(&self.law), run.system.moments());
+        let gained = [torque[0] * moments.x, torque[1] * moments.y, torque[2] * moments.z];
         let held = largest(run.state.momentum.as_slice()) + largest(&gained) / unit;
         let rounding =
             self.rates.acceleration * largest(moments.as_slice()) * unit * 8.0 * f64::EPSILON / run.tolerance;
@@ -142,9 +149,8 @@ impl Taylor {
     /// more).
     pub(super) fn advance(&mut self, run: &mut Run) -> Result<(), Error> {
         let remaining = run.duration - run.time;
-        let omega = run.system.omega(&run.state.momentum);
         let decay = self.rates.fastest_decay(&run.state.momentum);
-        let rate = self.rates.fastest(&omega, decay);
+        let rate = self.rates.fastest(&run.system.omega(&run.state.momentum), decay);
         // The unit should be within a factor of four of the time in which the motion changes; otherwise it is
         // chosen again.
         let rate_in_units = rate * self.unit;
@@ -166,23 +172,24 @@ impl Taylor {
             (self.unit, self.ready) = (unit, false);
         }
         if !core::mem::take(&mut self.ready) {
-            self.begin(run, &run.state, run.time);
-            if let Some(variation) = &run.variation {
-                self.begin_variations(&in_units(variation, unit));
-            }
+            self.now.set(&self.law, run.time);
         }
+        self.begin(run);
         let (moves, scale) = self.scale(run, unit);
         let weights = [0, 1, 2].map(|i| ratio(run.system.moments()[i].abs() / unit, scale).min(f64::MAX));
-        let left = remaining.abs() / unit;
+        let per = 1.0 / unit;
+        let left = remaining.abs() * per;
         let mut x = self.fill(&weights, left, run.tolerance);
         if !(x * unit).is_finite() {
             x = run.ahead().abs() / unit;
         }
+        let limit = run.tolerance.max(32.0 * f64::EPSILON);
         for _ in 0..TRIES {
             let (h, next) = run.fitted((x * unit).copysign(remaining))?;
-            let signed = h / unit;
-            let (end, error) = self.end(run, signed, next, scale);
-            if error <= run.tolerance.max(32.0 * f64::EPSILON) {
+            let signed = h * per;
+            let (end, error) = self.end(run, signed, next, scale, limit);
+            if error <= limit {
+                self.series.order += 1;
                 run.count_stiffness(if moves { decay * h.abs() } else { 0.0 });
                 if let Some(flips) = &mut run.flips {
                     let spin = self.series.spin(flips.axis);

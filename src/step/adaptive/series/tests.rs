@@ -19,7 +19,7 @@ fn the_fast_sums_are_those_of_the_recurrence() {
     let start = Quaternion::new(0.5, -0.1, 0.7, 0.2).normalize();
     let spin = Vector3::new(0.5, 2.0, -0.4);
     let mut fast = Series::<LENGTH>::new(&law, false);
-    fast.begin(&law, &start, spin.into(), 0.0);
+    fast.begin(&law, &Now::default(), &start, spin.into());
     fast.extend_to(MOST, &law);
 
     let (mut q, mut w, mut g) = (vec![start], vec![spin], vec![rotate_inverse(&start, &weight)]);
