@@ -157,7 +157,6 @@ fn words_of(panic: &(dyn Any + Send)) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::site::paths;
 
     #[test]
     fn a_drawing_that_no_figure_draws_is_named() {
@@ -165,23 +164,5 @@ mod tests {
         fs::write(folder.path().join("left-over.svg"), "<svg></svg>").unwrap();
         fs::write(folder.path().join("lib.rs"), "").unwrap();
         assert_eq!(strays(&[], folder.path()), ["  left-over.svg: no figure draws it"]);
-    }
-
-    #[test]
-    fn every_figure_is_drawn_and_shown_in_its_chapter() {
-        let missing: Vec<String> = registry()
-            .iter()
-            .filter_map(|figure| {
-                if !file_of(figure, &paths::figures()).is_file() {
-                    return Some(format!("figures/{}.svg is not there", figure.name));
-                }
-                let chapter = format!("book/chapters/{}.md", figure.chapter);
-                let file = paths::book().join("chapters").join(format!("{}.md", figure.chapter));
-                let text = fs::read_to_string(file).unwrap_or_default();
-                let shown = text.contains(&format!("figures/{}.svg)", figure.name));
-                (!shown).then(|| format!("{chapter} does not show the figure {}", figure.name))
-            })
-            .collect();
-        assert!(missing.is_empty(), "{}", missing.join("\n"));
     }
 }

@@ -145,7 +145,6 @@ mod tests {
     #[test]
     fn a_value_that_cannot_be_taken_is_answered_with_what_can() {
         for (words, answer) in [
-            ("judge a --inertia 1,2", "three numbers"),
             ("judge a --inertia 1,x,2", "three numbers"),
             ("judge a --threshold -1", "above zero"),
             ("judge a --threshold energy=", "above zero"),

@@ -49,36 +49,20 @@ fn works() -> Vec<Work> {
         let times: Vec<f64> = (0..1024).map(|k| f64::from(k * 37 % 1024) * 0.117).collect();
         let name = |what: &str| -> &'static str { Box::leak(format!("{what}, {where_}").into_boxed_str()) };
         let far: Vec<f64> = times.iter().map(|t| 1e10 + t).collect();
-        for (what, times) in [("w", &times), ("w at 1e9 periods", &far)] {
-            let times = times.clone();
-            works.push((
-                name(what),
-                Box::new(move |k| drop(black_box(motion.omega(black_box(times[k as usize % 1024]))))),
-            ));
-        }
-        for (what, times) in [("w and q", &times), ("w and q at 1e9 periods", &far)] {
-            let times = times.clone();
-            works.push((
-                name(what),
-                Box::new(move |k| drop(black_box(motion.at(black_box(times[k as usize % 1024]))))),
-            ));
-        }
         let short: Vec<f64> = times.iter().map(|t| 0.002 * t).collect();
-        for (what, times) in [("", &times), (", short spans", &short)] {
-            let times = times.clone();
-            let again = times.clone();
-            works.push((
-                name(&format!("state transition{what}")),
-                Box::new(move |k| {
-                    drop(black_box(motion.state_transition(black_box(times[k as usize % 1024]))));
-                }),
-            ));
-            works.push((
-                name(&format!("derivatives by the tensor{what}")),
-                Box::new(move |k| {
-                    drop(black_box(motion.sensitivities(black_box(again[k as usize % 1024]))));
-                }),
-            ));
+        let mut add = |what: &str, times: &[f64], work: fn(&FreeMotion, f64)| {
+            let times = times.to_vec();
+            works.push((name(what), Box::new(move |k| work(&motion, black_box(times[k as usize % 1024])))));
+        };
+        for (at, times) in [("", &times), (" at 1e9 periods", &far)] {
+            add(&format!("w{at}"), times, |motion, t| drop(black_box(motion.omega(t))));
+            add(&format!("w and q{at}"), times, |motion, t| drop(black_box(motion.at(t))));
+        }
+        for (at, times) in [("", &times), (", short spans", &short)] {
+            let transition = |motion: &FreeMotion, t| drop(black_box(motion.state_transition(t)));
+            add(&format!("state transition{at}"), times, transition);
+            let by_tensor = |motion: &FreeMotion, t| drop(black_box(motion.sensitivities(t)));
+            add(&format!("derivatives by the tensor{at}"), times, by_tensor);
         }
         works.push((
             name("preparing"),

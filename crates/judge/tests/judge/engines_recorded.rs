@@ -2,7 +2,7 @@
 
 use crate::common::record::{H, Record, engine, reset};
 use nalgebra::{Quaternion, Vector3};
-use tumbling::step::{Method, State, System};
+use tumbling::step::{State, System};
 use tumbling_judge::records::RECORDED;
 use tumbling_judge::{Limits, PHYSICS_ENGINES, PhysicsEngine};
 
@@ -112,30 +112,6 @@ fn mujoco_puts_a_body_back_to_rest_where_its_rule_is_refused_and_nowhere_else() 
         for (from, to, _) in resets {
             assert!(engine.step(&record.system, &record.motion(from), H).is_err());
             assert_eq!(to.attitude, Quaternion::identity());
-        }
-    }
-}
-
-// Every one of these spins is stable, and the exact motion keeps it for ever.
-#[test]
-fn the_explicit_rule_loses_a_stable_spin_within_twenty_seconds_and_the_others_do_not() {
-    for story in ["major", "minor"] {
-        let record = Record::read("mujoco-4.0.0-rk4", story);
-        let start = record.motion(&record.rows[0]);
-        let grown = |method: Method| {
-            let mut motion = start;
-            let mut most = 1.0_f64;
-            for _ in 0..1200 {
-                let Ok(next) = method.step(&record.system, &motion, H) else { return f64::INFINITY };
-                motion = next;
-                most = most.max(record.system.energy(&motion) / record.system.energy(&start));
-            }
-            most
-        };
-        assert!(grown(Method::SemiImplicitEuler) > 1e8, "{story}");
-        let rules = PHYSICS_ENGINES.iter().map(|engine| engine.method);
-        for method in rules.filter(|&method| method != Method::SemiImplicitEuler) {
-            assert!(grown(method) < 2.0, "{story} {method:?}");
         }
     }
 }

@@ -45,10 +45,6 @@ fn laws<T: Field>(spin: Vector3<T>, h: T) -> Vec<T> {
 const SPINS: [[f64; 3]; 4] = [[0.5, 10.0, 0.125], [-1.0, 0.25, 3.0], [2.0, -2.0, 0.0625], [0.0, 1.0, -0.5]];
 const STEP: f64 = 0.03125;
 
-fn in_f64(spin: [f64; 3]) -> Vec<f64> {
-    laws(spin.into(), STEP)
-}
-
 fn exactly(spin: [f64; 3]) -> Vec<Rational> {
     laws(Vector3::from(spin).map(Rational::of_f64), Rational::of_f64(STEP))
 }
@@ -64,15 +60,9 @@ fn close(floats: &[f64], exact: &[Rational], epsilon: f64, ulps: f64) {
 }
 
 #[test]
-fn floats_follow_the_exact_laws_to_rounding() {
+fn floats_of_either_precision_follow_the_exact_laws_to_their_rounding() {
     for spin in SPINS {
-        close(&in_f64(spin), &exactly(spin), f64::EPSILON, 4.0);
-    }
-}
-
-#[test]
-fn single_precision_follows_the_exact_laws_to_its_rounding() {
-    for spin in SPINS {
+        close(&laws(spin.into(), STEP), &exactly(spin), f64::EPSILON, 4.0);
         let single = laws(Vector3::from(spin).map(|x| x as f32), STEP as f32);
         let widened: Vec<f64> = single.into_iter().map(f64::from).collect();
         close(&widened, &exactly(spin), f32::EPSILON.into(), 4.0);

@@ -112,29 +112,12 @@ fn what_turning_to_the_principal_axes_rounds_is_not_promised() {
     let moments = Vector3::new(1e-8, 1.0, 1.0 + 0.5e-8);
     let tensor = rotation * nalgebra::Matrix3::from_diagonal(&moments) * rotation.transpose();
     let products = Vector3::new(tensor[(0, 1)], tensor[(0, 2)], tensor[(1, 2)]);
+    let given = InitialState { products, ..InitialState::spinning(tensor.diagonal(), Vector3::zeros()) };
+    let turned = InitialState { attitude: frame, ..InitialState::spinning(moments, Vector3::zeros()) };
     let l = frame * moments.component_mul(&Vector3::new(0.3, 0.2, 1.0));
-    let along = frame * Vector3::new(1e-8, 0.0, 0.0);
-    for body in [
-        InitialState {
-            moments: tensor.diagonal(),
-            products,
-            attitude: UnitQuaternion::identity(),
-            start: Start::Momentum(l),
-        },
-        // Here the light moment itself is what is lost.
-        InitialState {
-            moments: tensor.diagonal(),
-            products,
-            attitude: UnitQuaternion::identity(),
-            start: Start::Momentum(along),
-        },
-        InitialState {
-            moments: Vector3::new(1e-8, 1.0, 1.0 + 0.5e-8),
-            products: Vector3::zeros(),
-            attitude: frame,
-            start: Start::Momentum(l),
-        },
-    ] {
+    // Along the needle the light moment itself is what is lost.
+    for (body, momentum) in [(given, l), (given, frame * Vector3::new(1e-8, 0.0, 0.0)), (turned, l)] {
+        let body = InitialState { start: Start::Momentum(momentum), ..body };
         let scene = |accuracy| one(body, vec![], Times::Given(vec![0.0, 1.0]), BOTH, accuracy);
         let error = scene(1e-12).plan(0).map(|plan| plan.explain()).unwrap_err();
         let Error::Body { source, .. } = error else { panic!("{error}") };
