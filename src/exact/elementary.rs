@@ -58,10 +58,11 @@ impl<T: Rounding> Axes<T> {
             return [placed[0], placed[1], placed[2]];
         }
         let [first, second, _] = self.places;
-        [0.0, 1.0, 2.0].map(|axis| {
+        let on = |axis: f64| {
             let here = |place: T| (place - axis).abs().lt(splat::<T>(0.5));
             T::select(here(first), parts[0], T::select(here(second), parts[1], parts[2]))
-        })
+        };
+        [on(0.0), on(1.0), on(2.0)]
     }
 }
 
