@@ -128,11 +128,10 @@ impl<T: Rounding, A: Answer> Batch<T, A> {
         for &t in times {
             finite(Subject::Time, t)?;
         }
-        let first = |body| A::of(self.starts[body]);
-        self.direct.each(times, &first, &mut put);
-        self.complementary.each(times, &first, &mut put);
-        self.tops.each(times, &first, &mut put);
-        self.steady.each(times, &first, &mut put);
+        self.direct.each(times, &self.starts, &mut put);
+        self.complementary.each(times, &self.starts, &mut put);
+        self.tops.each(times, &self.starts, &mut put);
+        self.steady.each(times, &self.starts, &mut put);
         for (body, motion) in &self.alone {
             for (k, &t) in times.iter().enumerate() {
                 put(k, *body, A::of(motion.at(t)?));

@@ -180,7 +180,7 @@ pub(crate) fn side_by_side(motions: &[FreeMotion], attitudes: bool) -> Answers {
     // With fused product sums two vectors of four: the processor works on one while it waits for the other.
     #[cfg(target_arch = "x86_64")]
     match_target! {
-        "x86_64+avx2+fma" => in_lanes!(Lanes<8, true>),
+        "x86_64+avx2+fma" => in_lanes!(Lanes<4, true>),
         _ => in_lanes!(Lanes<4, false>),
     }
     #[cfg(not(target_arch = "x86_64"))]
