@@ -36,8 +36,11 @@ pub(super) trait Kernel<T: Rounding> {
     /// cosine of that angle.
     fn parts(&self, attitude: &Self::Attitude, phase: &Self::Phase, sin_cos: (T, T)) -> [T; 4];
 
-    /// The turn since the start, from these.
-    fn turn_of(&self, parts: [T; 4]) -> Quaternion<T>;
+    /// The turn since the start, from these: here its components, the real part last.
+    #[inline(always)]
+    fn turn_of(&self, parts: [T; 4]) -> Quaternion<T> {
+        unit(Quaternion::from_vector(parts.into()))
+    }
 
     /// The turn since the start.
     #[inline(always)]
@@ -119,14 +122,14 @@ impl<T: Rounding> Turn<T> {
     /// The turn since the start.
     #[inline(always)]
     pub(crate) fn at(&self, time: T) -> Quaternion<T> {
-        self.by(sin_cos_of_turns(self.half_rate * time))
+        unit(self.by(sin_cos_of_turns(self.half_rate * time)))
     }
 
-    /// The turn by twice the angle with this sine and cosine.
+    /// The turn by twice the angle with this sine and cosine, of length 1 to a few roundings.
     #[inline(always)]
     fn by(&self, (sin, cos): (T, T)) -> Quaternion<T> {
         let [x, y, z] = self.direction;
-        unit(Quaternion::new(cos, x * sin, y * sin, z * sin))
+        Quaternion::new(cos, x * sin, y * sin, z * sin)
     }
 }
 
@@ -155,11 +158,6 @@ impl<T: Rounding> Kernel<T> for Vector3<T> {
     #[inline(always)]
     fn parts(&self, turn: &Turn<T>, (): &(), sin_cos: (T, T)) -> [T; 4] {
         turn.by(sin_cos).coords.into()
-    }
-
-    #[inline(always)]
-    fn turn_of(&self, parts: [T; 4]) -> Quaternion<T> {
-        Quaternion::from_vector(parts.into())
     }
 }
 
@@ -209,12 +207,7 @@ impl<T: Rounding> Kernel<T> for TopSpin<T> {
         let (sin, cos) = sin_cos_of_turns(self.nutation * (time * 0.5));
         let zero = splat::<T>(0.0);
         let [x, y, z] = self.axes.arranged([-sin, zero, zero]);
-        product(&about_momentum.by(sin_cos), &Quaternion::new(cos, x, y, z)).coords.into()
-    }
-
-    #[inline(always)]
-    fn turn_of(&self, parts: [T; 4]) -> Quaternion<T> {
-        unit(Quaternion::from_vector(parts.into()))
+        product(&unit(about_momentum.by(sin_cos)), &Quaternion::new(cos, x, y, z)).coords.into()
     }
 }
 

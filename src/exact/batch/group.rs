@@ -8,7 +8,7 @@ use crate::exact::{FreeMotion, Instant};
 use crate::inertia::Frame;
 use crate::number::{DoubleDouble, Gather, Rounding, splat};
 use alloc::vec::Vec;
-use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+use nalgebra::{Quaternion, UnitQuaternion};
 
 /// The number of times for which a block is computed in one go: a power of two.
 const SPAN: usize = 16;
@@ -140,19 +140,17 @@ impl<T: Rounding, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
                         }
                         turns[before] = turn.coords.into();
                         if starts_at(clock * at[before]) {
-                            start(clock * at[before], &mut turns[before], bodies, starts, |of| {
-                                of.attitude.coords.into()
-                            });
+                            let of = |start: &Instant| start.attitude.coords.into();
+                            start(clock * at[before], &mut turns[before], bodies, starts, of);
                         }
                         parts = next;
                     }
                 }
                 for (k, (omega, turn)) in omegas.iter().zip(&turns).take(times.len()).enumerate() {
                     for (lane, &body) in bodies.iter().enumerate().filter(|(_, body)| **body != NOBODY) {
-                        let ([x, y, z], [i, j, l, w]) = (omega, turn);
-                        let [omega, turn] = [[x, y, z, z], [i, j, l, w]].map(|p| p.map(|x| x.lane(lane)));
-                        let attitude = UnitQuaternion::new_unchecked(Quaternion::from_vector(turn.into()));
-                        let omega = Vector3::new(omega[0], omega[1], omega[2]);
+                        let omega = omega.each_ref().map(|x| x.lane(lane)).into();
+                        let turn = Quaternion::from_vector(turn.each_ref().map(|x| x.lane(lane)).into());
+                        let attitude = UnitQuaternion::new_unchecked(turn);
                         put(span * SPAN + k, body, W::of(Instant { omega, attitude }));
                     }
                 }
