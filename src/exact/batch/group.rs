@@ -8,7 +8,7 @@ use crate::exact::{FreeMotion, Instant};
 use crate::inertia::Frame;
 use crate::number::{DoubleDouble, Gather, Rounding, splat};
 use alloc::vec::Vec;
-use nalgebra::{Quaternion, UnitQuaternion};
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// The number of times for which a block is computed in one go: a power of two.
 const SPAN: usize = 16;
@@ -148,8 +148,9 @@ impl<T: Rounding, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
                 }
                 for (k, (omega, turn)) in omegas.iter().zip(&turns).take(times.len()).enumerate() {
                     for (lane, &body) in bodies.iter().enumerate().filter(|(_, body)| **body != NOBODY) {
-                        let omega = omega.each_ref().map(|x| x.lane(lane)).into();
-                        let turn = Quaternion::from_vector(turn.each_ref().map(|x| x.lane(lane)).into());
+                        let ([x, y, z], [i, j, l, w]) = (omega, turn);
+                        let omega = Vector3::new(x.lane(lane), y.lane(lane), z.lane(lane));
+                        let turn = Quaternion::new(w.lane(lane), i.lane(lane), j.lane(lane), l.lane(lane));
                         let attitude = UnitQuaternion::new_unchecked(turn);
                         put(span * SPAN + k, body, W::of(Instant { omega, attitude }));
                     }
