@@ -8,6 +8,7 @@ use crate::exact::{FreeMotion, Instant};
 use crate::inertia::Frame;
 use crate::number::{DoubleDouble, Gather, Rounding, splat};
 use alloc::vec::Vec;
+use core::mem::replace;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 
 /// The number of times for which a block is computed in one go: a power of two.
@@ -114,9 +115,7 @@ impl<T: Rounding, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
             for (span, times) in times.chunks(SPAN).enumerate() {
                 at.iter_mut().zip(times).for_each(|(at, &t)| *at = t);
                 for (here, before) in steps(times.len()) {
-                    let next = spin.reduced(clock * at[here]);
-                    phases[before] = spin.phase(&reduced);
-                    reduced = next;
+                    phases[before] = spin.phase(&replace(&mut reduced, spin.reduced(clock * at[here])));
                 }
                 for (here, _) in steps(times.len()) {
                     omegas[here] = frame.in_body(spin.omega(&phases[here])).into();
@@ -128,13 +127,12 @@ impl<T: Rounding, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
                     let mut angle = Angle::of_turns(DoubleDouble::new(zero, zero));
                     for (here, before) in steps(times.len()) {
                         let next = spin.drift(attitude, &phases[here], clock * at[here]);
-                        sines[before] = angle.sin_cos();
-                        angle = next;
+                        sines[before] = replace(&mut angle, next).sin_cos();
                     }
                     let mut parts = [zero; 4];
                     for (here, before) in steps(times.len()) {
                         let next = spin.parts(attitude, &phases[here], sines[here]);
-                        let mut turn = spin.turn_of(parts);
+                        let mut turn = spin.turn_of(replace(&mut parts, next));
                         if let Some(world) = &world {
                             turn = frame.attitude_of_body(product(world, &turn));
                         }
@@ -143,7 +141,6 @@ impl<T: Rounding, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
                             let of = |start: &Instant| start.attitude.coords.into();
                             start(clock * at[before], &mut turns[before], bodies, starts, of);
                         }
-                        parts = next;
                     }
                 }
                 for (k, (omega, turn)) in omegas.iter().zip(&turns).take(times.len()).enumerate() {
