@@ -26,7 +26,7 @@ use nalgebra::Vector3;
 /// (rad/s): then the constants and the computation for attitudes are omitted.
 ///
 /// With `f64`, which is one lane, a batch is about as fast as its bodies one by one. The crate
-/// `tumbling-scenes` has types with four and eight lanes: arrays that the compiler turns into vector
+/// `tumbling-scenes` has types with four lanes: arrays that the compiler turns into vector
 /// instructions.
 ///
 /// A batch of some hundred bodies fits the second-level cache of a processor; for more bodies, make several
