@@ -148,7 +148,7 @@ fn the_closed_forms_cite_each_formula_of_their_chapters_and_no_other() {
 
 /// Constants chosen from measured errors, which the tests of the motion and of its derivatives bound, or from
 /// the range of `f64`. All other named constants of the closed form are recomputed in a test.
-const CHOSEN: [&str; 14] = [
+const CHOSEN: [&str; 15] = [
     "COUNTABLE",
     "FAR",
     "LAST",
@@ -163,6 +163,7 @@ const CHOSEN: [&str; 14] = [
     "SHORT",
     "SLOW",
     "SMALL_MODULUS",
+    "SPAN",
 ];
 
 #[test]

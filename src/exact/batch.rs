@@ -26,7 +26,7 @@ use nalgebra::Vector3;
 /// (rad/s): then the constants and the computation for attitudes are omitted.
 ///
 /// With `f64`, which is one lane, a batch is about as fast as its bodies one by one. The crate
-/// `tumbling-scenes` has types with four and eight lanes: arrays that the compiler turns into vector
+/// `tumbling-scenes` has types with four lanes: arrays that the compiler turns into vector
 /// instructions.
 ///
 /// A batch of some hundred bodies fits the second-level cache of a processor; for more bodies, make several
@@ -128,11 +128,10 @@ impl<T: Rounding, A: Answer> Batch<T, A> {
         for &t in times {
             finite(Subject::Time, t)?;
         }
-        let first = |body| A::of(self.starts[body]);
-        self.direct.each(times, &first, &mut put);
-        self.complementary.each(times, &first, &mut put);
-        self.tops.each(times, &first, &mut put);
-        self.steady.each(times, &first, &mut put);
+        self.direct.each(times, &self.starts, &mut put);
+        self.complementary.each(times, &self.starts, &mut put);
+        self.tops.each(times, &self.starts, &mut put);
+        self.steady.each(times, &self.starts, &mut put);
         for (body, motion) in &self.alone {
             for (k, &t) in times.iter().enumerate() {
                 put(k, *body, A::of(motion.at(t)?));

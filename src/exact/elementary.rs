@@ -3,7 +3,7 @@
 //! body with two equal moments.
 
 use crate::attitude::{product, unit};
-use crate::exact::elliptic::sin_cos_of_turns;
+use crate::exact::elliptic::{Angle, sin_cos_of_turns};
 use crate::number::functions::hypot;
 use crate::number::{
     DoubleDouble, Gather, INTEGERS, Rounding, exponent, gather_fields, splat, times_power_of_two,
@@ -16,52 +16,71 @@ use nalgebra::{Quaternion, Vector3};
 pub(super) trait Kernel<T: Rounding> {
     /// The further constants of the attitude.
     type Attitude;
+    /// The argument of the functions, less its whole periods.
+    type Reduced: Copy;
     /// Values that spin and attitude share at one instant.
-    type Phase;
+    type Phase: Copy;
 
     /// At scaled time `time`.
-    fn phase(&self, time: T) -> Self::Phase;
+    fn reduced(&self, time: T) -> Self::Reduced;
+
+    fn phase(&self, reduced: &Self::Reduced) -> Self::Phase;
 
     /// The spin along the principal axes, rad/s.
     fn omega(&self, phase: &Self::Phase) -> Vector3<T>;
 
+    /// The angle that the attitude needs beyond the phase.
+    fn drift(&self, attitude: &Self::Attitude, phase: &Self::Phase, time: T) -> Angle<T>;
+
+    /// Numbers of which the turn since the start consists, of length 1 to a few roundings, from sine and
+    /// cosine of that angle.
+    fn parts(&self, attitude: &Self::Attitude, phase: &Self::Phase, sin_cos: (T, T)) -> [T; 4];
+
+    /// The turn since the start, from these: here its components, the real part last.
+    #[inline(always)]
+    fn turn_of(&self, parts: [T; 4]) -> Quaternion<T> {
+        unit(Quaternion::from_vector(parts.into()))
+    }
+
     /// The turn since the start.
-    fn turn(&self, attitude: &Self::Attitude, phase: &Self::Phase, time: T) -> Quaternion<T>;
+    #[inline(always)]
+    fn turn(&self, attitude: &Self::Attitude, phase: &Self::Phase, time: T) -> Quaternion<T> {
+        self.turn_of(self.parts(attitude, phase, self.drift(attitude, phase, time).sin_cos()))
+    }
 }
 
 /// Which principal axis each of three components belongs to, which differs from body to body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Axes<T = f64> {
-    places: [T; 3],
+    /// Of each axis, which component it has.
+    sources: [T; 3],
     /// 1 where they follow each other in cyclic order, otherwise -1.
     pub(super) sense: T,
 }
 
-gather_fields!(Axes { places, sense });
+gather_fields!(Axes { sources, sense });
 
 impl<T: Rounding> Axes<T> {
     pub(super) fn new(axes: [usize; 3]) -> Self {
         let cyclic = (axes[0] + 1) % 3 == axes[1];
-        let places = axes.map(|axis| splat([0.0, 1.0, 2.0][axis % 3]));
-        Self { places, sense: splat(if cyclic { 1.0 } else { -1.0 }) }
+        let component = |axis| axes.iter().position(|of| of % 3 == axis).unwrap_or(0);
+        let sources = [0, 1, 2].map(|axis| splat([0.0, 1.0, 2.0][component(axis)]));
+        Self { sources, sense: splat(if cyclic { 1.0 } else { -1.0 }) }
     }
 
     /// The three components in the order of the body.
     #[inline(always)]
     pub(super) fn arranged(&self, parts: [T; 3]) -> [T; 3] {
-        if T::WIDTH == 1 {
-            // Writing them to memory in the right order costs less than six selections.
-            let mut placed = [parts[0]; 4];
-            for (place, part) in self.places.iter().zip(parts) {
-                placed[(place.lane(0) + INTEGERS).to_bits() as usize % 4] = part;
+        let on = |source: T| {
+            if T::WIDTH == 1 {
+                // From memory: that costs less than selections.
+                return parts[(source.lane(0) + INTEGERS).to_bits() as usize % 4 % 3];
             }
-            return [placed[0], placed[1], placed[2]];
-        }
-        let [first, second, _] = self.places;
-        [0.0, 1.0, 2.0].map(|axis| {
-            let here = |place: T| (place - axis).abs().lt(splat::<T>(0.5));
-            T::select(here(first), parts[0], T::select(here(second), parts[1], parts[2]))
-        })
+            let beyond_first = T::select(source.lt(splat(1.5)), parts[1], parts[2]);
+            T::select(source.lt(splat(0.5)), parts[0], beyond_first)
+        };
+        let [x, y, z] = self.sources;
+        [on(x), on(y), on(z)]
     }
 }
 
@@ -103,19 +122,28 @@ impl<T: Rounding> Turn<T> {
     /// The turn since the start.
     #[inline(always)]
     pub(crate) fn at(&self, time: T) -> Quaternion<T> {
-        let (sin, cos) = sin_cos_of_turns(self.half_rate * time);
+        unit(self.by(sin_cos_of_turns(self.half_rate * time)))
+    }
+
+    /// The turn by twice the angle with this sine and cosine, of length 1 to a few roundings.
+    #[inline(always)]
+    fn by(&self, (sin, cos): (T, T)) -> Quaternion<T> {
         let [x, y, z] = self.direction;
-        unit(Quaternion::new(cos, x * sin, y * sin, z * sin))
+        Quaternion::new(cos, x * sin, y * sin, z * sin)
     }
 }
 
 /// A spin that does not change.
 impl<T: Rounding> Kernel<T> for Vector3<T> {
     type Attitude = Turn<T>;
+    type Reduced = ();
     type Phase = ();
 
     #[inline(always)]
-    fn phase(&self, _: T) {}
+    fn reduced(&self, _: T) {}
+
+    #[inline(always)]
+    fn phase(&self, (): &()) {}
 
     #[inline(always)]
     fn omega(&self, (): &()) -> Vector3<T> {
@@ -123,8 +151,13 @@ impl<T: Rounding> Kernel<T> for Vector3<T> {
     }
 
     #[inline(always)]
-    fn turn(&self, turn: &Turn<T>, (): &(), time: T) -> Quaternion<T> {
-        turn.at(time)
+    fn drift(&self, turn: &Turn<T>, (): &(), time: T) -> Angle<T> {
+        Angle::of_turns(turn.half_rate * time)
+    }
+
+    #[inline(always)]
+    fn parts(&self, turn: &Turn<T>, (): &(), sin_cos: (T, T)) -> [T; 4] {
+        turn.by(sin_cos).coords.into()
     }
 }
 
@@ -144,10 +177,16 @@ impl<T: Rounding> Kernel<T> for TopSpin<T> {
     /// The turn about the momentum.
     type Attitude = Turn<T>;
     /// The time: spin and attitude turn by different angles.
+    type Reduced = T;
     type Phase = T;
 
     #[inline(always)]
-    fn phase(&self, time: T) -> T {
+    fn reduced(&self, time: T) -> T {
+        time
+    }
+
+    #[inline(always)]
+    fn phase(&self, &time: &T) -> T {
         time
     }
 
@@ -159,11 +198,16 @@ impl<T: Rounding> Kernel<T> for TopSpin<T> {
     }
 
     #[inline(always)]
-    fn turn(&self, about_momentum: &Turn<T>, _: &T, time: T) -> Quaternion<T> {
+    fn drift(&self, about_momentum: &Turn<T>, _: &T, time: T) -> Angle<T> {
+        Angle::of_turns(about_momentum.half_rate * time)
+    }
+
+    #[inline(always)]
+    fn parts(&self, about_momentum: &Turn<T>, &time: &T, sin_cos: (T, T)) -> [T; 4] {
         let (sin, cos) = sin_cos_of_turns(self.nutation * (time * 0.5));
         let zero = splat::<T>(0.0);
         let [x, y, z] = self.axes.arranged([-sin, zero, zero]);
-        unit(product(&about_momentum.at(time), &Quaternion::new(cos, x, y, z)))
+        product(&unit(about_momentum.by(sin_cos)), &Quaternion::new(cos, x, y, z)).coords.into()
     }
 }
 

@@ -29,9 +29,28 @@ pub(crate) const NOME_RATIO: f64 = 0.775;
 /// and the remainder keeps all its digits.
 #[inline(always)]
 pub(crate) fn sin_cos_of_turns<T: Rounding>(turns: DoubleDouble<T>) -> (T, T) {
-    let (_, quarters, left) = turns.times_exact(splat(4.0)).whole_and_rest();
-    let (sin, cos) = left.hi().sin_cos_of_quarter();
-    quarters.after_quarters(sin, cos)
+    Angle::of_turns(turns).sin_cos()
+}
+
+/// An angle as a whole number of quarter turns (modulo four) and the rest of one.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Angle<T> {
+    quarters: T,
+    rest: T,
+}
+
+impl<T: Rounding> Angle<T> {
+    #[inline(always)]
+    pub(crate) fn of_turns(turns: DoubleDouble<T>) -> Self {
+        let (_, quarters, rest) = turns.times_exact(splat(4.0)).whole_and_rest();
+        Self { quarters, rest: rest.hi() }
+    }
+
+    #[inline(always)]
+    pub(crate) fn sin_cos(self) -> (T, T) {
+        let (sin, cos) = self.rest.sin_cos_of_quarter();
+        self.quarters.after_quarters(sin, cos)
+    }
 }
 
 #[cfg(test)]

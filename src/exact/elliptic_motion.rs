@@ -163,7 +163,7 @@ impl<T: Real> EllipticMotion<T> {
     /// The spin at scaled time `time`.
     pub(crate) fn omega(&self, time: T) -> Vector3<T> {
         self.unscaled(match &self.form {
-            Form::Direct { spin, .. } => spin.omega(&spin.phase(time)),
+            Form::Direct { spin, .. } => spin.omega(&spin.phase(&spin.reduced(time))),
             Form::Complementary { spin, .. } => spin.omega(&spin.reduction.argument(time)),
         })
     }
@@ -171,7 +171,7 @@ impl<T: Real> EllipticMotion<T> {
     /// The turn since the start at scaled time `time`.
     pub(crate) fn attitude(&self, time: T) -> Quaternion<T> {
         match &self.form {
-            Form::Direct { spin, attitude } => spin.turn(attitude, &spin.phase(time), time),
+            Form::Direct { spin, attitude } => spin.turn(attitude, &spin.phase(&spin.reduced(time)), time),
             Form::Complementary { spin, attitude } => {
                 spin.turn(attitude, &spin.reduction.argument(time), time)
             }
@@ -182,7 +182,7 @@ impl<T: Real> EllipticMotion<T> {
     #[inline(always)]
     pub(crate) fn at(&self, time: T) -> (Vector3<T>, Quaternion<T>) {
         let (omega, turn) = match &self.form {
-            Form::Direct { spin, attitude } => both(spin, attitude, spin.phase(time), time),
+            Form::Direct { spin, attitude } => both(spin, attitude, spin.phase(&spin.reduced(time)), time),
             Form::Complementary { spin, attitude } => {
                 both(spin, attitude, spin.reduction.argument(time), time)
             }

@@ -45,6 +45,46 @@ pub fn record(rows: Vec<Cost>) -> Record<Cost> {
     Record { head: crate::setup::head(&what), rows }
 }
 
+/// What a result of a batch of free bodies takes, ns, and what the machine would need for parts of it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Share {
+    /// What is requested.
+    pub answer: String,
+    /// A result of the batch.
+    pub result: f64,
+    /// As many products and sums from registers.
+    pub arithmetic: f64,
+    /// Writing as many bytes.
+    pub writing: f64,
+}
+
+impl Share {
+    /// The time that the slower of the two takes as a share of that of the result: 1 would be all that the
+    /// machine can do.
+    #[must_use]
+    pub fn of_the_machine(&self) -> f64 {
+        self.arithmetic.max(self.writing) / self.result
+    }
+}
+
+/// The committed record of shares: spin alone, then spin and attitude.
+///
+/// # Errors
+/// A record that cannot be read.
+pub fn recorded_shares() -> Result<Record<Share>, AnyError> {
+    Record::read(include_str!("../record/share.csv"))
+}
+
+/// The record of these shares.
+#[must_use]
+pub fn shares(rows: Vec<Share>) -> Record<Share> {
+    let what = [
+        ("what", "what a result of a batch of 256 free bodies takes, by what is requested"),
+        ("result; arithmetic; writing", "ns: the batch; its products and sums alone; its bytes alone"),
+    ];
+    Record { head: crate::setup::head(&what), rows }
+}
+
 /// The number of states of each scene.
 pub const STATES: u32 = 960;
 

@@ -110,14 +110,15 @@ pub fn run<R: Send>(
     for first in (0..bodies).step_by(some) {
         let tiles: Vec<usize> = (first..bodies.min(first + some)).step_by(TILE).collect();
         let plans =
-            |tile: usize| together((tile..bodies.min(tile + TILE)).collect(), |body| scene.plan(body));
-        let planned = together(tiles, |tile| (tile, plans(tile)));
+            |tile: usize| together((tile..bodies.min(tile + TILE)).collect(), |_, body| scene.plan(body));
+        let planned = together(tiles, |_, tile| (tile, plans(tile)));
         let mut active =
-            together(planned.iter().collect(), |(tile, plans)| ActiveTile::new(scene, *tile, plans));
+            together(planned.iter().collect(), |_, (tile, plans)| ActiveTile::new(scene, *tile, plans));
         let mut from = 0;
         while from < times {
             let to = times.min(from + INSTANTS);
-            for done in together(active.iter_mut().collect(), |tile| work(&tile.block(from..to))) {
+            let block = |room: &mut _, tile: &mut ActiveTile<'_>| work(&tile.block(from..to, room));
+            for done in together(active.iter_mut().collect(), block) {
                 if take(done).is_break() {
                     return;
                 }
@@ -128,12 +129,16 @@ pub fn run<R: Send>(
     }
 }
 
-/// Each of them done, in order: on all threads with the feature `threads`.
-fn together<A: Send, B: Send>(all: Vec<A>, each: impl Fn(A) -> B + Sync + Send) -> Vec<B> {
+/// Where the answers of a block are written: one block after the other in the same place, so that it stays in
+/// the cache.
+type Room = Vec<Option<Answer>>;
+
+/// Each of them done, in order, with some room: on all threads with the feature `threads`.
+fn together<A: Send, B: Send>(all: Vec<A>, each: impl Fn(&mut Room, A) -> B + Sync + Send) -> Vec<B> {
     #[cfg(feature = "threads")]
-    return all.into_par_iter().map(each).collect();
+    return all.into_par_iter().map_init(Room::new, each).collect();
     #[cfg(not(feature = "threads"))]
-    all.into_iter().map(each).collect()
+    all.into_iter().scan(Room::new(), |room, one| Some(each(room, one))).collect()
 }
 
 /// The bodies of a tile, while they are answered.
@@ -147,7 +152,6 @@ struct ActiveTile<'p> {
     places: Vec<usize>,
     /// The others that have a plan.
     alone: Vec<(usize, States<'p>)>,
-    room: Vec<Option<Answer>>,
     wrong: Vec<(usize, Error)>,
     /// The bodies that have no answer any more.
     failed: Vec<bool>,
@@ -177,10 +181,9 @@ pub(crate) fn side_by_side(motions: &[FreeMotion], attitudes: bool) -> Answers {
             }
         };
     }
-    // With fused product sums two vectors of four: the processor works on one while it waits for the other.
     #[cfg(target_arch = "x86_64")]
     match_target! {
-        "x86_64+avx2+fma" => in_lanes!(Lanes<8, true>),
+        "x86_64+avx2+fma" => in_lanes!(Lanes<4, true>),
         _ => in_lanes!(Lanes<4, false>),
     }
     #[cfg(not(target_arch = "x86_64"))]
@@ -205,11 +208,11 @@ impl<'p> ActiveTile<'p> {
         }
         let lanes = side_by_side(&motions, scene.outputs().attitude);
         let failed = plans.iter().map(Result::is_err).collect();
-        Self { scene, first, plans, lanes, places, alone, room: Vec::new(), wrong, failed }
+        Self { scene, first, plans, lanes, places, alone, wrong, failed }
     }
 
-    fn block(&mut self, times: Range<u64>) -> Block<'_> {
-        let Self { scene, first, plans, lanes, places, alone, room, wrong, failed } = self;
+    fn block<'a>(&'a mut self, times: Range<u64>, room: &'a mut Room) -> Block<'a> {
+        let Self { scene, first, plans, lanes, places, alone, wrong, failed } = self;
         let (first, bodies) = (*first, plans.len());
         // Errors are reported once.
         if times.start > 0 {
@@ -234,11 +237,9 @@ impl<'p> ActiveTile<'p> {
         });
         // The times of a scene are finite; if one were not, no body in lanes would have an answer.
         if let Err(error) = answered {
-            for &place in places.iter() {
-                put(0, place, Err(error.clone().into()));
-            }
+            places.iter().for_each(|&place| put(0, place, Err(error.clone().into())));
         }
-        let next = |(place, states): &mut (usize, States<'_>)| {
+        let next = |_: &mut Room, (place, states): &mut (usize, States<'_>)| {
             (*place, states.by_ref().take(at.len()).collect::<Vec<_>>())
         };
         for (place, states) in together(alone.iter_mut().collect(), next) {

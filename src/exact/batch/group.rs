@@ -3,11 +3,16 @@
 use super::Answer;
 use crate::attitude::product;
 use crate::exact::elementary::Kernel;
+use crate::exact::elliptic::Angle;
 use crate::exact::{FreeMotion, Instant};
 use crate::inertia::Frame;
-use crate::number::{Gather, Rounding, splat};
+use crate::number::{DoubleDouble, Gather, Rounding, splat};
 use alloc::vec::Vec;
-use nalgebra::{Quaternion, UnitQuaternion};
+use core::mem::replace;
+use nalgebra::{Quaternion, UnitQuaternion, Vector3};
+
+/// The number of times for which a block is computed in one go: a power of two.
+const SPAN: usize = 16;
 
 /// Marks the lanes that are only copies.
 const NOBODY: usize = usize::MAX;
@@ -89,42 +94,100 @@ impl<T: Rounding, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
         n.checked_sub(self.spins.len() - parts.len()).and_then(|n| parts.get(n)).copied()
     }
 
+    // In short loops, so that a processor works on several instants at once: it sees only some hundred
+    // instructions ahead. Each loop takes two steps, the second of them for the instant before. Closures as
+    // large as this work are not inlined, and so not compiled for the vectors of a caller that has them.
     #[inline(always)]
     pub(super) fn each<W: Answer>(
         &self,
         times: &[f64],
-        first: &impl Fn(usize) -> W,
+        starts: &[Instant],
         put: &mut impl FnMut(usize, usize, W),
     ) {
+        let Some((mut reduced, phase)) = self.spins.first().map(at_zero) else { return };
+        let (zero, mut at) = (T::zero(), [0.0; SPAN]);
+        let (mut phases, mut sines) = ([phase; SPAN], [(zero, zero); SPAN]);
+        let (mut omegas, mut turns) = ([[zero; 3]; SPAN], [[zero; 4]; SPAN]);
         let blocks = self.bodies.chunks_exact(T::WIDTH.max(1));
         for (n, ((bodies, &clock), spin)) in blocks.zip(&self.clocks).zip(&self.spins).enumerate() {
-            let attitude = if W::ATTITUDE { self.attitudes.get(n) } else { None };
             let world = self.of_last(n, &self.worlds);
             let frame = self.of_last(n, &self.frames).unwrap_or(Frame::BODY);
-            for (k, &t) in times.iter().enumerate() {
-                let time = clock * t;
-                let phase = spin.phase(time);
-                let omega = frame.in_body(spin.omega(&phase));
-                // Closures as large as this work are not inlined, and so not compiled for the vectors of a
-                // caller that has them.
-                let mut turn = Quaternion::new(T::one(), T::zero(), T::zero(), T::zero());
-                if let Some(attitude) = attitude {
-                    turn = spin.turn(attitude, &phase, time);
-                    if let Some(world) = world {
-                        turn = frame.attitude_of_body(product(&world, &turn));
+            for (span, times) in times.chunks(SPAN).enumerate() {
+                at.iter_mut().zip(times).for_each(|(at, &t)| *at = t);
+                for (here, before) in steps(times.len()) {
+                    phases[before] = spin.phase(&replace(&mut reduced, spin.reduced(clock * at[here])));
+                }
+                for (here, _) in steps(times.len()) {
+                    omegas[here] = frame.in_body(spin.omega(&phases[here])).into();
+                    if starts_at(clock * at[here]) {
+                        start(clock * at[here], &mut omegas[here], bodies, starts, |of| of.omega.into());
                     }
                 }
-                // At time zero the start itself is the answer.
-                let any_starts = T::any(time.abs().lt(splat::<T>(f64::from_bits(1))));
-                for (lane, &body) in bodies.iter().enumerate() {
-                    let starts = any_starts && time.lane(lane) == 0.0;
-                    let attitude = UnitQuaternion::new_unchecked(turn.coords.map(|x| x.lane(lane)).into());
-                    let here = Instant { omega: omega.map(|x| x.lane(lane)), attitude };
-                    if body != NOBODY {
-                        put(k, body, if starts { first(body) } else { W::of(here) });
+                if let Some(attitude) = self.attitudes.get(n).filter(|_| W::ATTITUDE) {
+                    let mut angle = Angle::of_turns(DoubleDouble::new(zero, zero));
+                    for (here, before) in steps(times.len()) {
+                        let next = spin.drift(attitude, &phases[here], clock * at[here]);
+                        sines[before] = replace(&mut angle, next).sin_cos();
+                    }
+                    let mut parts = [zero; 4];
+                    for (here, before) in steps(times.len()) {
+                        let next = spin.parts(attitude, &phases[here], sines[here]);
+                        let mut turn = spin.turn_of(replace(&mut parts, next));
+                        if let Some(world) = &world {
+                            turn = frame.attitude_of_body(product(world, &turn));
+                        }
+                        turns[before] = turn.coords.into();
+                        if starts_at(clock * at[before]) {
+                            let of = |start: &Instant| start.attitude.coords.into();
+                            start(clock * at[before], &mut turns[before], bodies, starts, of);
+                        }
+                    }
+                }
+                for (k, (omega, turn)) in omegas.iter().zip(&turns).take(times.len()).enumerate() {
+                    for (lane, &body) in bodies.iter().enumerate().filter(|(_, body)| **body != NOBODY) {
+                        let ([x, y, z], [i, j, l, w]) = (omega, turn);
+                        let omega = Vector3::new(x.lane(lane), y.lane(lane), z.lane(lane));
+                        let turn = Quaternion::new(w.lane(lane), i.lane(lane), j.lane(lane), l.lane(lane));
+                        let attitude = UnitQuaternion::new_unchecked(turn);
+                        put(span * SPAN + k, body, W::of(Instant { omega, attitude }));
                     }
                 }
             }
         }
+    }
+}
+
+/// The places of this number of instants and of the instant before each, and once more, for that before.
+// An instant before the first is computed too, of whatever numbers, and not used.
+#[inline(always)]
+fn steps(count: usize) -> impl Iterator<Item = (usize, usize)> {
+    (0..=count).map(|k| (k % SPAN, (k + SPAN - 1) % SPAN))
+}
+
+/// Any values, to begin with.
+#[inline(never)]
+fn at_zero<T: Rounding, K: Kernel<T>>(spin: &K) -> (K::Reduced, K::Phase) {
+    let reduced = spin.reduced(T::zero());
+    (reduced, spin.phase(&reduced))
+}
+
+/// Whether the time is zero in any lane: then the start itself is the answer.
+#[inline(always)]
+fn starts_at<T: Rounding>(time: T) -> bool {
+    T::any(time.abs().lt(splat(f64::from_bits(1))))
+}
+
+#[cold]
+#[inline(never)]
+fn start<T: Rounding, const N: usize>(
+    time: T,
+    parts: &mut [T; N],
+    bodies: &[usize],
+    starts: &[Instant],
+    of: impl Fn(&Instant) -> [f64; N],
+) {
+    let start = |lane: usize| starts.get(*bodies.get(lane)?).filter(|_| time.lane(lane) == 0.0).map(&of);
+    for (k, part) in parts.iter_mut().enumerate() {
+        *part = T::from_lanes(|lane| start(lane).map_or(part.lane(lane), |start| start[k]));
     }
 }

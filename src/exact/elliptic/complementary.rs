@@ -179,7 +179,7 @@ impl<T: Rounding> ComplementarySeries<T> {
             return if T::any(saddle) { at_saddle } else { flip }.quotients();
         }
         let one = |yes: T, no: T| T::select(saddle, yes, no);
-        let three = |yes: [T; 3], no: [T; 3]| [0, 1, 2].map(|n| T::select(saddle, yes[n], no[n]));
+        let three = |[a, b, c]: [T; 3], [x, y, z]: [T; 3]| [one(a, x), one(b, y), one(c, z)];
         Parts {
             factors: three(at_saddle.factors, flip.factors),
             above: three(at_saddle.above, flip.above),

@@ -57,7 +57,8 @@ impl<T: Series> DirectSeries<T> {
     pub fn thetas(&self, c: T) -> [T; 4] {
         let square = c.clone() * c.clone();
         let halves = |[a, b, d, e]: [T; 4]| (a + b * square.clone(), c.clone() * (d + e * square.clone()));
-        let [(even, odd), (inner_even, inner_odd)] = [&self.outer, &self.inner].map(|p| halves(p.clone()));
+        // Not by an array's `map`, which the compiler may leave a function of its own, for any processor.
+        let ((even, odd), (inner_even, inner_odd)) = (halves(self.outer.clone()), halves(self.inner.clone()));
         [
             even.clone() + odd.clone(),
             even - odd,

@@ -1,11 +1,11 @@
 //! Spin and attitude at an instant: away from the separatrix by the series of the nome, near it by that of
 //! the complementary nome.
 
-use super::range_reduction::{ReducedArgument, Reduction};
+use super::range_reduction::{Passage, ReducedArgument, Reduction};
 use crate::attitude::unit;
-use crate::exact::cayley_klein::{ComplementaryPair, DirectPair, Pair, phase_factor};
+use crate::exact::cayley_klein::{ComplementaryPair, DirectPair, Pair};
 use crate::exact::elementary::{Axes, Kernel};
-use crate::exact::elliptic::{ComplementarySeries, DirectSeries, sin_cos_of_turns};
+use crate::exact::elliptic::{Angle, ComplementarySeries, DirectSeries};
 use crate::number::{DoubleDouble, Gather, Rounding, gather_fields};
 use nalgebra::{Quaternion, Vector3};
 
@@ -34,12 +34,18 @@ gather_fields!(DirectAttitude { pair, start, drift });
 
 impl<T: Rounding> Kernel<T> for DirectSpin<T> {
     type Attitude = DirectAttitude<T>;
+    type Reduced = Angle<T>;
     /// Sine and cosine.
     type Phase = [T; 2];
 
     #[inline(always)]
-    fn phase(&self, time: T) -> [T; 2] {
-        let (sin, cos) = sin_cos_of_turns(self.turns * time);
+    fn reduced(&self, time: T) -> Angle<T> {
+        Angle::of_turns(self.turns * time)
+    }
+
+    #[inline(always)]
+    fn phase(&self, angle: &Angle<T>) -> [T; 2] {
+        let (sin, cos) = angle.sin_cos();
         let [sin0, cos0] = self.start;
         [sin0 * cos + cos0 * sin, cos0 * cos - sin0 * sin]
     }
@@ -50,9 +56,18 @@ impl<T: Rounding> Kernel<T> for DirectSpin<T> {
     }
 
     #[inline(always)]
-    fn turn(&self, attitude: &DirectAttitude<T>, &[sin, cos]: &[T; 2], time: T) -> Quaternion<T> {
-        let turned = attitude.pair.raw(sin, cos).turned(phase_factor(attitude.drift * time));
-        self.axes.turn(turned.since(&attitude.start))
+    fn drift(&self, attitude: &DirectAttitude<T>, _: &[T; 2], time: T) -> Angle<T> {
+        Angle::of_turns(attitude.drift * time)
+    }
+
+    #[inline(always)]
+    fn parts(&self, of: &DirectAttitude<T>, &[sin, cos]: &[T; 2], (s, c): (T, T)) -> [T; 4] {
+        of.pair.raw(sin, cos).turned([c, s]).since(&of.start)
+    }
+
+    #[inline(always)]
+    fn turn_of(&self, parts: [T; 4]) -> Quaternion<T> {
+        self.axes.turn(parts)
     }
 }
 
@@ -81,11 +96,17 @@ gather_fields!(ComplementaryAttitude { pair, start, drift, step });
 
 impl<T: Rounding> Kernel<T> for ComplementarySpin<T> {
     type Attitude = ComplementaryAttitude<T>;
+    type Reduced = Passage<T>;
     type Phase = ReducedArgument<T>;
 
     #[inline(always)]
-    fn phase(&self, time: T) -> ReducedArgument<T> {
+    fn reduced(&self, time: T) -> Passage<T> {
         self.reduction.at(time)
+    }
+
+    #[inline(always)]
+    fn phase(&self, passage: &Passage<T>) -> ReducedArgument<T> {
+        self.reduction.reduced(*passage)
     }
 
     #[inline(always)]
@@ -94,15 +115,19 @@ impl<T: Rounding> Kernel<T> for ComplementarySpin<T> {
     }
 
     #[inline(always)]
-    fn turn(
-        &self,
-        attitude: &ComplementaryAttitude<T>,
-        argument: &ReducedArgument<T>,
-        time: T,
-    ) -> Quaternion<T> {
-        let steps = argument.halves * attitude.step;
-        let turned = argument.pair(&attitude.pair).turned(phase_factor((attitude.drift * time).plus(steps)));
-        self.axes.turn(turned.since(&attitude.start))
+    fn drift(&self, of: &ComplementaryAttitude<T>, at: &ReducedArgument<T>, time: T) -> Angle<T> {
+        let steps = at.passage.halves * of.step;
+        Angle::of_turns((of.drift * time).plus(steps))
+    }
+
+    #[inline(always)]
+    fn parts(&self, of: &ComplementaryAttitude<T>, at: &ReducedArgument<T>, (sin, cos): (T, T)) -> [T; 4] {
+        at.pair(&of.pair).turned([cos, sin]).since(&of.start)
+    }
+
+    #[inline(always)]
+    fn turn_of(&self, parts: [T; 4]) -> Quaternion<T> {
+        self.axes.turn(parts)
     }
 }
 

@@ -28,9 +28,10 @@ pub(crate) struct Reduction<T = f64> {
 
 gather_fields!(Reduction { start, rate, quarter, half, stretch, nome_root, turn });
 
-/// The argument at one instant: `exp(-x)` of its distance from the nearest flip or saddle.
-pub(crate) struct ReducedArgument<T: Rounding = f64> {
-    decay: Decay<T>,
+/// Where in a passage the argument is: `x`, its distance from the nearest flip or saddle, in two parts.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Passage<T: Rounding = f64> {
+    x: [T; 2],
     near_saddle: T::Mask,
     /// Its sign, from the nearest flip.
     sign: T,
@@ -38,6 +39,13 @@ pub(crate) struct ReducedArgument<T: Rounding = f64> {
     turn: T,
     /// Half periods since the start.
     pub(super) halves: DoubleDouble<T>,
+}
+
+/// The argument at one instant, with `exp(-x)`.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ReducedArgument<T: Rounding = f64> {
+    decay: Decay<T>,
+    pub(super) passage: Passage<T>,
 }
 
 impl<T: Real> Reduction<T> {
@@ -70,18 +78,18 @@ impl<T: Real> Reduction<T> {
     /// At a time, on the separatrix too.
     #[inline(always)]
     pub(crate) fn argument(&self, time: T) -> ReducedArgument<T> {
-        if self.half.hi().finite() { self.at(time) } else { self.without_return(time) }
+        self.reduced(if self.half.hi().finite() { self.at(time) } else { self.without_return(time) })
     }
 
     /// On the separatrix, where there is no half period to take off.
     // Not inlined: the separatrix is rare, and all other motions are faster without this code.
     #[inline(never)]
-    fn without_return(&self, time: T) -> ReducedArgument<T> {
+    fn without_return(&self, time: T) -> Passage<T> {
         // Beyond the end of the range the spin reached the middle axis long before: any argument that large
         // gives the same result.
         let (run, beyond) = (self.rate * time, splat::<T>(1e300));
         let end = DoubleDouble::from(beyond * self.rate.hi().sign() * time.sign());
-        self.reduced(
+        self.passage(
             (DoubleDouble::from(T::zero()), T::zero()),
             if run.hi().abs().lt(beyond) { run.plus(self.start) } else { end },
         )
@@ -91,14 +99,14 @@ impl<T: Real> Reduction<T> {
 impl<T: Rounding> Reduction<T> {
     /// At a time, where the motion returns.
     #[inline(always)]
-    pub(crate) fn at(&self, time: T) -> ReducedArgument<T> {
+    pub(crate) fn at(&self, time: T) -> Passage<T> {
         // (C35)
         let (halves, by_four, rest) = (self.rate * time).plus(self.start).whole_and_rest();
-        self.reduced((halves, by_four), self.half * rest)
+        self.passage((halves, by_four), self.half * rest)
     }
 
     #[inline(always)]
-    fn reduced(&self, (halves, by_four): (DoubleDouble<T>, T), u: DoubleDouble<T>) -> ReducedArgument<T> {
+    fn passage(&self, (halves, by_four): (DoubleDouble<T>, T), u: DoubleDouble<T>) -> Passage<T> {
         let sign = u.hi().sign();
         let from_flip = u.times_exact(sign);
         let near_saddle = (self.quarter.hi() * 0.5).lt(from_flip.hi());
@@ -107,14 +115,21 @@ impl<T: Rounding> Reduction<T> {
         // Rounding may leave it slightly beyond the saddle.
         let main = distance.hi();
         let x = main.not_below_zero() * self.stretch;
-        ReducedArgument {
-            decay: Decay::new(x, distance.lo() * self.stretch, self.nome_root),
+        Passage {
+            x: [x, distance.lo() * self.stretch],
             near_saddle,
             sign,
             // Two quarters each.
             turn: (by_four * 2.0).after_quarters(self.turn, self.turn).0,
             halves,
         }
+    }
+
+    /// With the exponentials.
+    #[inline(always)]
+    pub(super) fn reduced(&self, passage: Passage<T>) -> ReducedArgument<T> {
+        let [x, rest] = passage.x;
+        ReducedArgument { decay: Decay::new(x, rest, self.nome_root), passage }
     }
 }
 
@@ -155,7 +170,7 @@ impl Exponentials {
 impl ReducedArgument {
     #[inline(always)]
     pub(crate) fn exponentials(&self) -> Exponentials {
-        let Self { decay, near_saddle, sign, turn, halves } = *self;
+        let Self { decay, passage: Passage { near_saddle, sign, turn, halves, .. } } = *self;
         let (falling, rising) =
             if near_saddle { (decay.rising, decay.root) } else { (decay.root, decay.rising) };
         let short_of_one = if near_saddle {
@@ -172,15 +187,17 @@ impl<T: Rounding> ReducedArgument<T> {
     #[inline(always)]
     pub(super) fn pair(&self, pair: &ComplementaryPair<T>) -> Pair<T> {
         let [root, rising] = [self.decay.root, self.decay.rising];
-        let here = T::select(self.near_saddle, rising, root);
-        let there = T::select(self.near_saddle, root, rising);
-        pair.raw(here, there, self.sign, self.turn)
+        let Passage { near_saddle, sign, turn, .. } = self.passage;
+        let here = T::select(near_saddle, rising, root);
+        let there = T::select(near_saddle, root, rising);
+        pair.raw(here, there, sign, turn)
     }
 
     /// `sn`, `cn`, `dn` here.
     #[inline(always)]
     pub(super) fn values(&self, series: &ComplementarySeries<T>) -> [T; 3] {
-        let [sn, cn, dn] = series.values(&self.decay, self.near_saddle);
-        [self.turn * self.sign * sn, self.turn * cn, dn]
+        let Passage { near_saddle, sign, turn, .. } = self.passage;
+        let [sn, cn, dn] = series.values(&self.decay, near_saddle);
+        [turn * sign * sn, turn * cn, dn]
     }
 }

@@ -204,7 +204,7 @@ impl EllipticMotion {
     fn end(&self, time: f64) -> End {
         let (values, halves) = match &self.form {
             Form::Direct { spin, .. } => {
-                let [sin, cos] = spin.phase(time);
+                let [sin, cos] = spin.phase(&spin.reduced(time));
                 let values = spin.series.values(sin, cos);
                 let angle = atan2(spin.start[0], spin.start[1]);
                 let (whole, left) = ((spin.turns * time + DoubleDouble::from(angle / TAU)) * 2.0).split();
@@ -216,7 +216,7 @@ impl EllipticMotion {
             }
             Form::Complementary { spin, .. } => {
                 let argument = spin.reduction.argument(time);
-                (argument.values(&spin.series), argument.halves.hi())
+                (argument.values(&spin.series), argument.passage.halves.hi())
             }
         };
         let down = self.down();
