@@ -228,9 +228,7 @@ mod tests {
                     let off = (ours - theirs).abs() / theirs.abs().max(1.0);
                     assert!(off < 1e-9, "{engine:?} {omega:?}, {what}: {ours}, the library {theirs}");
                 };
-                for (body, spin) in run.iter().zip(&spins) {
-                    same("spin along x", *spin, body.omega_body().x);
-                }
+                run.iter().zip(&spins).for_each(|(body, spin)| same("spin x", *spin, body.omega_body().x));
                 let times = (0..).map(|i| step * f64::from(i));
                 let whole = sign_changes(times.zip(run.iter().map(|body| body.omega_body().x)));
                 assert_eq!(flips.len(), whole.len(), "{engine:?} {omega:?}");
@@ -238,8 +236,7 @@ mod tests {
 
                 let [energy, length, angle, low, high] = std::array::from_fn(|i| head[10 + i]);
                 let energies: Vec<f64> = run.iter().map(|body| body.energy() / start.energy()).collect();
-                let last = &run[count];
-                let now = last.momentum_world();
+                let [now, spin] = [run[count].momentum_world(), run[count].omega_world()];
                 same("energy", energy, energies[count]);
                 let piece = &energies[count - 100..];
                 same("least energy", low, piece.iter().copied().fold(f64::MAX, f64::min));
@@ -248,7 +245,7 @@ mod tests {
                 let apart =
                     |a: Vector3<f64>, b: Vector3<f64>| a.cross(&b).norm().atan2(a.dot(&b)).to_degrees();
                 same("angle", angle, apart(now, start.momentum_world()));
-                same("spin", head[17], apart(last.omega_world(), start.omega_world()));
+                same("spin", head[17], apart(spin, start.omega_world()));
                 assert!(engine != Engine::Turned || head[12] < 1e-12, "its momentum stays: {}", head[12]);
                 broken += usize::from((length - 1.0).abs() > 0.01 && high > 1.01);
             }
