@@ -22,7 +22,7 @@ impl Stepper {
     /// not affect later states. So a torque given by a function is called with times later than those
     /// requested. A [`step`](Self::step) that needs more than `budget` steps of the run is refused.
     ///
-    /// A step of the run is a Taylor series in the time, of an order between 6 and 26 by the tolerance, whose
+    /// A step of the run is a Taylor series in the time, of an order between 6 and 24 by the tolerance, whose
     /// error is estimated by the residual of the series in the law of motion at its end. The residual gives
     /// about the next term too, which is added, so that the step errs less than estimated. Where a torque is
     /// given by a function, it is a step of DOP853, the pair of Dormand and Prince of order 8. Where damping

@@ -12,8 +12,9 @@ use tumbling::{Body, ErrorKind, Inertia};
 fn flips_of_a_free_body_in_steps_are_those_of_the_closed_form_forth_and_back() {
     let body = tilted();
     let exact = FreeMotion::of(&body).unwrap();
-    for end in [40.0, -40.0] {
-        let mut stepper = Stepper::adaptive(&body, 1e-13, 10_000).unwrap();
+    // The finer run has the highest order.
+    for (end, tolerance) in [(40.0, 1e-13), (-40.0, 4.0 * f64::EPSILON)] {
+        let mut stepper = Stepper::adaptive(&body, tolerance, 10_000).unwrap();
         let flips = stepper.flips(end).unwrap();
         let mut expected: Vec<f64> = exact.flips(f64::min(end, 0.0), f64::max(end, 0.0)).unwrap().collect();
         if end < 0.0 {

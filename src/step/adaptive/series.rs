@@ -18,8 +18,8 @@ use alloc::vec::Vec;
 use nalgebra::{Quaternion, Vector3};
 pub(super) use variation::{Variation, Variations, identity, in_units};
 
-/// The largest order.
-pub(super) const MOST: usize = 26;
+/// The largest order, that of the least tolerance.
+pub(super) const MOST: usize = 24;
 
 /// The number of coefficients of a series of this order, and one that the end of a step adds.
 pub(super) const LENGTH: usize = MOST + 2;
