@@ -236,12 +236,8 @@ mod tests {
             let mut seen = 0;
             let mut alone = |time: usize, body: usize, found: &Instant| {
                 seen += 1;
-                assert_eq!(
-                    bits(found),
-                    bits(&all[body].at(times[time]).unwrap()),
-                    "{body} at {:e}",
-                    times[time]
-                );
+                let there = all[body].at(times[time]).unwrap();
+                assert_eq!(bits(found), bits(&there), "{body} at {:e}", times[time]);
             };
             Batch::<f64>::new(&all).each(&times, |time, body, at: Instant| alone(time, body, &at)).unwrap();
             let put = |time, body, at: Instant| alone(time, body, &at);
