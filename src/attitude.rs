@@ -104,7 +104,6 @@ pub fn turn<T: Analytic>(vector: &Vector3<T>) -> Quaternion<T> {
 
 /// `vector` rotated by the inverse of the unit quaternion `q`: from world to body axes, if `q` is an
 /// attitude.
-#[inline(always)]
 pub(crate) fn rotate_inverse<T: Ring>(q: &Quaternion<T>, vector: &Vector3<T>) -> Vector3<T> {
     // v - 2 w (u x v) + 2 u x (u x v), with u the vector part: no matrix.
     let part = Vector3::new(q.coords.x.clone(), q.coords.y.clone(), q.coords.z.clone());

@@ -181,11 +181,8 @@ fn every_named_number_of_the_closed_form_is_recomputed_in_a_test() {
     let name = |line: &str| {
         let line = line.trim_start().trim_start_matches("pub(crate) ").trim_start_matches("pub(super) ");
         let (name, kind) = line.strip_prefix("const ")?.split_once(": ")?;
-        ["f64", "i32", "usize", "["]
-            .iter()
-            .any(|own| kind.starts_with(own))
-            .then(|| name.to_owned())
-            .filter(|name| !name.contains(' '))
+        let number = ["f64", "i32", "usize", "["].iter().any(|own| kind.starts_with(own));
+        (number && !name.contains(' ')).then(|| name.to_owned())
     };
     let names: BTreeSet<String> = code.iter().flat_map(|text| text.lines().filter_map(name)).collect();
     let missing: Vec<_> = names

@@ -299,10 +299,9 @@ impl<T: Series> ComplementaryPair<T> {
                 (e.clone() * (p(0) + e2.clone() * p(2)), e2.clone() * (p(1) + e2.clone() * p(3)));
             (even.clone() + odd.clone(), even - odd)
         };
-        let [(cos_up, cos_up_alternating), (sin_up, sin_up_alternating)] =
-            [up(&self.rising[0]), up(&self.rising[1])];
+        let [(cos_up, cos_up_alternating), (sin_up, sin_up_alternating)] = self.rising.each_ref().map(up);
         let [(cos_down, cos_down_alternating), (sin_down, sin_down_alternating)] =
-            [down(&self.falling[0]), down(&self.falling[1])];
+            self.falling.each_ref().map(down);
         [
             (cos_up + cos_down).up_to(rest),
             (sin_down - sin_up).up_to(rest),
