@@ -1,4 +1,4 @@
-//! Many free motions at once: bodies with the same kind of motion share the lanes of one number.
+//! Many free motions at once: bodies with the same kind of motion are computed in the lanes of one vector.
 
 mod group;
 
@@ -17,10 +17,10 @@ use nalgebra::Vector3;
 /// Many bodies in free motion, computed together: as many at once as the number type has
 /// [lanes](crate::laws::Lane).
 ///
-/// Every result equals that of [`FreeMotion::at`] to the last bit, whatever the other bodies and their order:
-/// bodies are sorted by their kind of motion, the same functions run on several numbers at once, and the last
-/// lanes of a kind are filled with copies. A body exactly on the separatrix, or with a spin outside 1e±180
-/// rad/s, is computed alone.
+/// Every result equals that of [`FreeMotion::at`] to the last bit, whatever the other bodies and their
+/// order: bodies are sorted by their kind of motion, the same functions run on several numbers at once, and
+/// the last lanes of a kind are filled with copies. A body on the separatrix or extremely near it, or with
+/// a spin outside 1e±180 rad/s, is computed alone.
 ///
 /// The answer `A` is spin and attitude as an [`Instant`], or the spin alone as a `Vector3<f64>` in body axes
 /// (rad/s): then the constants and the computation for attitudes are omitted.

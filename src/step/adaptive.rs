@@ -1,5 +1,5 @@
-//! A run whose steps are chosen by their error: by Taylor series, or by an embedded pair of high order where
-//! a torque is a function.
+//! A run whose steps are chosen by their error: by Taylor series, by an embedded pair of high order where a
+//! torque is a function, or by collocation where damping is stiff.
 
 mod collocation;
 mod dense;
@@ -42,7 +42,7 @@ const TRIES: usize = 60;
 /// [HW96](crate::references), IV.2, for explicit steps of low order.
 const STIFF: f64 = 3.25;
 
-/// After this number of such steps, never interrupted by six others in a row, the law counts as stiff.
+/// After this number of such steps the law counts as stiff; six others in a row begin the count again.
 const STIFF_STEPS: u32 = 15;
 
 /// A run, or a piece of one, under torques that act in all of it.
@@ -190,7 +190,7 @@ impl Run {
     }
 }
 
-/// Brings the attitude to length 1, unless its length is zero.
+/// Brings the attitude to length 1; a length of zero is refused.
 pub(super) fn unit_length<T: Analytic>(attitude: &mut Quaternion<T>) -> Result<(), Error> {
     positive(Subject::AttitudeLength, normalize(attitude).min(f64::MAX)).map(drop)
 }

@@ -1,4 +1,4 @@
-//! A body whose tensor has an inverse, stepped in its own axes.
+//! A body whose tensor has an inverse, stepped along its principal axes.
 
 use super::adaptive::AdaptiveRun;
 use super::fixed_rate::fixed_rate;
@@ -11,7 +11,7 @@ use crate::step::torque::Torque;
 use alloc::boxed::Box;
 use nalgebra::Vector3;
 
-/// Steps a body through time under any torques: by a method, at a fixed rate, or within a tolerance.
+/// Steps a body through time under torques: by a method, at a fixed rate, or by steps within a tolerance.
 ///
 /// The tensor may have products of inertia. All inputs and outputs are along the body's own axes and the
 /// world's. The principal axes are computed once; the internal state is not converted back and
@@ -24,7 +24,7 @@ use nalgebra::Vector3;
 /// use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 /// use tumbling::step::{Method, Stepper};
 /// use tumbling::{Body, Inertia};
-/// // A T-handle whose stem leans in its axes, spun about the axis that flips.
+/// // A T-handle whose stem leans in its axes, spun near its middle axis.
 /// let inertia = Inertia::try_from(Matrix3::new(3.0, 0.5, 0.0, 0.5, 2.0, 0.0, 0.0, 0.0, 4.0))?;
 /// let handle = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(6.0, 2.0, 0.01))?;
 /// let mut stepper = Stepper::new(&handle, Method::RotationSplitting4)?;
@@ -94,7 +94,7 @@ impl Stepper {
     /// A stepper for a free body, by `method`.
     ///
     /// # Errors
-    /// A moment of zero or one whose inverse `f64` does not hold in full.
+    /// A moment whose inverse is beyond `f64` or below its normal numbers, or a spin beyond `f64`.
     pub fn new(body: &Body, method: Method) -> Result<Self, Error> {
         Self::by(body, Rule::Method(method))
     }
@@ -229,8 +229,9 @@ impl Stepper {
         })
     }
 
-    /// The time since the start, s: the sum of the steps. A step of 1/60 s that was rounded to `f32` is
-    /// longer by 9e-10 s, which adds up to 6 us in two minutes.
+    /// The time since the start, s: the sum of the steps, or after [`step_to`](Self::step_to) the time
+    /// requested. A step of 1/60 s that was rounded to `f32` is longer by 9e-10 s, which adds up to 6 µs in two
+    /// minutes.
     #[must_use]
     pub fn time(&self) -> f64 {
         self.time

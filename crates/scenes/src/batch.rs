@@ -1,18 +1,16 @@
 //! Many bodies of a scene: planned one by one, answered side by side.
 //!
-//! Bodies whose motion is known in closed form are answered in lanes; bodies whose outputs are constant, or
-//! that are driven by a torque, are answered one at a time. The answers come in order, in blocks of 256
-//! bodies at 16 times, so the memory needed does not grow with the number of times nor, beyond some blocks,
-//! with the number of bodies. With the feature `threads` several blocks are computed at once, and within a
-//! block each driven body may be planned and answered on any thread.
+//! Bodies whose motion is known in closed form are answered in lanes, where at least three of them are
+//! together; bodies whose outputs are constant, or that are driven by a torque, are answered one at a time.
+//! The answers come in blocks of up to 256 bodies at up to 16 times, so the memory needed does not grow
+//! with the number of times nor, beyond some blocks, with the number of bodies. With the feature `threads`
+//! up to 32 blocks of free bodies are computed at once; of driven ones one block, whose bodies are planned
+//! and answered on any thread.
 //!
 //! Driven bodies have no lanes. A step by Taylor series already consists of rows of four numbers, which the
 //! compiler turns into vector instructions. A version with four bodies in lanes, each with its own step
 //! length and the same bits as alone, was slower than one body at a time in a build for any x86-64, and
-//! faster only with `-C target-cpu=native`; that did not justify the code. The arithmetic limits the gain: on
-//! a processor with vectors of four, the sums alone of a heavy top's series to order 20 take 0.41 µs a body
-//! for four bodies in lanes, without the fused products that would change the bits. One body alone takes
-//! 0.98 µs for its whole step, so lanes would gain a factor of 2.4 at most.
+//! faster only with `-C target-cpu=native`; that did not justify the code.
 //!
 //! An answer has the same bits as that of [`Scene::run`].
 //!
@@ -82,7 +80,7 @@ pub struct Block<'a> {
     /// All bodies at the first of these times, then all at the next; `None` for a body that has no answer, or
     /// none any more.
     pub answers: &'a [Option<Answer>],
-    /// The bodies that have no answer from this block on: their numbers in the scene and the errors.
+    /// The bodies whose answers end in this block: their numbers in the scene and the errors.
     pub wrong: &'a [(usize, Error)],
 }
 
@@ -96,8 +94,10 @@ impl Block<'_> {
 }
 
 /// Answers a whole scene. `work` is called with one block after the other, or, with the feature `threads`,
-/// with several blocks at once on as many threads. `take` is called with each result, in order, on this
-/// thread: all times of the first bodies, then of the next bodies. It may stop the run.
+/// with several blocks at once on as many threads. `take` is called with each result, on this thread and
+/// always in the same order: of the first 32 blocks of bodies (of driven bodies, of the first block) the
+/// first times, then their next times, to the last; then the next bodies. A block whose bodies have all
+/// failed is not continued. `take` may stop the run.
 pub fn run<R: Send>(
     scene: &Scene,
     work: impl Fn(&Block<'_>) -> R + Sync,
