@@ -230,8 +230,8 @@ impl Stepper {
     }
 
     /// The time since the start, s: the sum of the steps, or after [`step_to`](Self::step_to) the time
-    /// requested. A step of 1/60 s that was rounded to `f32` is longer by 9e-10 s, which adds up to 6 µs in two
-    /// minutes.
+    /// requested. A step of 1/60 s that was rounded to `f32` is longer by 9e-10 s, which adds up to 6 µs in
+    /// two minutes.
     #[must_use]
     pub fn time(&self) -> f64 {
         self.time
