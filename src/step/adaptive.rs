@@ -195,7 +195,7 @@ pub(super) fn unit_length<T: Analytic>(attitude: &mut Quaternion<T>) -> Result<(
     positive(Subject::AttitudeLength, normalize(attitude).min(f64::MAX)).map(drop)
 }
 
-/// As [`normalize`]; returns the length before minus 1.
+/// As [`normalize`]; returns about the length before minus 1.
 fn normalize_near(attitude: &mut Quaternion<f64>) -> f64 {
     let off = attitude.coords.dot(&attitude.coords) - 1.0;
     if off.abs() >= 1e-4 || off.is_nan() {

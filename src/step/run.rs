@@ -15,7 +15,7 @@ impl Stepper {
     /// error of each internal step, relative to the attitude's length and the momentum's size, below
     /// `tolerance` or below 32 roundings, whichever is larger. The tolerance applies to each internal
     /// step, not to the whole motion: errors accumulate, and [`expected_error`](Stepper::expected_error)
-    /// estimates how far.
+    /// says how far they may.
     ///
     /// The run's steps are as long as the tolerance permits, whatever steps are requested: a state between
     /// their ends is evaluated by the step's own series (dense output), is as accurate as the step, and does

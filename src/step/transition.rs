@@ -56,11 +56,13 @@ impl Stepper {
         self.step(h).map(|_| transition)
     }
 
-    /// An estimate of how far off the attitude will be after a [`step`](Self::step) of `h` seconds, rad. The
-    /// result pi means that nothing is known of the attitude. The stepper does not advance.
+    /// How far off the attitude may be after a [`step`](Self::step) of `h` seconds, rad, if each internal
+    /// step errs as much as the tolerance permits. The result pi means that nothing is known of the attitude.
+    /// The stepper does not advance.
     ///
     /// The start is assumed to be accurate to rounding and each internal step to the tolerance; these errors,
-    /// taken as independent, are propagated to the end by the state transition of the motion. It costs some
+    /// taken as independent, are propagated to the end by the state transition of the motion. Most steps by
+    /// series err some hundred times less, and so does the motion. It costs some
     /// six to nine times the step, and more under damping far faster than the motion, as
     /// [`step_with_transition`](Self::step_with_transition). A motion near an unstable equilibrium or a
     /// separatrix may amplify errors more than any tolerance can compensate; this estimate shows it.

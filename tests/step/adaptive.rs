@@ -29,6 +29,24 @@ fn the_error_of_a_controlled_run_follows_its_tolerance() {
 }
 
 #[test]
+fn the_motion_between_the_ends_of_steps_meets_where_two_steps_meet() {
+    let body = super::driven::tilted();
+    // The last time in the first step of a run, to a billionth of a second, and the first in the second.
+    let [mut before, mut after] = [0.01, 1.0];
+    let at = |t: f64| {
+        let mut stepper = Stepper::adaptive(&body, 1e-4, 100).unwrap();
+        (stepper.step_to(t).unwrap(), stepper.steps_of_run())
+    };
+    while after - before > 1e-9 {
+        let middle = 0.5 * (before + after);
+        *(if at(middle).1 == 1 { &mut before } else { &mut after }) = middle;
+    }
+    let [(one, 1), (other, 2)] = [before, after].map(at) else { panic!("{before} {after}") };
+    let apart = (one.attitude.coords - other.attitude.coords).norm();
+    assert!(apart < 1e-7, "{apart:e}");
+}
+
+#[test]
 fn an_adaptive_run_is_finite_or_refused_and_soon() {
     let moments = Vector3::new(1.0, 2.0, 2.5);
     let start = |l: Vector3<f64>| State { attitude: Quaternion::identity(), momentum: l };

@@ -36,6 +36,8 @@ proptest! {
                 Torque::Damping(Vector3::repeat(0.2)),
                 Torque::Dissipation(0.1),
                 Torque::Periodic { amplitude: here(force.yxz()), rate: 2.0, phase: 0.5 },
+                Torque::gravity_gradient(&Vector3::new(0.6, 0.8, 0.0), &Vector3::new(0.0, 0.0, 0.7)),
+                Torque::during(-1.0, 2.0, Torque::InBody(here(force.zyx()))),
                 Torque::function(move |time: f64, rotation, omega| {
                     let (rotation, omega) = (rotation * turn.inverse().to_rotation_matrix(), turn * omega);
                     let wind = Vector3::new((3.0 * time).sin(), 0.4, -0.3);

@@ -12,7 +12,7 @@ use tumbling::Body;
 /// that needs more than `budget` internal steps raises `Error`.
 ///
 /// `inertia`, `spin` and `attitude` are as for `FreeMotion`; torques act in the order of the list. The
-/// tolerance applies to each internal step: `expected_error` estimates how errors accumulate.
+/// tolerance applies to each internal step: `expected_error` says how far errors may accumulate.
 ///
 /// Raises `Error` for a body or a torque that is not valid, and if the steps cannot continue.
 ///

@@ -218,7 +218,7 @@ impl<const N: usize> Series<N> {
     /// units of time.
     pub(super) fn append(&mut self, x: f64, attitude: &Lanes, spin: &Lanes) {
         let per = 1.0 / (0..self.order).fold(x, |power, _| power * x);
-        // Where the power is not a normal number, the change is none.
+        // Where the inverse is infinite, the change is none.
         let per = if per.is_finite() { per } else { 0.0 };
         let next = (self.order + 1).min(N - 1);
         (self.attitude[next], self.spin.up[next]) = (scaled(attitude, per), scaled(spin, per));

@@ -2,6 +2,7 @@
 
 use crate::common::{MOMENTS, Row, csv, judged, stepped};
 use nalgebra::Vector3;
+use tumbling::attitude::rotation_matrix;
 use tumbling::exact::FreeMotion;
 use tumbling::step::Method;
 use tumbling_judge::{LawName, Options, Outcome, Verdict, judge};
@@ -42,14 +43,21 @@ fn drawn(verdict: &Verdict, rows: &[Row], each: usize) {
     let motion = FreeMotion::new(MOMENTS.try_into().unwrap(), &SPIN).unwrap();
     let energy = |w: &Vector3<f64>| w.dot(&MOMENTS.component_mul(w));
     assert_eq!(verdict.curve.len(), rows.len().div_ceil(each));
+    let in_world = |row: &Row| rotation_matrix(&row.1) * MOMENTS.component_mul(&row.2);
+    let start = in_world(&rows[0]);
     for (point, rows) in verdict.curve.iter().zip(rows.chunks(each)) {
         assert_eq!((point.time, point.spin), (rows[0].0, rows[0].2));
         assert!((point.exact - motion.omega(rows[0].0).unwrap()).norm() < 1e-9);
         let off = rows.iter().map(|row| energy(&row.2) / energy(&SPIN) - 1.0);
         let largest = off.fold(0.0_f64, |a, b| if b.abs() > a.abs() { b } else { a });
         assert!((point.energy - largest).abs() < 1e-12, "{} {largest}", point.energy);
-        let greatest = rows.iter().map(|row| row.2.y).fold(f64::NEG_INFINITY, f64::max);
-        assert_eq!(point.spin_range[1].y, greatest);
+        let spins = rows.iter().map(|row| row.2).fold([rows[0].2; 2], |[a, b], w| [a.inf(&w), b.sup(&w)]);
+        assert_eq!(point.spin_range, spins);
+        let exact = rows.iter().map(|row| motion.omega(row.0).unwrap());
+        let exact = exact.fold([point.exact; 2], |[a, b], w| [a.inf(&w), b.sup(&w)]);
+        assert!((0..2).all(|i| (point.exact_range[i] - exact[i]).norm() < 1e-9));
+        let turned = rows.iter().map(|row| in_world(row).angle(&start)).fold(0.0, f64::max);
+        assert!((point.direction.unwrap() - turned).abs() < 1e-6, "{point:?} {turned}");
     }
 }
 

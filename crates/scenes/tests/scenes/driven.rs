@@ -66,7 +66,7 @@ fn flips_under_torques_are_those_of_the_bodys_steps() {
     assert_eq!(scene.plan(0).unwrap().flips().unwrap().remaining(), 0);
 }
 
-/// Two strong torques, hardly a digit requested, and a thousand seconds: the way there is longer than
+/// Two strong torques, hardly a digit requested, and ten thousand seconds: the way there is longer than
 /// anybody waits.
 #[test]
 fn trials_end_after_a_number_of_steps_in_all() {
@@ -74,7 +74,7 @@ fn trials_end_after_a_number_of_steps_in_all() {
     let push = Torque::InWorld(Vector3::new(4.42, 4.05, -3.34));
     let (arm, field) = (Vector3::new(-2.64, 5.36, 2.48), Vector3::new(-8.12, -9.62, 3.27));
     let torques = vec![push, Torque::Aligning { arm, field }];
-    let times = Times::Given(vec![0.0, 300.0, 1000.0]);
+    let times = Times::Given(vec![0.0, 300.0, 10_000.0]);
     let scene = one(body, torques, times, Outputs { energy: true, ..Outputs::NOTHING }, 0.5);
     let Err(Error::Body { source, .. }) = scene.plan(0) else { panic!() };
     let Error::Disagreement { steps, .. } = *source else { panic!("{source}") };
