@@ -163,7 +163,7 @@ fn missing_rows_are_counted_and_a_varying_step_is_said() {
 #[test]
 fn bad_input_is_an_error_with_line_and_column() {
     let head = "# inertia: 1 2 2.5\nt,wx,wy,wz\n0,1,2,3\n";
-    let with = |line: &str| error(&format!("{head}{line}\n"));
+    let with = |line: &str| error(format!("{head}{line}\n"));
     assert_eq!(with("0.1,1,x2,3"), "line 4, column 3 (`wy`): `x2` is not a number");
     let nan = "line 4, column 3 (`wy`): the value is NaN: from here on there is no motion";
     assert_eq!(with("0.1,1,NaN,3"), nan);

@@ -48,10 +48,10 @@ fn the_units_that_names_tell_are_honoured() {
     let rows = altered(|(t, q, w)| (t * 1e3, *q, *w));
     sound(&judged(&named(&rows, "t [ms],qw,qx,qy,qz,wx,wy,wz")));
     sound(&judged(&named(&rows, "time_ms,qw,qx,qy,qz,wx,wy,wz")));
-    let mixed = error(&named(&good(), "t,qw,qx,qy,qz,wx [deg/s],wy [deg/s],wz [rad/s]"));
+    let mixed = error(named(&good(), "t,qw,qx,qy,qz,wx [deg/s],wy [deg/s],wz [rad/s]"));
     assert!(mixed.contains("`wz [rad/s]` is not in the unit of `wx [deg/s]`"), "{mixed}");
-    assert!(error(&named(&good(), &each("furlong"))).contains("the unit of `wx [furlong]` is not known"));
-    assert!(error(&named(&good(), "t [weeks],qw,qx,qy,qz,wx,wy,wz")).contains("the unit of `t [weeks]`"));
+    assert!(error(named(&good(), &each("furlong"))).contains("the unit of `wx [furlong]` is not known"));
+    assert!(error(named(&good(), "t [weeks],qw,qx,qy,qz,wx,wy,wz")).contains("the unit of `t [weeks]`"));
 }
 
 #[test]
