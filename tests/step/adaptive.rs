@@ -32,7 +32,7 @@ fn the_error_of_a_controlled_run_follows_its_tolerance() {
 fn the_motion_between_the_ends_of_steps_meets_where_two_steps_meet() {
     let body = super::driven::tilted();
     // The last time in the first step of a run, to a billionth of a second, and the first in the second.
-    let [mut before, mut after] = [0.01, 1.0];
+    let [mut before, mut after] = [0.01, 10.0];
     let at = |t: f64| {
         let mut stepper = Stepper::adaptive(&body, 1e-4, 100).unwrap();
         (stepper.step_to(t).unwrap(), stepper.steps_of_run())
