@@ -25,8 +25,8 @@ use nalgebra::Vector3;
 /// The answer `A` is spin and attitude as an [`Instant`], or the spin alone as a `Vector3<f64>` in body axes
 /// (rad/s): then the constants and the computation for attitudes are omitted.
 ///
-/// With `f64`, which is one lane, a batch of four or more instants a call is about as fast as its bodies one
-/// by one; with one instant a call it is slower. The crate `tumbling-scenes` has types with four lanes:
+/// With `f64`, which is one lane, a batch of many instants a call is about as fast as its bodies one by one;
+/// with one instant a call it is slower. The crate `tumbling-scenes` has types with four lanes:
 /// arrays that the compiler turns into vector instructions.
 ///
 /// A batch of some hundred bodies fits the second-level cache of a processor; for more bodies, make several

@@ -62,10 +62,10 @@ impl Stepper {
     ///
     /// The start is assumed to be accurate to rounding and each internal step to the tolerance; these errors,
     /// taken as independent, are propagated to the end by the state transition of the motion. Most steps by
-    /// series err some hundred times less, and so does the motion. It costs some
-    /// six to nine times the step, and more under damping far faster than the motion, as
+    /// series err far less than the tolerance, and so does the motion: this is more a bound than an estimate.
+    /// It costs some six to nine times the step, and more under damping far faster than the motion, as
     /// [`step_with_transition`](Self::step_with_transition). A motion near an unstable equilibrium or a
-    /// separatrix may amplify errors more than any tolerance can compensate; this estimate shows it.
+    /// separatrix may amplify errors more than any tolerance can compensate; this number shows it.
     ///
     /// ```
     /// use nalgebra::{UnitQuaternion, Vector3};

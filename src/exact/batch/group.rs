@@ -164,7 +164,7 @@ fn steps(count: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..=count).map(|k| (k % SPAN, (k + SPAN - 1) % SPAN))
 }
 
-/// Any values, to begin with.
+/// Values of the types for the first block, which the loop replaces before they are used.
 #[inline(never)]
 fn at_zero<T: Rounding, K: Kernel<T>>(spin: &K) -> (K::Reduced, K::Phase) {
     let reduced = spin.reduced(T::zero());
