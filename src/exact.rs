@@ -11,7 +11,7 @@
 //! use nalgebra::Vector3;
 //! use tumbling::{PrincipalMoments, exact::FreeMotion};
 //!
-//! // A book spun about its middle axis, with a push of a thousandth.
+//! // A box spun about its middle axis, with a slip of a thousandth.
 //! let moments = PrincipalMoments::new(10.0 / 12.0, 13.0 / 12.0, 5.0 / 12.0)?;
 //! let motion = FreeMotion::new(moments, &Vector3::new(1.0, 0.0, 1e-3))?;
 //! let flip = motion.next_flip(0.0)?.unwrap();

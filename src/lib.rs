@@ -17,7 +17,7 @@
 //! let start = Body::spinning(inertia, UnitQuaternion::identity(), &Vector3::new(1.0, 0.01, 0.01))?;
 //! let motion = FreeMotion::of(&start)?;
 //! assert_eq!(motion.next_flip(0.0)?.map(|time| format!("{time:.1} s")), Some("15.1 s".into()));
-//! // Its spin and attitude at any time, at once: none is stepped to.
+//! // Its spin and attitude at any time, without steps.
 //! let there = motion.at(1e6)?;
 //! let then = Body::spinning(inertia, there.attitude, &there.omega)?;
 //! assert!((then.energy() / start.energy() - 1.0).abs() < 1e-14);

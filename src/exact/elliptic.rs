@@ -19,8 +19,8 @@ pub use direct::DirectSeries;
 
 use crate::number::{DoubleDouble, Rounding, splat};
 
-/// Below this ratio of the quarter periods `K'/K` the complementary nome is the smaller, and its series
-/// converges faster.
+/// Below this ratio of the quarter periods `K'/K` the complementary series is taken. On either side the terms
+/// that the sums keep reach rounding.
 pub(crate) const NOME_RATIO: f64 = 0.775;
 
 /// Sine and cosine of an angle given in turns. This avoids a division by 2 pi, which would lose digits.

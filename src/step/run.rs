@@ -22,13 +22,13 @@ impl Stepper {
     /// not affect later states. So a torque given by a function is called with times later than those
     /// requested. A [`step`](Self::step) that needs more than `budget` steps of the run is refused.
     ///
-    /// A step of the run is a Taylor series in the time, of an order between 6 and 24 by the tolerance, whose
-    /// error is estimated by the residual of the series in the law of motion at its end. The residual gives
-    /// about the next term too, which is added, so that the step errs less than estimated. Where a torque is
-    /// given by a function, it is a step of DOP853, the pair of Dormand and Prince of order 8. Where damping
-    /// far faster than the motion would keep such steps short, the run uses collocation at Radau's nodes.
-    /// After each the attitude is brought back to length 1, and the momentum of a free body to the length
-    /// that it had at the start; these corrections count as errors of the step.
+    /// A step of the run is a Taylor series in the time, of an order between 6 and 24 set by the tolerance,
+    /// whose error is estimated by the residual of the series in the law of motion at its end. The residual
+    /// also gives an approximation of the next term, which is added, so that the step errs less than
+    /// estimated. Where a torque is given by a function, it is a step of DOP853, the pair of Dormand and
+    /// Prince of order 8. Where damping far faster than the motion would keep such steps short, the run uses
+    /// collocation at Radau's nodes. After each the attitude is brought back to length 1, and the momentum of
+    /// a free body to the length that it had at the start; these corrections count as errors of the step.
     ///
     /// ```
     /// use nalgebra::{Matrix3, UnitQuaternion, Vector3};
@@ -121,7 +121,7 @@ impl Stepper {
         self.count
     }
 
-    /// The tolerance of an adaptive stepper and its budget; none of another, which has not what is requested.
+    /// The tolerance and the budget of an adaptive stepper; for another, the error that it cannot do `what`.
     pub(super) fn tolerance(&self, what: Subject) -> Result<(f64, usize), Error> {
         if let Rule::Adaptive { tolerance, budget } = self.rule {
             return Ok((tolerance, budget));

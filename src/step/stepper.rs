@@ -18,7 +18,7 @@ use nalgebra::Vector3;
 /// forth, so that a reversible method stays reversible. A step by a method or at a fixed rate allocates
 /// nothing; an adaptive one allocates the series of its run. In `f32`, use
 /// [`PositionStage`](super::PositionStage) for a free body, and [`Method::step`] or [`fixed_rate`] for a
-/// [`System`] of such numbers.
+/// [`System`] of `f32`.
 ///
 /// ```
 /// use nalgebra::{Matrix3, UnitQuaternion, Vector3};

@@ -6,7 +6,7 @@ use tumbling_judge::records::{RECORDED, table};
 
 /// Rules as the figure calls them, by how the judge's names of them begin.
 const RULES: [(&str, &str); 5] = [
-    ("Runge-Kutta", "Runge and Kutta's rule"),
+    ("Runge-Kutta", "the Runge-Kutta rule"),
     ("linearised", "one implicit step"),
     ("explicit gyroscopic", "an explicit step"),
     ("no gyroscopic", "no gyroscopic term"),
