@@ -5,7 +5,7 @@ use super::stepper::{Rule, Stepper};
 use super::system::System;
 use crate::body::{Body, State};
 use crate::error::{Error, Refusal, Subject, finite};
-use crate::inertia::{Inertia, PrincipalMoments};
+use crate::inertia::{Frame, Inertia, PrincipalMoments};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 use nalgebra::{UnitQuaternion, Vector3};
@@ -81,11 +81,11 @@ impl Stepper {
     ) -> Result<Self, Error> {
         let inertia = Inertia::from(PrincipalMoments::try_from(*system.moments())?);
         let body = Body::new(inertia, UnitQuaternion::identity(), &Vector3::zeros())?;
-        let stepper = Self::adaptive(&body, tolerance, budget)?;
+        check_tolerance(tolerance)?;
+        system.check_inverse()?;
         let mut state = (*start).checked()?;
         unit_length(&mut state.attitude)?;
-        let stepper = Self { system, state, ..stepper };
-        stepper.checked().map(|_| stepper)
+        Self::starting(body, Rule::Adaptive { tolerance, budget }, system, state, Frame::BODY)
     }
 
     /// The state at a time by a run that [holds](AdaptiveRun::holds) it: the one under way, or a new one.

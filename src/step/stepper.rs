@@ -117,8 +117,17 @@ impl Stepper {
             attitude: frame.attitude_of_axes(start.attitude),
             momentum: frame.along(&start.momentum),
         };
-        let stepper =
-            Self { body: *body, rule, system, state, frame, time: 0.0, run: None, sign: 0.0, count: 0 };
+        Self::starting(*body, rule, system, state, frame)
+    }
+
+    pub(super) fn starting(
+        body: Body,
+        rule: Rule,
+        system: System<f64>,
+        state: State<f64>,
+        frame: Frame,
+    ) -> Result<Self, Error> {
+        let stepper = Self { body, rule, system, state, frame, time: 0.0, run: None, sign: 0.0, count: 0 };
         stepper.checked().map(|_| stepper)
     }
 
@@ -135,7 +144,7 @@ impl Stepper {
             torque.validate()?;
             all.push(torque.along(&self.frame)?);
         }
-        self.system = System::of_numbers(*self.system.moments(), all);
+        self.system = self.system.under(all);
         self.set_time(self.time);
         // What acts from now on did not act in the last step.
         self.run = None;

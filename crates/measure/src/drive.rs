@@ -48,6 +48,20 @@ impl Drive {
         self.gradient != 0.0 || self.push != [0.0; 3]
     }
 
+    /// All that acts from the start to the end, each pulse for its time alone.
+    pub(crate) fn throughout(&self) -> Vec<Torque<f64>> {
+        let mut all = self.torques([0.0; 3]);
+        let mut begin = 0.0;
+        for &(seconds, pulse) in &self.phases {
+            let end = begin + seconds;
+            if pulse != [0.0; 3] {
+                all.push(Torque::during(begin, end, Torque::InBody(pulse.into())));
+            }
+            begin = end;
+        }
+        all
+    }
+
     /// All that acts while the torque of this phase does.
     #[must_use]
     pub fn torques(&self, pulse: Components) -> Vec<Torque<f64>> {

@@ -103,6 +103,13 @@ impl<const N: usize> Series<N> {
         }
     }
 
+    /// Whether it has the terms of a law.
+    pub(super) fn fits(&self, law: &Law) -> bool {
+        self.world.len() == law.world.len()
+            && self.gradients.len() == law.gradients.len()
+            && self.dissipation.is_some() == law.dissipation.is_some()
+    }
+
     /// The first coefficients at a time: the state itself, with its spin in units.
     pub(super) fn begin(&mut self, law: &Law, now: &Now, attitude: &Quaternion<f64>, spin: [f64; 3]) {
         let in_body = |v: &Vector3<f64>| lanes(rotate_inverse(attitude, v).into());

@@ -37,6 +37,17 @@ impl Taylor {
         Some(Self { law, unit: 1.0, rates, now, ready: false, series, next, most: order(run.tolerance) })
     }
 
+    /// Begins another piece of the run in the same memory, if the series are of the same terms.
+    pub(super) fn renew(&mut self, run: &Run) -> bool {
+        let Some(law) = Law::of(&run.system, 1.0) else { return false };
+        let fits = self.series.fits(&law);
+        if fits {
+            self.rates = Rates::of(&run.system, &law);
+            (self.law, self.unit, self.ready) = (law, 1.0, false);
+        }
+        fits
+    }
+
     /// Begins the series of a step at the current state.
     fn begin(&mut self, run: &Run) {
         let spin = run.system.omega(&run.state.momentum).map(|x| x * self.unit).into();
