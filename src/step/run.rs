@@ -85,7 +85,9 @@ impl Stepper {
         system.check_inverse()?;
         let mut state = (*start).checked()?;
         unit_length(&mut state.attitude)?;
-        Self::starting(body, Rule::Adaptive { tolerance, budget }, system, state, Frame::BODY)
+        let (rule, frame) = (Rule::Adaptive { tolerance, budget }, Frame::BODY);
+        let stepper = Self { body, rule, system, state, frame, time: 0.0, run: None, sign: 0.0, count: 0 };
+        stepper.checked().map(|_| stepper)
     }
 
     /// The state at a time by a run that [holds](AdaptiveRun::holds) it: the one under way, or a new one.

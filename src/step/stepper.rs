@@ -117,17 +117,8 @@ impl Stepper {
             attitude: frame.attitude_of_axes(start.attitude),
             momentum: frame.along(&start.momentum),
         };
-        Self::starting(*body, rule, system, state, frame)
-    }
-
-    pub(super) fn starting(
-        body: Body,
-        rule: Rule,
-        system: System<f64>,
-        state: State<f64>,
-        frame: Frame,
-    ) -> Result<Self, Error> {
-        let stepper = Self { body, rule, system, state, frame, time: 0.0, run: None, sign: 0.0, count: 0 };
+        let stepper =
+            Self { body: *body, rule, system, state, frame, time: 0.0, run: None, sign: 0.0, count: 0 };
         stepper.checked().map(|_| stepper)
     }
 

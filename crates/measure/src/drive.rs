@@ -50,14 +50,12 @@ impl Drive {
 
     /// All that acts from the start to the end, each pulse for its time alone.
     pub(crate) fn throughout(&self) -> Vec<Torque<f64>> {
-        let mut all = self.torques([0.0; 3]);
-        let mut begin = 0.0;
+        let (mut all, mut end) = (self.torques([0.0; 3]), 0.0);
         for &(seconds, pulse) in &self.phases {
-            let end = begin + seconds;
+            end += seconds;
             if pulse != [0.0; 3] {
-                all.push(Torque::during(begin, end, Torque::InBody(pulse.into())));
+                all.push(Torque::during(end - seconds, end, Torque::InBody(pulse.into())));
             }
-            begin = end;
         }
         all
     }

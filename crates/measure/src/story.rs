@@ -110,15 +110,13 @@ impl Story {
     /// Whether its energy stays what it was.
     #[must_use]
     pub fn keeps_energy(&self) -> bool {
-        let stays =
-            |phase: &Phase| phase.system.torques().iter().all(|t| matches!(t, Torque::Aligning { .. }));
-        self.phases.iter().all(stays)
+        self.system.torques().iter().all(|torque| matches!(torque, Torque::Aligning { .. }))
     }
 
     /// Whether no torque ever acts.
     #[must_use]
     pub fn is_free(&self) -> bool {
-        self.phases.iter().all(|phase| phase.system.torques().is_empty())
+        self.system.torques().is_empty()
     }
 
     /// The body at the start, for a stepper that counts the time.

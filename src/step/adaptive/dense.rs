@@ -129,7 +129,10 @@ impl AdaptiveRun {
         (run.steps, run.rejected) = (self.run.steps, self.run.rejected);
         run.variation = self.run.variation.take();
         run.flips = self.run.flips.clone();
-        self.steps.renew(&run)?;
+        let renewed = if let Steps::Series(series) = &mut self.steps { series.renew(&run) } else { false };
+        if !renewed {
+            self.steps = Steps::new(&run)?;
+        }
         (self.run, self.until) = (run, next);
         self.before = (self.run.state, 0.0);
         Ok(())
@@ -250,15 +253,6 @@ impl Steps {
             return Pair::new(run).map(Self::Pair);
         };
         Err(Refusal::Undefined { what, why }.into())
-    }
-
-    /// An explicit method for another piece of the run.
-    fn renew(&mut self, run: &Run) -> Result<(), Error> {
-        let renewed = if let Self::Series(series) = self { series.renew(run) } else { false };
-        if !renewed {
-            *self = Self::new(run)?;
-        }
-        Ok(())
     }
 
     /// Chooses the method of the next step, which may differ from that of the last.

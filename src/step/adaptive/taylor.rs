@@ -110,7 +110,7 @@ impl Taylor {
         let spin = run.system.omega(&end.momentum).map(|x| x * self.unit).into();
         self.next.begin(&self.law, &self.now, &end.attitude, spin);
         self.next.extend_to(1, &self.law);
-        let (turned, spun) = (&self.next.attitude[1], &self.next.spin.up[1]);
+        let (turned, spun) = (&self.next.attitude.up[1], &self.next.spin.up[1]);
         let (per, share) = (1.0 / self.unit, x / (self.series.order as f64 + 1.0));
         let (turned, spun) = (each(|i| (turned[i] - dq[i]) * share), each(|i| (spun[i] - dw[i]) * share));
         let pushed = |i: usize| spun[i] * run.system.moments()[i] * per;
@@ -129,7 +129,7 @@ impl Taylor {
     fn moved(&self, run: &Run, start: &State<f64>, q: &[f64; 4], w: &[f64; 4]) -> State<f64> {
         let (s, per) = (&start.attitude.coords, 1.0 / self.unit);
         State {
-            attitude: Quaternion::new(s.w + q[3], s.x + q[0], s.y + q[1], s.z + q[2]),
+            attitude: Quaternion::new(s.w + q[0], s.x + q[1], s.y - q[3], s.z + q[2]),
             momentum: Vector3::from_fn(|i, _| start.momentum[i] + run.system.moments()[i] * w[i] * per),
         }
     }
