@@ -1,7 +1,7 @@
 //! The sums of products that give the coefficients of a power series.
 //!
-//! One pass over the coefficients computes all sums of an order that contain the spin. Each row is multiplied
-//! by one component of the spin, and the compiler processes two numbers of a row at a time as a vector. Both
+//! One pass over the coefficients computes all sums of an order that contain the spin. The compiler processes
+//! two numbers of a row at a time as a vector, so the factors stand in pairs. Both
 //! factors of a sum are read in increasing order of memory, so the second factor is stored with its highest
 //! power first. The cost of an order depends on the latency of its last coefficient as much as on the number
 //! of products, so terms with that coefficient come last in each sum. A value that was just stored is loaded
