@@ -5,7 +5,7 @@ use super::stepper::{Rule, Stepper};
 use super::system::System;
 use crate::body::{Body, State};
 use crate::error::{Error, Refusal, Subject, finite};
-use crate::inertia::{Inertia, PrincipalMoments};
+use crate::inertia::{Frame, Inertia, PrincipalMoments};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 use nalgebra::{UnitQuaternion, Vector3};
@@ -81,10 +81,12 @@ impl Stepper {
     ) -> Result<Self, Error> {
         let inertia = Inertia::from(PrincipalMoments::try_from(*system.moments())?);
         let body = Body::new(inertia, UnitQuaternion::identity(), &Vector3::zeros())?;
-        let stepper = Self::adaptive(&body, tolerance, budget)?;
+        check_tolerance(tolerance)?;
+        system.check_inverse()?;
         let mut state = (*start).checked()?;
         unit_length(&mut state.attitude)?;
-        let stepper = Self { system, state, ..stepper };
+        let (rule, frame) = (Rule::Adaptive { tolerance, budget }, Frame::BODY);
+        let stepper = Self { body, rule, system, state, frame, time: 0.0, run: None, sign: 0.0, count: 0 };
         stepper.checked().map(|_| stepper)
     }
 

@@ -135,7 +135,7 @@ impl Stepper {
             torque.validate()?;
             all.push(torque.along(&self.frame)?);
         }
-        self.system = System::of_numbers(*self.system.moments(), all);
+        self.system = self.system.under(all);
         self.set_time(self.time);
         // What acts from now on did not act in the last step.
         self.run = None;

@@ -53,18 +53,28 @@ impl System<f64> {
     /// # Errors
     /// The errors of [`free`](Self::free), a torque that is not valid, or torques whose sum is beyond `f64`.
     pub fn with(moments: PrincipalMoments, torques: Vec<Torque<f64>>) -> Result<Self, Error> {
-        for value in moments.vector().iter().map(|moment| 1.0 / moment) {
-            Refusal::OutOfRange { what: Subject::InverseMoment, value }.when(!value.is_normal())?;
-        }
-        torques.iter().try_for_each(Torque::validate)?;
         let system = Self::of_numbers(moments.vector(), torques);
+        system.check_inverse()?;
+        system.torques.iter().try_for_each(Torque::validate)?;
         representable(Subject::Torque, &[system.sum.largest()]).map(|()| system)
+    }
+
+    pub(super) fn check_inverse(&self) -> Result<(), Error> {
+        let check = |&value: &f64| {
+            Refusal::OutOfRange { what: Subject::InverseMoment, value }.when(!value.is_normal())
+        };
+        self.inverse.iter().try_for_each(check)
     }
 
     /// The system whose time zero is `time` seconds, with phases from the exact product of rate and time.
     pub(crate) fn starting_at(&self, time: f64) -> Self {
-        let torques = self.torques.iter().map(|torque| torque.starting_at(time)).collect();
-        Self::of_numbers(self.moments, torques)
+        self.under(self.torques.iter().map(|torque| torque.starting_at(time)).collect())
+    }
+
+    /// The same body under other torques, unchecked, at time zero.
+    pub(crate) fn under(&self, torques: Vec<Torque<f64>>) -> Self {
+        let (moments, inverse, corrections) = (self.moments, self.inverse, self.corrections.clone());
+        Self { moments, inverse, sum: Torques::of(&torques), torques, time: 0.0, corrections }
     }
 }
 

@@ -244,18 +244,16 @@ impl Contestant for Adaptive {
 
     fn run(&self, story: &Story, setting: Setting, mut observer: Observed<'_, '_>) -> Result<Ended, Outcome> {
         let tolerance = setting.tolerance()?;
-        let (mut motion, mut budget, mut time) = (story.start, BUDGET, 0.0);
+        let mut stepper = Stepper::of_system(story.system.clone(), &story.start, tolerance, BUDGET)?;
+        let (mut motion, mut time) = (story.start, 0.0);
         for phase in &story.phases {
-            let mut stepper = Stepper::of_system(phase.system.clone(), &motion, tolerance, budget)?;
-            motion = stepper.step_to(black_box(phase.seconds))?;
-            budget -= stepper.steps_of_run();
             time += phase.seconds;
+            motion = stepper.step_to(black_box(time))?;
             if let Some(observer) = observer.as_deref_mut() {
                 observer.observe(time, &motion);
             }
         }
-        let steps = (BUDGET - budget) as u64;
-        Ok(Ended { motion, steps, seconds: None })
+        Ok(Ended { motion, steps: stepper.steps_of_run() as u64, seconds: None })
     }
 }
 

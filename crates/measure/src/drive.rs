@@ -48,6 +48,18 @@ impl Drive {
         self.gradient != 0.0 || self.push != [0.0; 3]
     }
 
+    /// All that acts from the start to the end, each pulse for its time alone.
+    pub(crate) fn throughout(&self) -> Vec<Torque<f64>> {
+        let (mut all, mut end) = (self.torques([0.0; 3]), 0.0);
+        for &(seconds, pulse) in &self.phases {
+            end += seconds;
+            if pulse != [0.0; 3] {
+                all.push(Torque::during(end - seconds, end, Torque::InBody(pulse.into())));
+            }
+        }
+        all
+    }
+
     /// All that acts while the torque of this phase does.
     #[must_use]
     pub fn torques(&self, pulse: Components) -> Vec<Torque<f64>> {

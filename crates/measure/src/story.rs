@@ -15,7 +15,7 @@ pub struct Story {
     pub name: &'static str,
     /// What it is, for the head of a figure.
     pub title: &'static str,
-    /// The body and the torques at the start.
+    /// The body and all its torques, each pulse for its time alone.
     pub system: System<f64>,
     /// One after another, in which the same torques act: one, but for thrusters that switch.
     pub phases: Vec<Phase>,
@@ -110,15 +110,13 @@ impl Story {
     /// Whether its energy stays what it was.
     #[must_use]
     pub fn keeps_energy(&self) -> bool {
-        let stays =
-            |phase: &Phase| phase.system.torques().iter().all(|t| matches!(t, Torque::Aligning { .. }));
-        self.phases.iter().all(stays)
+        self.system.torques().iter().all(|torque| matches!(torque, Torque::Aligning { .. }))
     }
 
     /// Whether no torque ever acts.
     #[must_use]
     pub fn is_free(&self) -> bool {
-        self.phases.iter().all(|phase| phase.system.torques().is_empty())
+        self.system.torques().is_empty()
     }
 
     /// The body at the start, for a stepper that counts the time.
@@ -141,7 +139,7 @@ impl Story {
             })
         };
         let phases = drive.phases.iter().map(phase).collect::<Result<Vec<_>, _>>()?;
-        let system = phases.first().ok_or("a story without a phase")?.system.clone();
+        let system = System::with(entry.moments.try_into()?, drive.throughout())?;
         let momentum = system.momentum(&entry.omega.into());
         let start = State { attitude: Quaternion::identity(), momentum };
         let [w, x, y, z] = digits(&entry.attitude)?;

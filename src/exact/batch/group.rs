@@ -105,7 +105,8 @@ impl<T: Rounding, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
         put: &mut impl FnMut(usize, usize, W),
     ) {
         let Some((mut reduced, phase)) = self.spins.first().map(at_zero) else { return };
-        let (zero, mut at) = (T::zero(), [0.0; SPAN]);
+        // Not zero, where the start would be the answer.
+        let (zero, mut at) = (T::zero(), [1.0; SPAN]);
         let (mut phases, mut sines) = ([phase; SPAN], [(zero, zero); SPAN]);
         let (mut omegas, mut turns) = ([[zero; 3]; SPAN], [[zero; 4]; SPAN]);
         let blocks = self.bodies.chunks_exact(T::WIDTH.max(1));
@@ -117,7 +118,7 @@ impl<T: Rounding, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
                 for (here, before) in steps(times.len()) {
                     phases[before] = spin.phase(&replace(&mut reduced, spin.reduced(clock * at[here])));
                 }
-                for (here, _) in steps(times.len()) {
+                for (here, _) in steps(times.len() - 1) {
                     omegas[here] = frame.in_body(spin.omega(&phases[here])).into();
                     if starts_at(clock * at[here]) {
                         start(clock * at[here], &mut omegas[here], bodies, starts, |of| of.omega.into());

@@ -129,7 +129,10 @@ impl AdaptiveRun {
         (run.steps, run.rejected) = (self.run.steps, self.run.rejected);
         run.variation = self.run.variation.take();
         run.flips = self.run.flips.clone();
-        self.steps = Steps::new(&run)?;
+        let renewed = if let Steps::Series(series) = &mut self.steps { series.renew(&run) } else { false };
+        if !renewed {
+            self.steps = Steps::new(&run)?;
+        }
         (self.run, self.until) = (run, next);
         self.before = (self.run.state, 0.0);
         Ok(())
@@ -190,7 +193,7 @@ fn piece(system: &Arc<System<f64>>, from: f64, end: f64) -> (Arc<System<f64>>, f
         (start <= first && last <= end).then(|| torque.starting_at(from))
     };
     let torques = system.torques().iter().map(window).filter_map(acts).collect();
-    (Arc::new(System::of_numbers(*system.moments(), torques)), until)
+    (Arc::new(system.under(torques)), until)
 }
 
 /// A torque without its `During`s, and the times between which all of them let it act, s.

@@ -9,7 +9,8 @@ mod variation;
 
 use super::law::{DissipationLaw, GradientLaw, Law, WorldLaw, turned};
 use super::sums::{
-    Coefficients, Lanes, across, across_sums, add_scaled, each, lanes, own_sums, pairs, scaled, sums, turn,
+    Coefficients, Lanes, Turning, across, across_sums, add_scaled, each, lanes, pair_sums, pairs, scaled,
+    sums,
 };
 use crate::attitude::rotate_inverse;
 use alloc::boxed::Box;
@@ -67,7 +68,7 @@ impl Now {
 pub(super) struct Series<const N: usize> {
     /// The highest power.
     pub(super) order: usize,
-    pub(super) attitude: [Lanes; N],
+    pub(super) attitude: Turning<N>,
     pub(super) spin: Coefficients<N>,
     /// Cosine and sine of each periodic torque: the last coefficient alone.
     periodic: Vec<[f64; 2]>,
@@ -83,24 +84,25 @@ pub(super) struct Series<const N: usize> {
 impl<const N: usize> Series<N> {
     /// The series for a law, with variations or without.
     pub(super) fn new(law: &Law, varied: bool) -> Self {
-        let rows = [[0.0; 4]; N];
-        let none = || Coefficients { up: rows, down: [[[0.0; 2]; 3]; N] };
         Self {
             order: 0,
-            attitude: rows,
-            spin: none(),
+            attitude: Turning::NONE,
+            spin: Coefficients::NONE,
             periodic: vec![[0.0; 2]; law.periodic.len()],
-            world: vec![rows; law.world.len()],
-            dissipation: law
-                .dissipation
-                .map(|_| Box::new(DissipationSeries { momentum: rows, coupling: none() })),
-            gradients: law
-                .gradients
-                .iter()
-                .map(|_| GradientSeries { direction: none(), orbit: rows, turning: none() })
-                .collect(),
+            world: vec![[[0.0; 4]; N]; law.world.len()],
+            dissipation: law.dissipation.map(|_| {
+                Box::new(DissipationSeries { momentum: [[0.0; 4]; N], coupling: Coefficients::NONE })
+            }),
+            gradients: vec![GradientSeries::NONE; law.gradients.len()],
             variations: varied.then(|| Box::new(Variations::new(law.gradients.len()))),
         }
+    }
+
+    /// Whether it has the terms of a law.
+    pub(super) fn fits(&self, law: &Law) -> bool {
+        self.world.len() == law.world.len()
+            && self.gradients.len() == law.gradients.len()
+            && self.dissipation.is_some() == law.dissipation.is_some()
     }
 
     /// The first coefficients at a time: the state itself, with its spin in units.
@@ -108,7 +110,7 @@ impl<const N: usize> Series<N> {
         let in_body = |v: &Vector3<f64>| lanes(rotate_inverse(attitude, v).into());
         self.order = 0;
         let q = &attitude.coords;
-        self.attitude[0] = [q.x, q.y, q.z, q.w];
+        self.attitude.set(0, [q.w, q.x, q.z, -q.y], lanes(spin));
         self.spin.set(0, lanes(spin));
         for (rows, one) in self.world.iter_mut().zip(&law.world) {
             rows[0] = in_body(&one.vector);
@@ -177,7 +179,7 @@ impl<const N: usize> Series<N> {
         let vector = match (&*self.world, &*self.gradients) {
             ([first, ..], _) if ACROSS => first,
             (_, [own, ..]) if ACROSS => &own.orbit,
-            _ => attitude,
+            _ => &attitude.up,
         };
         let sums = sums::<N, ACROSS>(n + 1, attitude, vector, spin);
         if ACROSS && let ([rows, more @ ..], [first, others @ ..]) = (&mut *self.world, &*law.world) {
@@ -191,7 +193,8 @@ impl<const N: usize> Series<N> {
                 }
             }
         }
-        self.attitude[n + 1] = scaled(&turn(&sums.turn), inverse / 2.0);
+        let [[w, x], [z, y]] = sums.turn;
+        let turned = scaled(&[w, x, z, y], 0.25 * inverse);
         let pairs = pairs(&sums.pairs);
         if let (Some(own), Some(dissipation)) = (&mut self.dissipation, &law.dissipation) {
             let free = each(|i| law.coupling[i] * pairs[i]);
@@ -210,7 +213,9 @@ impl<const N: usize> Series<N> {
         }
         // The next coefficients wait for the sums alone: all else is scaled beforehand.
         let next = |i: usize| law.coupling[i] * inverse * pairs[i] + rate[i] * inverse;
-        self.spin.set(n + 1, each(next));
+        let spin = each(next);
+        self.attitude.set(n + 1, turned, spin);
+        self.spin.set(n + 1, spin);
         self.order = n + 1;
     }
 
@@ -221,7 +226,7 @@ impl<const N: usize> Series<N> {
         // Where the inverse is infinite, the change is none.
         let per = if per.is_finite() { per } else { 0.0 };
         let next = (self.order + 1).min(N - 1);
-        (self.attitude[next], self.spin.up[next]) = (scaled(attitude, per), scaled(spin, per));
+        (self.attitude.up[next], self.spin.up[next]) = (scaled(attitude, per), scaled(spin, per));
     }
 
     /// The angular acceleration by the torques at the start.
@@ -238,7 +243,7 @@ impl<const N: usize> Series<N> {
     pub(super) fn size(&self, power: usize, weights: &[f64; 3]) -> f64 {
         let spin = &self.spin.up[power];
         let momentum = [spin[0].abs() * weights[0], spin[1].abs() * weights[1], spin[2].abs() * weights[2]];
-        let attitude = &self.attitude[power];
+        let attitude = &self.attitude.up[power];
         let size = super::largest(&[super::largest(attitude), super::largest(&momentum)]);
         self.variations.as_ref().map_or(size, |variations| super::largest(&[size, variations.size(power)]))
     }
@@ -248,11 +253,11 @@ impl<const N: usize> Series<N> {
         core::array::from_fn(|power| self.spin.up[power][axis % 3])
     }
 
-    /// The changes of attitude (vector part first) and spin after `x` units of time.
+    /// The changes of attitude and spin after `x` units of time.
     pub(super) fn value(&self, x: f64) -> [Lanes; 2] {
         let [mut q, mut w] = [[0.0; 4]; 2];
         let powers = 1..=self.order;
-        for (attitude, spin) in self.attitude[powers.clone()].iter().zip(&self.spin.up[powers]).rev() {
+        for (attitude, spin) in self.attitude.up[powers.clone()].iter().zip(&self.spin.up[powers]).rev() {
             for i in 0..4 {
                 q[i] = q[i] * x + attitude[i];
                 w[i] = w[i] * x + spin[i];
@@ -261,13 +266,13 @@ impl<const N: usize> Series<N> {
         [scaled(&q, x), scaled(&w, x)]
     }
 
-    /// The changes of attitude (vector part first) and spin after `x` units of time, and their rates there.
+    /// The changes of attitude and spin after `x` units of time, and their rates there.
     // Not inlined: where a number is not used, the compiler does not compute two at a time.
     #[inline(never)]
     pub(super) fn at(&self, x: f64) -> [Lanes; 4] {
         let [mut q, mut w, mut dq, mut dw] = [[0.0; 4]; 4];
         let powers = 1..=self.order;
-        for (attitude, spin) in self.attitude[powers.clone()].iter().zip(&self.spin.up[powers]).rev() {
+        for (attitude, spin) in self.attitude.up[powers.clone()].iter().zip(&self.spin.up[powers]).rev() {
             for i in 0..4 {
                 dq[i] = dq[i] * x + q[i];
                 dw[i] = dw[i] * x + w[i];
@@ -304,6 +309,9 @@ impl<const N: usize> DissipationSeries<N> {
 }
 
 impl<const N: usize> GradientSeries<N> {
+    const NONE: Self =
+        Self { direction: Coefficients::NONE, orbit: [[0.0; 4]; N], turning: Coefficients::NONE };
+
     /// Adds the angular acceleration by the gravity gradient, and computes the next coefficients of the
     /// orbit, from its products with the spin, and of the direction.
     #[inline(always)]
@@ -318,8 +326,8 @@ impl<const N: usize> GradientSeries<N> {
     ) {
         self.turning.set(n, each(|i| spin[i] - self.orbit[n][i]));
         self.orbit[n + 1] = scaled(&turned, inverse);
-        let (turned, own) = own_sums(n + 1, &self.direction, &self.turning);
-        let pairs = pairs(&own);
+        let turned = across_sums(n + 1, &self.direction.up, &self.turning);
+        let pairs = pairs(&pair_sums(n + 1, &self.direction));
         for i in 0..4 {
             rate[i] -= law.acceleration[i] * pairs[i];
         }

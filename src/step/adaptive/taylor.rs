@@ -37,6 +37,17 @@ impl Taylor {
         Some(Self { law, unit: 1.0, rates, now, ready: false, series, next, most: order(run.tolerance) })
     }
 
+    /// Begins another piece of the run in the same memory, if the series are of the same terms.
+    pub(super) fn renew(&mut self, run: &Run) -> bool {
+        let Some(law) = Law::of(&run.system, 1.0) else { return false };
+        let fits = self.series.fits(&law);
+        if fits {
+            self.rates = Rates::of(&run.system, &law);
+            (self.law, self.unit, self.ready) = (law, 1.0, false);
+        }
+        fits
+    }
+
     /// Begins the series of a step at the current state.
     fn begin(&mut self, run: &Run) {
         let spin = run.system.omega(&run.state.momentum).map(|x| x * self.unit).into();
@@ -99,7 +110,7 @@ impl Taylor {
         let spin = run.system.omega(&end.momentum).map(|x| x * self.unit).into();
         self.next.begin(&self.law, &self.now, &end.attitude, spin);
         self.next.extend_to(1, &self.law);
-        let (turned, spun) = (&self.next.attitude[1], &self.next.spin.up[1]);
+        let (turned, spun) = (&self.next.attitude.up[1], &self.next.spin.up[1]);
         let (per, share) = (1.0 / self.unit, x / (self.series.order as f64 + 1.0));
         let (turned, spun) = (each(|i| (turned[i] - dq[i]) * share), each(|i| (spun[i] - dw[i]) * share));
         let pushed = |i: usize| spun[i] * run.system.moments()[i] * per;
@@ -118,7 +129,7 @@ impl Taylor {
     fn moved(&self, run: &Run, start: &State<f64>, q: &[f64; 4], w: &[f64; 4]) -> State<f64> {
         let (s, per) = (&start.attitude.coords, 1.0 / self.unit);
         State {
-            attitude: Quaternion::new(s.w + q[3], s.x + q[0], s.y + q[1], s.z + q[2]),
+            attitude: Quaternion::new(s.w + q[0], s.x + q[1], s.y - q[3], s.z + q[2]),
             momentum: Vector3::from_fn(|i, _| start.momentum[i] + run.system.moments()[i] * w[i] * per),
         }
     }

@@ -1,6 +1,5 @@
 //! Plans of scenes against the table of truth: 30 digits of bodies free and under torques.
 
-use tumbling::step::Torque;
 use tumbling_measure::story::{Story, all};
 use tumbling_scenes::{Answer, Error, InitialState, Outputs, Scene, Times};
 
@@ -12,27 +11,13 @@ fn off(story: &Story, last: &Answer) -> f64 {
     last.attitude.unwrap().angle_to(&truth).max((last.spin.unwrap() - spin).norm() / spin.norm())
 }
 
-/// Those of the story, each of several phases from when it begins to when it ends.
-fn torques(story: &Story) -> Vec<Torque<f64>> {
-    if story.phases.len() == 1 {
-        return story.system.torques().to_vec();
-    }
-    let mut begin = 0.0;
-    let phase = |&(seconds, torque): &(f64, [f64; 3])| {
-        let from = begin;
-        begin += seconds;
-        Torque::during(from, begin, Torque::InBody(torque.into()))
-    };
-    story.drive.phases.iter().map(phase).collect()
-}
-
 #[test]
 fn scenes_are_as_accurate_as_requested_against_the_truth() {
     let mut driven = 0;
     for story in all().unwrap() {
         let body = InitialState::spinning(*story.system.moments(), story.system.omega(&story.start.momentum));
         for accuracy in [1e-2, 1e-4, 1e-6, 1e-8, 1e-10] {
-            let (times, torques) = (Times::every(0.5, story.end), torques(&story));
+            let (times, torques) = (Times::every(0.5, story.end), story.system.torques().to_vec());
             let outputs = Outputs { spin: true, attitude: true, ..Outputs::NOTHING };
             let scene = Scene::new([body], torques, times, outputs, accuracy).unwrap();
             let plan = match scene.plan(0) {

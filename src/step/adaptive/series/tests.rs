@@ -38,10 +38,11 @@ fn the_fast_sums_are_those_of_the_recurrence() {
         g.push(turned * inverse);
     }
     for n in 0..=MOST {
-        let [attitude, spin] = [fast.attitude[n], fast.spin.up[n]];
+        let [attitude, spin] = [fast.attitude.up[n], fast.spin.up[n]];
         let off = Vector3::new(spin[0], spin[1], spin[2]) - w[n];
         assert!(off.norm() < 1e-13 * w[n].norm(), "{n}: {off}");
-        let off = nalgebra::Vector4::from(attitude) - q[n].coords;
+        let [w, x, z, less_y] = attitude;
+        let off = Quaternion::new(w, x, -less_y, z) - q[n];
         assert!(off.norm() < 1e-13 * q[n].norm(), "{n}: {off}");
     }
 }
