@@ -8,7 +8,7 @@ import { gzipSync } from "node:zlib";
 
 const MOST = { "two-arrows": 5_000, judge: 480_000 };
 // Without the judge, which reads files of any kind and size. Each has the words of all errors, and what steps has all kinds of torques.
-const MOST_TOGETHER = 244_000;
+const MOST_TOGETHER = 245_000;
 const [folder, ...names] = process.argv.slice(2);
 
 let together = 0;
