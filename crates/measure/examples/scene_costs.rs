@@ -7,10 +7,13 @@
 //! With `--check` it writes nothing, and fails where the record says otherwise. The counts are those of this
 //! program, compiled for release: it runs itself again under valgrind.
 
+mod counted_scenes;
+
+use counted_scenes::{STATES, scenes};
 use std::hint::black_box;
 use std::process::Command;
 use tumbling_measure::AnyError;
-use tumbling_measure::costs::{self, Cost, STATES};
+use tumbling_measure::costs::{self, Cost};
 
 /// By how much a count may differ from the recorded one: another compiler produces other instructions.
 const ROOM: f64 = 0.25;
@@ -45,7 +48,7 @@ fn main() -> Result<(), AnyError> {
 /// The work that valgrind counts: a number of plans of the scene with this name, and for each plan all states
 /// a number of times.
 fn watched(name: &str, plans: u64, rounds: u64) -> Result<(), AnyError> {
-    let scenes = costs::scenes()?;
+    let scenes = scenes()?;
     let (_, scene) = scenes.iter().find(|(known, _)| *known == name).ok_or("no scene has that name")?;
     for _ in 0..plans {
         let plan = black_box(scene).plan(0)?;
@@ -67,7 +70,7 @@ fn counts() -> Result<Vec<Cost>, AnyError> {
         let plan = (counted(name, 3, 0)? - counted(name, 1, 0)?) / 2.0;
         Ok(Cost { scene: name.to_owned(), plan: plan.round(), state: state.round() })
     };
-    costs::scenes()?.into_iter().map(cost).collect()
+    scenes()?.into_iter().map(cost).collect()
 }
 
 /// Instructions of this program run again.

@@ -7,7 +7,7 @@
 //!
 //! [`campaign`] does that for all of them and writes the [`record`]: files of comma-separated values, whose
 //! heads say what, when, on which machine. The book's figures and chapters are made from those files.
-//! [`costs`] is the record of the cost of a [scene](tumbling_scenes::Scene) for different outputs.
+//! [`costs`] is the record of the cost of a scene for different outputs.
 //!
 //! The [`atlas`] measures no time. It shows the result of each method on each hard case under torques.
 #![warn(clippy::unwrap_used, clippy::expect_used, clippy::panic)]

@@ -16,11 +16,16 @@ fn a_misspelt_name_is_refused_with_the_nearest() {
         "{message}"
     );
     assert!(output.stdout.is_empty());
+    for (words, near) in [("nxt", "next"), ("reset two_arrow_1", "two_arrows_1")] {
+        let output = exercise(&words.split(' ').collect::<Vec<_>>());
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert!(!output.status.success() && message.contains(&format!("mean `{near}`?")), "{message}");
+    }
 }
 
 #[test]
 fn without_a_name_it_says_how_it_is_called() {
-    for names in [&[][..], &["--help"]] {
+    for names in [&[][..], &["--help"], &["reset"]] {
         let output = exercise(names);
         assert_eq!(output.status.code(), Some(2));
         assert!(String::from_utf8(output.stderr).unwrap().starts_with("usage: cargo exercise NAME"));

@@ -2,7 +2,11 @@
 //! That the counts themselves are those of today is checked by the example `scene_costs --check`, which needs
 //! valgrind and fails without it.
 
-use tumbling_measure::costs::{Cost, of, recorded, scenes};
+#[path = "../../examples/counted_scenes/mod.rs"]
+mod counted_scenes;
+
+use counted_scenes::scenes;
+use tumbling_measure::costs::{Cost, of, recorded};
 use tumbling_scenes::Strategy;
 
 fn cost(scene: &str) -> Cost {
