@@ -1,5 +1,5 @@
 //! `cargo run`: hands each command to the package that carries it out, so that only what it needs is
-//! compiled.
+//! compiled. Options of cargo itself reach that build by its environment alone (`CARGO_NET_OFFLINE=true`).
 
 use std::env;
 use std::ffi::OsString;

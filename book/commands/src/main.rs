@@ -1,4 +1,4 @@
-//! The commands besides `build`; `cargo run -- --help` lists them.
+//! The commands besides `build` and `exercises`; `cargo run -- --help` lists them.
 
 mod cli;
 mod command;

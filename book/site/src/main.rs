@@ -8,7 +8,7 @@ use tumbling_site::share::Site;
 use tumbling_site::{build, complain, everything};
 
 fn main() -> ExitCode {
-    let words: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<_> = std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
     let done = match words.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         [] => everything(),
         ["build"] => build::build(None),

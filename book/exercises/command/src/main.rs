@@ -12,7 +12,8 @@ use std::process::ExitCode;
 use tumbling_exercises::{self as exercises, Exercise};
 
 fn main() -> ExitCode {
-    match run(&std::env::args().skip(1).collect::<Vec<_>>()) {
+    let words = std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned());
+    match run(&words.collect::<Vec<_>>()) {
         Ok(code) => code,
         Err(why) => {
             complain(why);
