@@ -73,7 +73,7 @@ export async function tumble(page, wants) {
   wants("it opens on the wing nut", (await page.inputValue("#tumble-body")) === "4");
   await set(page, "#tumble-body", 0);
   const text = (await page.textContent("main")).replace(/\s+/g, " ");
-  const [, push, strong, weak, tiny] = text.match(/After a (?:push|slip) of ([\d.]+), it flips every ([\d.]+ s); after a (?:push|slip) of [^,]*, every ([\d.]+ s)\..*?flips the box every (\d+ s)/) ?? [];
+  const [, push, strong, weak, tiny] = text.match(/With a slip of ([\d.]+), it flips every ([\d.]+ s); with a slip of [^,]*, every ([\d.]+ s)\..*?flips the box every (\d+ s)/) ?? [];
   for (const [given, time] of [[push, strong], ["1e-9", weak], ["5e-324", tiny]]) {
     await set(page, "#tumble-push-number", given);
     wants(`a push of ${given}: it shows ${await beat()}, the chapter ${time}`, (await beat()) === time);
