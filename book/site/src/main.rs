@@ -1,5 +1,6 @@
-//! Draws the figures and builds the pages. The default program asks here; all other commands are in
-//! `../../commands`, so that `cargo run` compiles none of them.
+//! Draws the figures and builds the pages, for the default program and for mdBook. The exercises' commands
+//! are in `../../exercises/command`, all others in `../../commands`, so that `cargo run` compiles none of
+//! them.
 
 use std::io::{stdin, stdout};
 use std::process::ExitCode;

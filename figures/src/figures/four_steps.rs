@@ -59,8 +59,8 @@ pub(super) fn draw() -> Drawing {
     let spread = |seen: &[(f64, f64)]| seen.iter().map(|p| (p.1 - 1.0).abs()).fold(0.0_f64, f64::max);
     canvas.described(format!(
         "Energy of the box with a spin of (1, 1, 1) rad/s, as a share of the first, over {end:.0} s in steps of {STEP} s. Euler's method \
-         leaves the sheet upward at the first step. The Runge-Kutta method sinks to {:.0} % after {:.0} s. The splitting into three rotations \
-         sways by up to {:.1} %. Moser and Veselov's method stays level.",
+         leaves the sheet upward at the first step. The Runge-Kutta method sinks to {:.0} % after {:.0} s. The \
+         splitting into three rotations sways by up to {:.1} %. Moser and Veselov's method stays level.",
         100.0 * classical.last().map_or(1.0, |p| p.1),
         classical.last().map_or(0.0, |p| p.0),
         100.0 * spread(&turns),
