@@ -21,8 +21,8 @@ impl<T: Field + Float + From<f32>> PositionStage<T> {
     ///
     /// `all` is the engine's storage and `bodies` are the keys of the bodies in it. `read` returns a body's
     /// stage, attitude and spin, and `write` receives the end of its step. The order of the calls is not
-    /// specified, so each key must occur only once. A body that needs no gyroscopic term (round, at rest,
-    /// locked) is finished at once, without a block.
+    /// specified, so each key must occur only once. A body that needs no gyroscopic term (all moments
+    /// equal, at rest, locked) is finished at once, without a block.
     ///
     /// ```
     /// use nalgebra::{Quaternion, Vector3};
