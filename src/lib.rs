@@ -1,7 +1,7 @@
 //! Rotation of rigid bodies: why a tossed book flips, and a library to compute it. In rotation, a matrix
 //! plays the role of mass: a body's [`Inertia`] maps its spin to its angular momentum, and the two point in
-//! the same direction only along the [principal axes](PrincipalAxes). A free body keeps its momentum; so its
-//! spin must change, and near the middle axis it flips.
+//! the same direction only along the [principal axes](PrincipalAxes). A free body keeps its momentum; so, off
+//! these axes, its spin must change, and near the middle axis the body flips.
 //!
 //! ```
 //! use nalgebra::{UnitQuaternion, Vector3};
