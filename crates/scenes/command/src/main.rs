@@ -112,7 +112,7 @@ fn answer(file: &File, wanted: &Arguments, name: &str, out: &mut impl Write) -> 
     if outputs.states() && !wanted.summary && !wanted.explain {
         writeln!(out, "{}", columns(outputs).join(","))?;
         if outputs.flips || outputs.polhode {
-            complain(&format!("{name}: flips and polhode belong to no one time: see --summary"));
+            complain(&format!("{name}: flips and polhode do not belong to a single time: see --summary"));
         }
         return states(file, name, out);
     }
