@@ -39,7 +39,7 @@
 //! - [`exact`]: free motion in closed form: [`exact::FreeMotion`] of one body, [`exact::Batch`] of many.
 //! - [`step`]: stepping through time, right and wrong: a [`step::Stepper`] runs a body by the method of your
 //!   choice, under torques.
-//! - [`laws`]: functions that are public only for the proofs.
+//! - [`laws`]: functions that are public only for the proofs, and traits for vectors of several numbers.
 //!
 //! `FreeMotion::of` and `Stepper::new` accept a `Body` with products of inertia too, and return results in
 //! the axes of that body.

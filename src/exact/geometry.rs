@@ -84,7 +84,7 @@ impl Polhode {
     /// ```
     /// use nalgebra::Vector3;
     /// use tumbling::{PrincipalMoments, exact::Polhode};
-    /// // A spin about the middle axis, with a push along the third: on the way it nears both others.
+    /// // A spin about the middle axis, with a slip along the third: on the way it nears both others.
     /// let polhode = Polhode::new(PrincipalMoments::new(1.0, 2.0, 2.5)?, &Vector3::new(0.0, 5.0, 0.1))?;
     /// assert!((polhode.least - Vector3::new(0.0, 0.0, 0.1)).norm() < 1e-15);
     /// // C (C - A) w3² there is what C (C - A) w3² + B (B - A) w2² is at the start.
@@ -262,11 +262,11 @@ impl FreeMotion {
     /// is no period, or where it is beyond `f64`.
     ///
     /// The turn is measured relative to the shortest rotation from the circled axis (for two equal moments,
-    /// the third axis) to the momentum, which is always defined. After half a period the two small components
-    /// of the spin have changed sign, so the body stands as at first but turned by half a turn about the
-    /// circled axis, and then by the twist and half a turn about the momentum; after a whole period, by two
-    /// twists about the momentum. Divided by π it is the rotation number; where that is a ratio of integers,
-    /// the motion in the world closes.
+    /// the third axis) to the momentum, which is always defined. After half a period the two components of
+    /// the spin across the circled axis have changed sign, so the body stands as at first but turned by half
+    /// a turn about the circled axis, and then by the twist and half a turn about the momentum; after a whole
+    /// period, by two twists about the momentum. Divided by π it is the rotation number; where that is a
+    /// ratio of integers, the motion in the world closes.
     #[must_use]
     pub fn twist_of_half_period(&self) -> Option<f64> {
         match &self.law {
