@@ -2,9 +2,9 @@
 //!
 //! They differ in what they do with the gyroscopic term `L x w`: they take it as it stands at the start of
 //! the step, or leave it out; they solve implicit Euler's equation by one Newton step, with a torque outside
-//! it or inside; or they take the classical Runge-Kutta method for the spin. All turn the attitude by the new
-//! spin, and bring it back to length 1 after each step, as the engines do. Torques act as they stand at the
-//! start of the step, except in the Runge-Kutta ones.
+//! it or inside; or they take the classical Runge-Kutta method for the spin. Those turn the attitude by the
+//! spins of their stages, the others by the new spin; all bring it back to length 1 after each step, as the
+//! engines do. Torques act as they stand at the start of the step, except in the Runge-Kutta rules.
 
 use super::implicit::cramer;
 use super::runge_kutta::{Turning, rk4_in_time};
