@@ -1,9 +1,9 @@
 //! Judges how well an engine turns a rigid body that nothing touches: a trajectory in, a verdict out.
 //!
-//! [`judge`] reads a record row by row and holds it against the exact motion from its first row. The
+//! [`judge`] reads a record row by row and compares it with the exact motion from its first row. The
 //! [`Verdict`] says how each law of free motion is kept, what is wrong with the file if its numbers are not
 //! what their names say, and which rule made it: each rule known to the library takes the recorded rows one
-//! step further, and is held against the next row.
+//! step further, and is compared with the next row.
 //!
 //! Its memory does not grow with the record.
 #![cfg_attr(doctest, doc = include_str!("../README.md"))]
