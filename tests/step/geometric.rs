@@ -1,4 +1,4 @@
-//! Methods that keep the laws of motion, held against rounding, long runs, torques and nonsense.
+//! Methods that keep the laws of motion, tested against rounding, long runs, torques and nonsense.
 
 use super::{apart, energy, free, start};
 use crate::common::*;

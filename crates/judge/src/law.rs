@@ -1,6 +1,6 @@
 //! The laws of free motion, by name.
 
-/// What is held against the record.
+/// What a record is tested for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum LawName {

@@ -28,7 +28,7 @@ pub(crate) const UNTRACEABLE: f64 = 0.1;
 pub(crate) const PROBE_ROWS: usize = 2048;
 /// Pairs of rows, of those, tried for clock and reading.
 pub(crate) const PROBE_PAIRS: usize = 256;
-/// Steps held against each rule, evenly from the whole record.
+/// Steps compared with each rule, evenly from the whole record.
 pub(crate) const TRIED_STEPS: usize = 2048;
 /// Steps of a run that follow one another: an even stride would see one of two alternating kinds alone.
 pub(crate) const TRIED_RUN: usize = 8;

@@ -1,4 +1,4 @@
-//! The laws of free motion, each held against the rows as they come.
+//! The laws of free motion, each compared with the rows as they come.
 
 use crate::law::LawName;
 use crate::laws::{Curve, FlipCount, Law, Point, Stretches, line};
@@ -27,7 +27,7 @@ pub(crate) struct Laws {
     floor: Floor,
 }
 
-/// What the laws are held against: the first row, and what it has of each.
+/// What the laws are compared with: the first row, and what it has of each.
 struct Start {
     row: Row,
     energy: f64,
