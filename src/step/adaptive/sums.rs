@@ -8,11 +8,11 @@
 //! quickly only in the pairs in which it was stored, so new values are not loaded in other pairs.
 
 /// A quaternion's scalar part, and its components along x, along z, and along y with the opposite sign; or a
-/// vector, of which the fourth repeats the first.
+/// vector, of which the fourth repeats the third.
 pub(super) type Lanes = [f64; 4];
 
 pub(super) fn lanes([x, y, z]: [f64; 3]) -> Lanes {
-    [x, y, z, x]
+    [x, y, z, z]
 }
 
 // Not by `from_fn`, which calls a function for each.
@@ -47,8 +47,8 @@ type Pair = [f64; 2];
 pub(super) type Factors = [Pair; 2];
 
 #[inline(always)]
-fn factors_of(&[x, y, z, _]: &Lanes) -> Factors {
-    [[y, x], [z; 2]]
+fn factors_of(&[x, y, z, again]: &Lanes) -> Factors {
+    [[y, x], [z, again]]
 }
 
 #[inline(always)]
@@ -78,7 +78,7 @@ pub(super) type AcrossSums = [Pair; 3];
 #[inline(always)]
 fn add_across(sums: &mut AcrossSums, g: &Lanes, [other, z]: Factors) {
     add_two(&mut sums[0], [g[0], g[1]], z);
-    add_two(&mut sums[1], [g[2]; 2], other);
+    add_two(&mut sums[1], [g[2], g[3]], other);
     add_two(&mut sums[2], [g[0], g[1]], other);
 }
 
