@@ -50,8 +50,6 @@ fn series(tolerance: f64) -> f64 {
     let order = 5.0 + 0.4 * binary_digits;
     2200.0 + 37.0 * order * order
 }
-/// It turns the body by about this many radians, whatever the tolerance.
-pub(crate) const RADIANS: f64 = 1.6;
 
 /// A number of states in a number of such steps, most of them by collocation where damping is stiff.
 pub(crate) fn run(tolerance: f64, states: u64, steps: usize, stiff: bool) -> f64 {

@@ -2,12 +2,13 @@
 //! stepped again with finer tolerances until two runs agree.
 
 use crate::cost;
-use crate::error::{Error, within};
+use crate::error::Error;
+use crate::free;
 use crate::initial_state::Checked;
 use crate::plan::Driven;
 use crate::scene::{Outputs, Scene};
 use crate::torques::Rates;
-use nalgebra::{UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use tumbling::dynamics::observe;
 use tumbling::step::{State, Stepper, Torque};
 use tumbling::{Body, attitude};
@@ -19,64 +20,72 @@ const COMPARED: u64 = 32;
 /// and the number of equal parts of the span at whose ends they are.
 const INNER: u32 = 16;
 
-/// How many coarser accuracies are tried if the one requested cannot be reached.
-const OFFERS: usize = 8;
+/// The accuracies for which tolerances are tried, [`SHARE`] of each. They are the same for every request, so
+/// that what is accepted is accepted for a coarser accuracy too.
+const ACCURACIES: [f64; 7] = [1.0, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
+/// The tolerance of the first run, as a share of the accuracy.
+const SHARE: f64 = 0.03;
 
 /// The run that the trials showed to be accurate enough.
 ///
-/// The error offers another accuracy only if a plan for it succeeded. The smallest difference between two
-/// runs would be a bad guess: it may be small by chance where it consists of rounding alone.
+/// The error offers another accuracy only if a plan for it succeeded.
 pub(crate) fn chosen(start: &Checked, body: &Body, scene: &Scene) -> Result<Driven, Error> {
     let requested = scene.accuracy();
-    let mut found = chosen_to(requested, start, body, scene);
-    let mut offered = None;
-    for _ in 0..OFFERS {
-        match found {
-            Err(Error::Unattainable { attainable, .. }) => {
-                let offer = two_digits(attainable.max(2.0 * offered.unwrap_or(0.0)));
-                offered = Some(offer);
-                found = chosen_to(offer, start, body, scene);
-            }
-            Ok(driven) => {
-                let refused = |attainable| Err(Error::Unattainable { requested, attainable });
-                return offered.map_or(Ok(driven), refused);
-            }
-            _ => break,
+    let mut accuracy = match free::determined(start, requested, 1.0) {
+        Err(Error::Unattainable { attainable, .. }) => attainable,
+        _ => requested,
+    };
+    loop {
+        match chosen_to(accuracy, start, body, scene) {
+            Ok(driven) if accuracy == requested => return Ok(driven),
+            Ok(_) => return Err(Error::unattainable(requested, accuracy)),
+            Err(Error::Unattainable { attainable, .. }) if attainable > accuracy => accuracy = attainable,
+            Err(Error::Disagreement { steps, .. }) => return Err(Error::Disagreement { requested, steps }),
+            Err(error) => return Err(error),
         }
     }
-    match found {
-        Err(Error::Unattainable { .. }) | Ok(_) => Err(Error::Disagreement { requested, steps: 0 }),
-        Err(Error::Disagreement { steps, .. }) => Err(Error::Disagreement { requested, steps }),
-        Err(error) => Err(error),
-    }
-}
-
-/// The number rounded up to the two digits that are printed of it.
-fn two_digits(x: f64) -> f64 {
-    format!("{:.1e}", 1.05 * x).parse().unwrap_or(x).max(x)
 }
 
 fn chosen_to(accuracy: f64, start: &Checked, body: &Body, scene: &Scene) -> Result<Driven, Error> {
     let end = scene.times().end();
-    let rates = Rates::of(start, scene.torques(), end)?;
-    let (times, stiff) = (compared(scene), rates.are_stiff(end));
+    let stiff = Rates::of(start, scene.torques(), end)?.are_stiff(end);
+    let times = compared(scene);
     let outputs = Outputs { flips: scene.outputs().flips && start.can_flip(), ..scene.outputs() };
-    let turned = (rates.spin * end).max(1.0);
-    let trial = Trial { body, torques: scene.torques(), times: &times, outputs, accuracy, turned };
-    // Leaves room for a finer tolerance, so that there are two runs to compare.
-    let first = (0.03 * accuracy).max(8.0 * LEAST_TOLERANCE);
+    let trial = Trial { body, torques: scene.torques(), times: &times, outputs, accuracy };
     // Where damping is that fast, each step is a collocation; MOST_STEPS of them take too long to try.
     let most = if stiff { MOST_STEPS / 20 } else { MOST_STEPS };
     let mut budget = Budget { left: most, spent: 0.0 };
     let (tolerance, difference, steps) =
-        if end == 0.0 { (first, 0.0, 0) } else { trial.refined(first, &mut budget)? };
-    let stepper = trial.stepper(tolerance, usize::MAX)?;
+        if end == 0.0 { (LEAST_TOLERANCE, 0.0, 0) } else { trial.refined(&mut budget)? };
+    let stepper = stepper(body, scene.torques(), tolerance, usize::MAX)?;
     Ok(Driven { stepper, tolerance, difference, steps, trials: budget.spent, stiff })
 }
 
+/// A stepper of a body at the start with this tolerance, and at most this number of steps from one time to
+/// the next.
+fn stepper(body: &Body, torques: &[Torque<f64>], tolerance: f64, budget: usize) -> Result<Stepper, Error> {
+    Ok(Stepper::adaptive(body, tolerance, budget)?.with_torques(torques.iter().cloned())?)
+}
+
+/// The body, a few roundings longer or shorter along each axis, and as much faster or slower about it.
+///
+/// The tensor is that of the sums of mass times coordinates, stretched: it stays possible. What is zero stays
+/// zero.
+fn changed(body: &Body) -> Result<Body, Error> {
+    let [stretch, spin] = [[1.0, -1.0, 0.5], [-0.5, 1.0, 1.0]]
+        .map(|signs| Vector3::from(signs).map(|sign| 1.0 + 0.5 * free::ROUNDINGS * f64::EPSILON * sign));
+    let of_masses = |tensor: Matrix3<f64>| Matrix3::from_diagonal_element(0.5 * tensor.trace()) - tensor;
+    let tensor = body.inertia().matrix();
+    let stretched = of_masses(tensor).component_mul(&(stretch * stretch.transpose()));
+    let tensor = Matrix3::from_diagonal_element(stretched.trace()) - stretched;
+    let omega = body.omega_body().component_mul(&spin);
+    Ok(Body::spinning(tensor.try_into()?, body.attitude(), &omega)?)
+}
+
 /// Times at which runs are compared, in order: a selection of those requested, evenly chosen, with the last,
-/// and denser towards the first, where fast transients still exist; and some times between, because two wrong
-/// runs may agree at a single instant.
+/// and denser towards the first, where fast transients still exist; some times between, because two wrong
+/// runs may agree at a single instant; and those at which a torque begins or ends, where the spin may be at
+/// its largest.
 fn compared(scene: &Scene) -> Vec<f64> {
     let last = scene.times().count().saturating_sub(1);
     let every = scene.times().count().div_ceil(COMPARED).max(1);
@@ -84,7 +93,12 @@ fn compared(scene: &Scene) -> Vec<f64> {
     let places = (0..COMPARED).map(|k| k * every).chain(doubled).filter(|n| *n < last).chain([last]);
     let end = scene.times().end();
     let inner = (1..INNER).map(|k| end * (f64::from(k) / f64::from(INNER)));
-    let mut times: Vec<f64> = places.map(|n| scene.times().nth(n)).chain(inner).collect();
+    let edges = scene.torques().iter().flat_map(|torque| match torque {
+        Torque::During { start, end, .. } => [*start, *end],
+        _ => [0.0; 2],
+    });
+    let edges = edges.filter(|time| *time > 0.0 && *time < end);
+    let mut times: Vec<f64> = places.map(|n| scene.times().nth(n)).chain(inner).chain(edges).collect();
     times.sort_by(f64::total_cmp);
     times.dedup();
     times
@@ -128,75 +142,66 @@ struct Trial<'a> {
     times: &'a [f64],
     outputs: Outputs,
     accuracy: f64,
-    /// Radians from start to end.
-    turned: f64,
 }
 
 impl Trial<'_> {
-    /// A stepper at the start with this tolerance, and at most this number of steps from one time to the
-    /// next.
-    fn stepper(&self, tolerance: f64, budget: usize) -> Result<Stepper, Error> {
-        let stepper = Stepper::adaptive(self.body, tolerance, budget)?;
-        Ok(stepper.with_torques(self.torques.iter().cloned())?)
-    }
-
     /// Refines until two runs agree to half of the accuracy (and then uses the finer) or to a tenth of it
     /// (and then uses the coarser), with at most the steps of the budget in total. Returns the tolerance, the
     /// difference from the other run and the number of steps.
     ///
     /// Each tolerance is a hundredth of the one before, which costs a quarter more. Errors decrease with the
     /// tolerance only on average: where the motion amplifies errors, two runs with tolerances ten times apart
-    /// were observed to have the same error.
-    fn refined(&self, first: f64, budget: &mut Budget) -> Result<(f64, f64, usize), Error> {
-        let (all, steps) = (budget.left, self.turned / cost::RADIANS);
-        // Known to take more steps than two runs may.
-        let rule = format!("it must not be above {}, the most that are tried", all / 2);
-        within("the number of steps that the torques require", steps, steps <= (all / 2) as f64, rule)?;
-        let (mut tolerance, mut best) = (first, f64::INFINITY);
-        let mut coarse = self.run(tolerance, budget);
-        while coarse != Err(Stop::OutOfSteps) {
-            let finer = (0.01 * tolerance).max(LEAST_TOLERANCE);
-            if finer == tolerance || steps > budget.left as f64 {
+    /// were observed to have the same error. With the least tolerance two runs differ by rounding alone, and
+    /// may agree by chance; so the finer one is compared with a run of the [changed](changed) body too, which
+    /// differs by more.
+    fn refined(&self, budget: &mut Budget) -> Result<(f64, f64, usize), Error> {
+        let (all, requested) = (budget.left, self.accuracy);
+        let from = ACCURACIES.partition_point(|a| *a > requested).min(ACCURACIES.len() - 1);
+        let mut tolerance = SHARE * ACCURACIES[from];
+        let (mut coarse, mut best) = (self.run(self.body, tolerance, budget), None);
+        let finer = ACCURACIES[from + 1..].iter().map(|a| SHARE * a).chain([LEAST_TOLERANCE]);
+        for finer in finer {
+            if coarse.as_ref().map_or_else(|stop| *stop == Stop::OutOfSteps, |run| run.steps > budget.left) {
                 break;
             }
-            let fine = self.run(finer, budget);
-            let difference = match (&coarse, &fine) {
-                (Ok(a), Ok(b)) => self.apart(a, b),
-                _ => f64::INFINITY,
-            };
+            let fine = self.run(self.body, finer, budget);
+            let mut difference = self.between(&coarse, &fine);
+            if finer == LEAST_TOLERANCE && difference.is_finite() {
+                let other = self.run(&changed(self.body)?, finer, budget);
+                difference = difference.max(self.between(&fine, &other));
+            }
             // If the runs agree this much better than requested, the coarser run is accurate enough.
             for (tolerance, run, share) in [(tolerance, &coarse, 0.1), (finer, &fine, 0.5)] {
-                if difference <= share * self.accuracy
+                if difference <= share * requested
                     && let Ok(Run { steps, .. }) = run
                 {
                     return Ok((tolerance, difference, *steps));
                 }
             }
-            best = best.min(difference);
+            best = Some(difference.min(best.unwrap_or(f64::INFINITY)));
             (coarse, tolerance) = (fine, finer);
         }
-        match coarse {
-            // Runs must agree to half of the accuracy; another factor of two, since another accuracy leads to
-            // other steps and roundings.
-            _ if 4.0 * best < 1.0 => {
-                Err(Error::Unattainable { requested: self.accuracy, attainable: 4.0 * best })
-            }
-            Err(Stop::Refused(error)) if best.is_infinite() => Err(error),
-            _ => Err(Error::Disagreement { requested: self.accuracy, steps: all - budget.left }),
-        }
+        let steps = all - budget.left;
+        Err(match (best, coarse) {
+            // Runs must agree to half of the accuracy.
+            (Some(best), _) if 2.1 * best < 1.0 => Error::unattainable(requested, 2.0 * best),
+            (None | Some(f64::INFINITY), Err(Stop::Refused(error))) => error,
+            (None, _) => Error::OutOfSteps { steps },
+            _ => Error::Disagreement { requested, steps },
+        })
     }
 
-    fn run(&self, tolerance: f64, budget: &mut Budget) -> Result<Run, Stop> {
+    fn run(&self, body: &Body, tolerance: f64, budget: &mut Budget) -> Result<Run, Stop> {
         let mut run = Run::default();
-        let done = self.fill(&mut run, tolerance, budget.left);
+        let done = self.fill(&mut run, body, tolerance, budget.left);
         budget.left = budget.left.saturating_sub(run.steps);
         budget.spent += cost::run(tolerance, self.times.len() as u64, run.steps, false);
         done.map(|()| run)
     }
 
     /// In at most `left` steps.
-    fn fill(&self, run: &mut Run, tolerance: f64, left: usize) -> Result<(), Stop> {
-        let mut stepper = self.stepper(tolerance, left).map_err(Stop::Refused)?;
+    fn fill(&self, run: &mut Run, body: &Body, tolerance: f64, left: usize) -> Result<(), Stop> {
+        let mut stepper = stepper(body, self.torques, tolerance, left).map_err(Stop::Refused)?;
         let flips = self.outputs.flips;
         for &time in self.times {
             let there = if flips {
@@ -212,6 +217,12 @@ impl Trial<'_> {
             run.states.push((stepper.omega(), stepper.state()));
         }
         Ok(())
+    }
+
+    /// The difference between two runs, infinite if there are not two.
+    fn between(&self, a: &Result<Run, Stop>, b: &Result<Run, Stop>) -> f64 {
+        let Ok((a, b)) = a.as_ref().and_then(|a| Ok((a, b.as_ref()?))) else { return f64::INFINITY };
+        self.apart(a, b)
     }
 
     /// The largest difference between two runs: in spin and energy, relative to the largest so far, in the
@@ -290,7 +301,7 @@ mod tests {
         let apart = |energy| {
             let outputs = Outputs { spin: true, energy, ..Outputs::NOTHING };
             let (body, times, torques) = (start.body().unwrap(), &[1.0], &[]);
-            let trial = Trial { body: &body, torques, times, outputs, accuracy: 0.1, turned: 10.0 };
+            let trial = Trial { body: &body, torques, times, outputs, accuracy: 0.1 };
             trial.apart(&a, &b)
         };
         assert!((apart(false) - 0.01).abs() < 1e-5);

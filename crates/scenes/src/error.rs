@@ -54,7 +54,12 @@ pub enum Error {
         /// The finest accuracy possible; under a torque, the finest that was observed.
         attainable: f64,
     },
-    /// No two trial runs agreed within the number of steps allowed.
+    /// Not one trial run, or no second one, reached the last time within the number of steps allowed.
+    OutOfSteps {
+        /// The number of steps taken in all trial runs.
+        steps: usize,
+    },
+    /// No two trial runs agreed.
     Disagreement {
         /// The accuracy requested.
         requested: f64,
@@ -98,6 +103,13 @@ impl Error {
         }
     }
 
+    /// With the accuracy that can be had rounded up to the two digits that are printed.
+    pub(crate) fn unattainable(requested: f64, attainable: f64) -> Self {
+        let printed = |x: f64| format!("{x:.1e}").parse().unwrap_or(x);
+        let [nearest, above] = [attainable, 1.05 * attainable].map(printed);
+        Self::Unattainable { requested, attainable: if nearest < attainable { above } else { nearest } }
+    }
+
     pub(crate) fn of_field(field: Field) -> impl Fn(Self) -> Self {
         move |source| Self::Field { field, source: Box::new(source) }
     }
@@ -124,6 +136,10 @@ impl fmt::Display for Error {
             Self::Disagreement { requested, steps } => write!(
                 f,
                 "an accuracy of {requested:e} is requested, but no two trial runs, of {steps} steps in all, agreed to any digit"
+            ),
+            Self::OutOfSteps { steps } => write!(
+                f,
+                "the trial runs took {steps} steps, as many as are allowed, and there were no two that reached the last time"
             ),
             Self::Undefined { what, why } => write!(f, "{what} is requested, but {why}"),
             Self::Library(error) => error.fmt(f),

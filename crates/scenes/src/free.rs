@@ -7,9 +7,8 @@ use crate::scene::Outputs;
 use nalgebra::Vector3;
 use tumbling::exact::{FreeMotion, Regime};
 
-/// The number of roundings by which the closed form may be off, each as large as the effect of rounding an
-/// input.
-const ROUNDINGS: f64 = 16.0;
+/// The number of roundings by which an answer may be off, each as large as the effect of rounding an input.
+pub(crate) const ROUNDINGS: f64 = 16.0;
 
 /// The cheapest way to the outputs of a motion up to the time `end`.
 pub(crate) fn strategy(
@@ -19,10 +18,8 @@ pub(crate) fn strategy(
     end: f64,
     accuracy: f64,
 ) -> Result<Strategy, Error> {
-    let elementary = |strategy| {
-        let turned = (body.along.norm() * end).max(1.0);
-        allowed(accuracy, ROUNDINGS * f64::EPSILON * turned * coarsening(body)).map(|()| strategy)
-    };
+    let elementary =
+        |strategy| determined(body, accuracy, (length(&body.along) * end).max(1.0)).map(|()| strategy);
     match motion.regime() {
         Regime::AtRest | Regime::Steady { .. } | Regime::SymmetricTop { .. }
             if !(outputs.attitude || outputs.spin) =>
@@ -47,7 +44,18 @@ pub(crate) fn strategy(
 }
 
 fn allowed(requested: f64, attainable: f64) -> Result<(), Error> {
-    if requested >= attainable { Ok(()) } else { Err(Error::Unattainable { requested, attainable }) }
+    if requested >= attainable { Ok(()) } else { Err(Error::unattainable(requested, attainable)) }
+}
+
+/// Refuses an accuracy finer than the conversion to principal axes permits, times the angle turned.
+pub(crate) fn determined(body: &Checked, accuracy: f64, turned: f64) -> Result<(), Error> {
+    allowed(accuracy, ROUNDINGS * f64::EPSILON * turned * coarsening(body))
+}
+
+/// The length of a vector, whose square may be beyond `f64`.
+pub(crate) fn length(v: &Vector3<f64>) -> f64 {
+    let largest = v.amax();
+    if largest > 0.0 { (v / largest).norm() * largest } else { largest }
 }
 
 /// The largest factor by which the rounding of a number of the body exceeds that of its own size.
@@ -55,7 +63,7 @@ fn coarsening(body: &Checked) -> f64 {
     let share = |rounded: &Vector3<f64>, size: &Vector3<f64>| {
         rounded.zip_map(size, |rounded, size| if rounded == 0.0 { 1.0 } else { rounded / size }).max()
     };
-    let speed = Vector3::repeat(body.along.norm().max(f64::MIN_POSITIVE));
+    let speed = Vector3::repeat(length(&body.along).max(f64::MIN_POSITIVE));
     share(&body.rounded.moments, &body.moments.vector()).max(share(&body.rounded.omega, &speed)).max(1.0)
 }
 
@@ -69,7 +77,7 @@ fn attainable(
     end: f64,
     accuracy: f64,
 ) -> Result<(), Error> {
-    let speed = body.along.norm();
+    let speed = length(&body.along);
     finite("the angle turned up to the last time", speed * end)?;
     let complement = match regime {
         Regime::Elliptic { complement, .. } => complement,
@@ -92,8 +100,8 @@ fn attainable(
         let (by_start, by_tensor) = along.sensitivities(time)?;
         for j in 0..3 {
             let change = |row: usize| {
-                by_start.fixed_view::<3, 1>(row, 3 + j).norm() * rounded.omega[j]
-                    + by_tensor.fixed_view::<3, 1>(row, j).norm() * rounded.moments[j]
+                length(&by_start.fixed_view::<3, 1>(row, 3 + j).into()) * rounded.omega[j]
+                    + length(&by_tensor.fixed_view::<3, 1>(row, j).into()) * rounded.moments[j]
             };
             worst = worst.max(change(3) / speed).max(change(0));
         }

@@ -132,7 +132,8 @@ impl InitialState {
                     false => self.moments.try_into(),
                 };
                 let moments = moments.map_err(|error| self.of_tensor(error))?;
-                (body.inertia(), body.omega_body(), moments)
+                let omega = if let Start::Spin(omega) = self.start { omega } else { body.omega_body() };
+                (body.inertia(), omega, moments)
             }
         };
         let wrong = Error::of_field(self.start_field());

@@ -62,7 +62,7 @@ impl Scene {
         times.validate()?;
         within("the accuracy", positive("the accuracy", accuracy)?, accuracy < 1.0, "it must be below 1")?;
         if accuracy < 2.0 * f64::EPSILON {
-            return Err(Error::Unattainable { requested: accuracy, attainable: 2.0 * f64::EPSILON });
+            return Err(Error::unattainable(accuracy, 2.0 * f64::EPSILON));
         }
         let torques = torques.into_iter().filter_map(simplified).collect();
         Ok(Self { bodies, torques, times, outputs, accuracy })

@@ -152,4 +152,10 @@ impl Iterator for States<'_> {
         }
         Some(state)
     }
+
+    /// Without the states before it.
+    fn last(mut self) -> Option<Self::Item> {
+        self.next = self.next.max(self.end.saturating_sub(1));
+        self.next()
+    }
 }

@@ -94,7 +94,8 @@ pub fn read(text: String, folder: &Path) -> Result<File, Error> {
     let accuracy = *table.accuracy.get_ref();
     let scene = Scene::new(states, torques, times, outputs, accuracy).map_err(|error| match error {
         SceneError::Torque { index, source } => torque::refused(&text, &table.torque[index], &source),
-        // Times are right: this is all that is left, but for a file without a body.
+        _ if table.body.is_empty() => Error::new("`body` is missing; each begins with `[[body]]`"),
+        // Times are right: this is all that is left.
         other => Error::at(&text, &table.accuracy.span(), other).of_field("accuracy"),
     })?;
     let bodies = table.body.iter().map(|body| (body.span(), body.get_ref().present())).collect();

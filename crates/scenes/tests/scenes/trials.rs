@@ -55,27 +55,33 @@ fn cases() -> [Case; 3] {
 }
 
 /// Too fine for the roundings that the motion multiplies: what is offered instead can be had, as it is
-/// printed.
+/// printed; and what is had is had to every coarser accuracy, too. Two runs that agreed by chance once made a
+/// plan for 9e-9 and none for 1e-8.
 #[test]
-fn an_accuracy_offered_is_attainable() {
+fn an_accuracy_offered_is_attainable_and_so_is_each_that_is_coarser() {
     let mut offered = 0;
     for case in cases() {
-        for accuracy in [5e-16, 2e-15, 1e-14, 5e-14] {
+        let mut had = false;
+        for accuracy in (0..80).map(|n| 5e-16 * f64::powi(1.25, n)) {
             let plan = |accuracy| {
                 let body = InitialState::spinning(case.moments.into(), case.omega.into());
                 let times = Times::every(case.end / 8.0, case.end);
                 let scene = one(body, case.torques.clone(), times, BOTH, accuracy);
                 scene.plan(0).map(drop)
             };
-            let Err(Error::Body { source, .. }) = plan(accuracy) else { continue };
+            let Err(Error::Body { source, .. }) = plan(accuracy) else {
+                had = true;
+                continue;
+            };
             let message = source.to_string();
             let Error::Unattainable { attainable, .. } = *source else { panic!("{message}") };
             assert_eq!(message.rsplit(": ").next().unwrap().parse(), Ok(attainable), "{message}");
+            assert!(!had, "{message}");
             plan(attainable).unwrap();
             offered += 1;
         }
     }
-    assert!(offered >= 6, "{offered}");
+    assert!(offered >= 60, "{offered}");
 }
 
 /// At eight times, against the finest tolerance that there is, within a third of what was requested.

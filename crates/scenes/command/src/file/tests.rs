@@ -94,8 +94,13 @@ fn a_wrong_file_is_refused_by_line_field_and_what_was_expected() {
         let message = torque(alone);
         assert!(message.starts_with(&format!("line 7, `{field}`: it is a part of")), "{message}");
     }
-    let error = read("accuracy = 1\nspan = 0\nevery = 1\nwants = []\n").unwrap_err();
-    assert_eq!((error.line, error.why.as_str()), (None, "`body` is missing; each begins with `[[body]]`"));
+    for none in ["", "body = []\n"] {
+        let error = read(&format!("accuracy = 0.1\nspan = 0\nevery = 1\nwants = []\n{none}")).unwrap_err();
+        assert_eq!(
+            (error.line, error.why.as_str()),
+            (None, "`body` is missing; each begins with `[[body]]`")
+        );
+    }
 }
 
 /// Each field of each kind of torque, made bad so that the library refuses it, and made infinite.
