@@ -61,7 +61,7 @@ impl From<tumbling_scenes::Error> for Refused {
             Scene::Value { what, value, .. } if value.is_finite() => ("OutOfBounds", *what),
             Scene::Value { what, .. } => ("NotFinite", *what),
             Scene::Undefined { what, .. } => ("Undefined", *what),
-            Scene::Disagreement { .. } => ("NotConverged", "the accuracy"),
+            Scene::Disagreement { .. } | Scene::OutOfSteps { .. } => ("NotConverged", "the accuracy"),
             _ => ("Unattainable", "the accuracy"),
         };
         Self::of(&error, kind, subject)

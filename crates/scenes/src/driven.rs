@@ -11,7 +11,7 @@ use crate::torques::Rates;
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use tumbling::dynamics::observe;
 use tumbling::step::{State, Stepper, Torque};
-use tumbling::{Body, attitude};
+use tumbling::{Body, Inertia, attitude};
 
 /// The largest number of steps of all trial runs together.
 const MOST_STEPS: usize = 3_000_000;
@@ -31,22 +31,19 @@ const SHARE: f64 = 0.03;
 /// The error offers another accuracy only if a plan for it succeeded.
 pub(crate) fn chosen(start: &Checked, body: &Body, scene: &Scene) -> Result<Driven, Error> {
     let requested = scene.accuracy();
-    let mut accuracy = match free::determined(start, requested, 1.0) {
-        Err(Error::Unattainable { attainable, .. }) => attainable,
-        _ => requested,
-    };
+    let mut accuracy = requested;
     loop {
         match chosen_to(accuracy, start, body, scene) {
             Ok(driven) if accuracy == requested => return Ok(driven),
             Ok(_) => return Err(Error::unattainable(requested, accuracy)),
             Err(Error::Unattainable { attainable, .. }) if attainable > accuracy => accuracy = attainable,
-            Err(Error::Disagreement { steps, .. }) => return Err(Error::Disagreement { requested, steps }),
             Err(error) => return Err(error),
         }
     }
 }
 
 fn chosen_to(accuracy: f64, start: &Checked, body: &Body, scene: &Scene) -> Result<Driven, Error> {
+    free::determined(start, accuracy, 1.0)?;
     let end = scene.times().end();
     let stiff = Rates::of(start, scene.torques(), end)?.are_stiff(end);
     let times = compared(scene);
@@ -67,19 +64,20 @@ fn stepper(body: &Body, torques: &[Torque<f64>], tolerance: f64, budget: usize) 
     Ok(Stepper::adaptive(body, tolerance, budget)?.with_torques(torques.iter().cloned())?)
 }
 
-/// The body, a few roundings longer or shorter along each axis, and as much faster or slower about it.
+/// The body, four roundings longer or shorter along each axis, and as much faster or slower about it: what the
+/// rounding of a start and of its steps does to the motion.
 ///
 /// The tensor is that of the sums of mass times coordinates, stretched: it stays possible. What is zero stays
 /// zero.
-fn changed(body: &Body) -> Result<Body, Error> {
-    let [stretch, spin] = [[1.0, -1.0, 0.5], [-0.5, 1.0, 1.0]]
-        .map(|signs| Vector3::from(signs).map(|sign| 1.0 + 0.5 * free::ROUNDINGS * f64::EPSILON * sign));
+fn changed(body: &Body, faster: f64) -> Result<Body, Error> {
+    let [stretch, spin] = [[1.0, -1.0, 0.5], [-0.5 * faster, faster, faster]]
+        .map(|signs| Vector3::from(signs).map(|sign| 1.0 + 4.0 * f64::EPSILON * sign));
     let of_masses = |tensor: Matrix3<f64>| Matrix3::from_diagonal_element(0.5 * tensor.trace()) - tensor;
     let tensor = body.inertia().matrix();
     let stretched = of_masses(tensor).component_mul(&(stretch * stretch.transpose()));
     let tensor = Matrix3::from_diagonal_element(stretched.trace()) - stretched;
     let omega = body.omega_body().component_mul(&spin);
-    Ok(Body::spinning(tensor.try_into()?, body.attitude(), &omega)?)
+    Ok(Body::spinning(Inertia::within(&tensor, 1e-12)?.0, body.attitude(), &omega)?)
 }
 
 /// Times at which runs are compared, in order: a selection of those requested, evenly chosen, with the last,
@@ -116,15 +114,6 @@ struct Budget {
     spent: f64,
 }
 
-/// Why a run ended early.
-#[derive(Debug, Clone, PartialEq)]
-enum Stop {
-    /// The steps allowed are used up.
-    OutOfSteps,
-    /// A step is refused.
-    Refused(Error),
-}
-
 /// What two runs are compared by.
 #[derive(Debug, Clone, Default, PartialEq)]
 struct Run {
@@ -152,8 +141,7 @@ impl Trial<'_> {
     /// Each tolerance is a hundredth of the one before, which costs a quarter more. Errors decrease with the
     /// tolerance only on average: where the motion amplifies errors, two runs with tolerances ten times apart
     /// were observed to have the same error. With the least tolerance two runs differ by rounding alone, and
-    /// may agree by chance; so the finer one is compared with a run of the [changed](changed) body too, which
-    /// differs by more.
+    /// may agree by chance; so the finer one is compared with two runs of a [`changed`] body too.
     fn refined(&self, budget: &mut Budget) -> Result<(f64, f64, usize), Error> {
         let (all, requested) = (budget.left, self.accuracy);
         let from = ACCURACIES.partition_point(|a| *a > requested).min(ACCURACIES.len() - 1);
@@ -161,14 +149,17 @@ impl Trial<'_> {
         let (mut coarse, mut best) = (self.run(self.body, tolerance, budget), None);
         let finer = ACCURACIES[from + 1..].iter().map(|a| SHARE * a).chain([LEAST_TOLERANCE]);
         for finer in finer {
-            if coarse.as_ref().map_or_else(|stop| *stop == Stop::OutOfSteps, |run| run.steps > budget.left) {
+            // A finer run takes no fewer steps.
+            if coarse.as_ref().map_or(0, |run| run.steps) >= budget.left {
                 break;
             }
             let fine = self.run(self.body, finer, budget);
             let mut difference = self.between(&coarse, &fine);
-            if finer == LEAST_TOLERANCE && difference.is_finite() {
-                let other = self.run(&changed(self.body)?, finer, budget);
-                difference = difference.max(self.between(&fine, &other));
+            if finer == LEAST_TOLERANCE && difference < 0.5 {
+                for faster in [1.0, -1.0] {
+                    let other = self.run(&changed(self.body, faster)?, finer, budget);
+                    difference = difference.max(self.between(&fine, &other));
+                }
             }
             // If the runs agree this much better than requested, the coarser run is accurate enough.
             for (tolerance, run, share) in [(tolerance, &coarse, 0.1), (finer, &fine, 0.5)] {
@@ -185,13 +176,13 @@ impl Trial<'_> {
         Err(match (best, coarse) {
             // Runs must agree to half of the accuracy.
             (Some(best), _) if 2.1 * best < 1.0 => Error::unattainable(requested, 2.0 * best),
-            (None | Some(f64::INFINITY), Err(Stop::Refused(error))) => error,
-            (None, _) => Error::OutOfSteps { steps },
-            _ => Error::Disagreement { requested, steps },
+            (None | Some(f64::INFINITY), Err(error)) if !matches!(error, Error::OutOfSteps { .. }) => error,
+            (Some(f64::INFINITY), Err(_)) | (None, _) => Error::OutOfSteps { steps },
+            _ => Error::Disagreement { steps },
         })
     }
 
-    fn run(&self, body: &Body, tolerance: f64, budget: &mut Budget) -> Result<Run, Stop> {
+    fn run(&self, body: &Body, tolerance: f64, budget: &mut Budget) -> Result<Run, Error> {
         let mut run = Run::default();
         let done = self.fill(&mut run, body, tolerance, budget.left);
         budget.left = budget.left.saturating_sub(run.steps);
@@ -200,8 +191,8 @@ impl Trial<'_> {
     }
 
     /// In at most `left` steps.
-    fn fill(&self, run: &mut Run, body: &Body, tolerance: f64, left: usize) -> Result<(), Stop> {
-        let mut stepper = stepper(body, self.torques, tolerance, left).map_err(Stop::Refused)?;
+    fn fill(&self, run: &mut Run, body: &Body, tolerance: f64, left: usize) -> Result<(), Error> {
+        let mut stepper = stepper(body, self.torques, tolerance, left)?;
         let flips = self.outputs.flips;
         for &time in self.times {
             let there = if flips {
@@ -211,16 +202,16 @@ impl Trial<'_> {
             };
             run.steps = stepper.steps_of_run();
             if run.steps > left || (run.steps == left && there.is_err()) {
-                return Err(Stop::OutOfSteps);
+                return Err(Error::OutOfSteps { steps: run.steps });
             }
-            there.map_err(|error| Stop::Refused(error.into()))?;
+            there?;
             run.states.push((stepper.omega(), stepper.state()));
         }
         Ok(())
     }
 
     /// The difference between two runs, infinite if there are not two.
-    fn between(&self, a: &Result<Run, Stop>, b: &Result<Run, Stop>) -> f64 {
+    fn between(&self, a: &Result<Run, Error>, b: &Result<Run, Error>) -> f64 {
         let Ok((a, b)) = a.as_ref().and_then(|a| Ok((a, b.as_ref()?))) else { return f64::INFINITY };
         self.apart(a, b)
     }

@@ -54,15 +54,13 @@ pub enum Error {
         /// The finest accuracy possible; under a torque, the finest that was observed.
         attainable: f64,
     },
-    /// Not one trial run, or no second one, reached the last time within the number of steps allowed.
+    /// No two trial runs reached the last time within the number of steps allowed.
     OutOfSteps {
         /// The number of steps taken in all trial runs.
         steps: usize,
     },
-    /// No two trial runs agreed.
+    /// No two trial runs agreed to any digit.
     Disagreement {
-        /// The accuracy requested.
-        requested: f64,
         /// The number of steps taken in all trial runs.
         steps: usize,
     },
@@ -133,14 +131,15 @@ impl fmt::Display for Error {
                 "an accuracy of {requested:e} is requested, {:.1e} times finer than what can be had: {attainable:.1e}",
                 attainable / requested
             ),
-            Self::Disagreement { requested, steps } => write!(
-                f,
-                "an accuracy of {requested:e} is requested, but no two trial runs, of {steps} steps in all, agreed to any digit"
-            ),
-            Self::OutOfSteps { steps } => write!(
-                f,
-                "the trial runs took {steps} steps, as many as are allowed, and there were no two that reached the last time"
-            ),
+            Self::Disagreement { steps } => {
+                write!(f, "no two trial runs, of {steps} steps in all, agreed to any digit")
+            }
+            Self::OutOfSteps { steps } => {
+                write!(
+                    f,
+                    "the trial runs took {steps} steps, and no more are allowed to reach the last time twice"
+                )
+            }
             Self::Undefined { what, why } => write!(f, "{what} is requested, but {why}"),
             Self::Library(error) => error.fmt(f),
         }

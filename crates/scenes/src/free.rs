@@ -7,8 +7,9 @@ use crate::scene::Outputs;
 use nalgebra::Vector3;
 use tumbling::exact::{FreeMotion, Regime};
 
-/// The number of roundings by which an answer may be off, each as large as the effect of rounding an input.
-pub(crate) const ROUNDINGS: f64 = 16.0;
+/// The number of roundings by which the closed form may be off, each as large as the effect of rounding an
+/// input.
+const ROUNDINGS: f64 = 16.0;
 
 /// The cheapest way to the outputs of a motion up to the time `end`.
 pub(crate) fn strategy(
@@ -53,7 +54,7 @@ pub(crate) fn determined(body: &Checked, accuracy: f64, turned: f64) -> Result<(
 }
 
 /// The length of a vector, whose square may be beyond `f64`.
-pub(crate) fn length(v: &Vector3<f64>) -> f64 {
+fn length(v: &Vector3<f64>) -> f64 {
     let largest = v.amax();
     if largest > 0.0 { (v / largest).norm() * largest } else { largest }
 }

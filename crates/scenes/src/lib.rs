@@ -29,7 +29,8 @@
 //! closed form, as accurately as its conditioning permits; a finer accuracy is refused, and the error states
 //! the finest possible. Under a torque a tolerance is chosen and then tried: the run is compared with a finer
 //! one and refined until the two agree to half of the accuracy (the finer run is used) or to a tenth of it
-//! (the coarser one is used). That is evidence, not proof.
+//! (the coarser one is used). With the least tolerance, the body changed by some roundings must move alike,
+//! too. That is evidence, not proof.
 #![cfg_attr(not(test), warn(clippy::unwrap_used, clippy::expect_used, clippy::panic))]
 #![cfg_attr(not(test), warn(clippy::disallowed_methods))] // of clippy.toml
 

@@ -1,7 +1,6 @@
 //! The torques of a scene: which of them act, and how strong they are.
 
 use crate::error::Error;
-use crate::free::length;
 use crate::initial_state::Checked;
 use nalgebra::Vector3;
 use tumbling::step::Torque;
@@ -59,7 +58,7 @@ impl Rates {
     /// # Errors
     /// A torque given by a function.
     pub(crate) fn of(start: &Checked, torques: &[Torque<f64>], end: f64) -> Result<Self, Error> {
-        let mut rates = Self { spin: length(&start.omega), ..Self::default() };
+        let mut rates = Self { spin: start.omega.norm(), ..Self::default() };
         torques.iter().try_for_each(|torque| rates.add(torque, end, end, start))?;
         // A constant torque spins the body up; one that aligns makes it librate.
         let gained = rates.mean / start.moments.vector().min() * end;

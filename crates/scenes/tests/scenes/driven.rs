@@ -67,8 +67,8 @@ fn flips_under_torques_are_those_of_the_bodys_steps() {
 }
 
 /// Two strong torques, hardly a digit requested, and ten thousand seconds: the way there is longer than
-/// anybody waits. And damping of 3e46 N m s about one axis, with a torque that spins the body up about another:
-/// each step is a collocation, of which fewer are tried.
+/// anybody waits. And damping of 3e46 N m s about one axis, with a torque that spins the body up about
+/// another: each step is a collocation, of which fewer are tried.
 #[test]
 fn trials_end_after_a_number_of_steps_in_all() {
     let body = InitialState::spinning(Vector3::new(1.794, 1.112, 1.532), Vector3::new(0.368, -0.454, 0.189));
@@ -77,18 +77,18 @@ fn trials_end_after_a_number_of_steps_in_all() {
     let damping = Torque::Damping(Vector3::new(0.001, 3e46, 1e-30));
     let damped = [damping, Torque::InWorld(Vector3::new(8867.2, 0.0, 22584.8))];
     for (torques, end, most) in [(weight, 1e4, 3_000_000), (damped, 10.0, 150_000)] {
-        let error = one(body, torques.to_vec(), Times::every(end, end), SPIN, 0.5).plan(0).unwrap_err();
-        let message = error.to_string();
+        let scene = one(body, torques.to_vec(), Times::every(end, end), SPIN, 0.5);
+        let message = scene.plan(0).unwrap_err().to_string();
         assert!(message.contains(&format!("the trial runs took {most} steps")), "{message}");
     }
 }
 
-/// Steady torques of this size would turn the body a thousand million times: a thruster in the last second, two
-/// pulses that cancel, and a drag that holds the spin at 1 rad/s.
+/// Steady torques of this size would turn the body a thousand million times: a thruster in the last second,
+/// two pulses that cancel, and a drag that holds the spin at 1 rad/s.
 #[test]
 fn torques_that_turn_a_body_less_than_their_size_says_are_answered() {
-    let (body, push) =
-        (InitialState::spinning(Vector3::new(1.0, 1.5, 0.75), Vector3::zeros()), Vector3::x() * 100.0);
+    let body = InitialState::spinning(Vector3::new(1.0, 1.5, 0.75), Vector3::zeros());
+    let push = Vector3::x() * 100.0;
     let during = |from, push| Torque::during(from, from + 1.0, Torque::InBody(push));
     for (torques, last) in [
         (vec![during(99_999.0, push)], 100.0),

@@ -103,11 +103,11 @@ proptest! {
     }
 }
 
-/// The squares of such a spin are zero in `f64`.
+/// The squares of such a spin are zero in `f64`. Of a million million states, the last is computed alone.
 #[test]
-fn a_body_that_turns_very_slowly_is_answered() {
+fn the_last_state_of_a_body_that_turns_very_slowly_is_answered_at_once() {
     let body = InitialState::spinning(Vector3::new(1.0, 2.0, 2.5), Vector3::new(1.0, 2.0, 1.0) * 1e-163);
-    let scene = one(body, vec![], Times::every(1e163, 1e164), BOTH, 1e-9);
+    let scene = one(body, vec![], Times::every(1e152, 1e164), BOTH, 1e-9);
     assert_eq!(scene.plan(0).unwrap().states().last().unwrap().unwrap().time, 1e164);
 }
 
