@@ -7,7 +7,7 @@ use crate::free;
 use crate::initial_state::Checked;
 use crate::plan::Driven;
 use crate::scene::{Outputs, Scene};
-use crate::torques::Rates;
+use crate::torques::are_stiff;
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 use tumbling::dynamics::observe;
 use tumbling::step::{State, Stepper, Torque};
@@ -20,11 +20,10 @@ const COMPARED: u64 = 32;
 /// and the number of equal parts of the span at whose ends they are.
 const INNER: u32 = 16;
 
-/// The accuracies for which tolerances are tried, [`SHARE`] of each. They are the same for every request, so
-/// that what is accepted is accepted for a coarser accuracy too.
-const ACCURACIES: [f64; 7] = [1.0, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
-/// The tolerance of the first run, as a share of the accuracy.
-const SHARE: f64 = 0.03;
+/// The tolerances that are tried. They are the same for every accuracy, so that what is accepted is accepted
+/// for a coarser accuracy too.
+const TOLERANCES: [f64; 8] =
+    [0.03, 0.03 * 1e-2, 0.03 * 1e-4, 0.03 * 1e-6, 0.03 * 1e-8, 0.03 * 1e-10, 0.03 * 1e-12, LEAST_TOLERANCE];
 
 /// The run that the trials showed to be accurate enough.
 ///
@@ -45,7 +44,7 @@ pub(crate) fn chosen(start: &Checked, body: &Body, scene: &Scene) -> Result<Driv
 fn chosen_to(accuracy: f64, start: &Checked, body: &Body, scene: &Scene) -> Result<Driven, Error> {
     free::determined(start, accuracy, 1.0)?;
     let end = scene.times().end();
-    let stiff = Rates::of(start, scene.torques(), end)?.are_stiff(end);
+    let stiff = are_stiff(start, scene.torques(), end)?;
     let times = compared(scene);
     let outputs = Outputs { flips: scene.outputs().flips && start.can_flip(), ..scene.outputs() };
     let trial = Trial { body, torques: scene.torques(), times: &times, outputs, accuracy };
@@ -64,8 +63,8 @@ fn stepper(body: &Body, torques: &[Torque<f64>], tolerance: f64, budget: usize) 
     Ok(Stepper::adaptive(body, tolerance, budget)?.with_torques(torques.iter().cloned())?)
 }
 
-/// The body, four roundings longer or shorter along each axis, and as much faster or slower about it: what the
-/// rounding of a start and of its steps does to the motion.
+/// The body, four roundings longer or shorter along each axis, and as much faster or slower about it, as the
+/// rounding of its start and of its steps may leave it.
 ///
 /// The tensor is that of the sums of mass times coordinates, stretched: it stays possible. What is zero stays
 /// zero.
@@ -144,11 +143,10 @@ impl Trial<'_> {
     /// may agree by chance; so the finer one is compared with two runs of a [`changed`] body too.
     fn refined(&self, budget: &mut Budget) -> Result<(f64, f64, usize), Error> {
         let (all, requested) = (budget.left, self.accuracy);
-        let from = ACCURACIES.partition_point(|a| *a > requested).min(ACCURACIES.len() - 1);
-        let mut tolerance = SHARE * ACCURACIES[from];
+        let from = TOLERANCES.partition_point(|t| *t > 0.03 * requested).min(TOLERANCES.len() - 2);
+        let mut tolerance = TOLERANCES[from];
         let (mut coarse, mut best) = (self.run(self.body, tolerance, budget), None);
-        let finer = ACCURACIES[from + 1..].iter().map(|a| SHARE * a).chain([LEAST_TOLERANCE]);
-        for finer in finer {
+        for &finer in &TOLERANCES[from + 1..] {
             // A finer run takes no fewer steps.
             if coarse.as_ref().map_or(0, |run| run.steps) >= budget.left {
                 break;

@@ -39,11 +39,26 @@ pub(crate) fn is_damping(torque: &Torque<f64>) -> bool {
     }
 }
 
+/// Whether damping is much faster than the spin of a body, and lasts many of its time constants until `end`
+/// (s).
+///
+/// # Errors
+/// A torque given by a function.
+pub(crate) fn are_stiff(start: &Checked, torques: &[Torque<f64>], end: f64) -> Result<bool, Error> {
+    let mut rates = Rates { spin: start.omega.norm(), ..Rates::default() };
+    torques.iter().try_for_each(|torque| rates.add(torque, end, end, start))?;
+    // A constant torque spins the body up; one that aligns makes it librate.
+    let gained = rates.mean / start.moments.vector().min() * end;
+    let gained = if rates.libration > 0.0 { gained.min(rates.libration) } else { gained };
+    let spin = rates.spin.max(gained).max(rates.libration);
+    Ok(rates.decay > 30.0 * spin.max(1.0 / end) && rates.decay * end > 300.0)
+}
+
 /// How fast the torques change the motion.
-#[derive(Debug, Default)]
-pub(crate) struct Rates {
-    /// The spin, or the larger one that the torques give in the scene's time, rad/s.
-    pub(crate) spin: f64,
+#[derive(Default)]
+struct Rates {
+    /// The spin, or the faster rate of a torque, rad/s.
+    spin: f64,
     /// The fastest damping or dissipation, 1/s.
     decay: f64,
     /// The mean size, over the scene's time, of the torques that do not dissipate energy, N m.
@@ -53,25 +68,6 @@ pub(crate) struct Rates {
 }
 
 impl Rates {
-    /// Of a body from its start to the time `end`, s.
-    ///
-    /// # Errors
-    /// A torque given by a function.
-    pub(crate) fn of(start: &Checked, torques: &[Torque<f64>], end: f64) -> Result<Self, Error> {
-        let mut rates = Self { spin: start.omega.norm(), ..Self::default() };
-        torques.iter().try_for_each(|torque| rates.add(torque, end, end, start))?;
-        // A constant torque spins the body up; one that aligns makes it librate.
-        let gained = rates.mean / start.moments.vector().min() * end;
-        let gained = if rates.libration > 0.0 { gained.min(rates.libration) } else { gained };
-        rates.spin = rates.spin.max(gained).max(rates.libration);
-        Ok(rates)
-    }
-
-    /// Whether damping is much faster than the spin, and lasts many of their time constants until `end`, s.
-    pub(crate) fn are_stiff(&self, end: f64) -> bool {
-        self.decay > 30.0 * self.spin.max(1.0 / end) && self.decay * end > 300.0
-    }
-
     /// A torque that acts for `duration` until the time `end`, s.
     fn add(&mut self, torque: &Torque<f64>, duration: f64, end: f64, start: &Checked) -> Result<(), Error> {
         let moments = start.moments.vector();

@@ -56,7 +56,7 @@ fn cases() -> [Case; 3] {
 
 /// Too fine for the roundings that the motion multiplies: what is offered instead can be had, as it is
 /// printed; and what is had is had to every coarser accuracy, too. Two runs that agreed by chance once made a
-/// plan for 9e-9 and none for 1e-8.
+/// plan where a coarser accuracy was refused.
 #[test]
 fn an_accuracy_offered_is_attainable_and_so_is_each_that_is_coarser() {
     let mut offered = 0;
