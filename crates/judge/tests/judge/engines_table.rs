@@ -8,7 +8,7 @@ use tumbling_judge::{Confidence, Options, Rule, judge};
 
 /// An engine's record of a story, from this folder or the one of the table.
 fn text(engine: &str, story: &str) -> String {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../engines/data");
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../engines/data");
     let name = format!("{engine}--{story}.csv");
     let read = |folder: PathBuf| std::fs::read_to_string(folder.join(&name));
     read(folder.join("table")).or_else(|_| read(folder)).unwrap_or_else(|why| panic!("{name}: {why}"))
