@@ -342,7 +342,7 @@ mod tests {
     #[test]
     fn what_the_parser_cannot_hold_is_refused_with_its_count() {
         let refused = |text: &str| read(text, None, 0.0).unwrap_err().to_string();
-        for depth in [201, 16_000, 1_000_000] {
+        for depth in [201, 16_000, 100_000] {
             let nested = format!("{}{}", "<a>".repeat(depth), "</a>".repeat(depth));
             let hidden = format!("{}{}", "<a b='/>'><!--</a></a>-->".repeat(depth), "</a>".repeat(depth));
             for text in [nested, hidden, "<a>".repeat(depth)] {

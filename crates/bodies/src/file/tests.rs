@@ -234,8 +234,8 @@ fn a_marked_mesh_has_all_its_vertices() {
 #[test]
 fn what_would_take_minutes_or_the_stack_is_refused_with_its_count() {
     let part = "[[part]]\nsides = [1, 2, 3]\nmass = 1\n";
-    let error = body(&part.repeat(100_000)).unwrap_err();
-    assert!(error.why.starts_with("100000 parts: at most 10000"), "{error}");
+    let error = body(&part.repeat(20_000)).unwrap_err();
+    assert!(error.why.starts_with("20000 parts: at most 10000"), "{error}");
     let nested = |depth: usize| {
         let heads = (1..depth).map(|k| format!("[[{}]]\n", vec!["part"; k].join("."))).collect::<String>();
         body(&format!("{heads}sides = [1, 2, 3]\nmass = 1\n"))
@@ -243,7 +243,7 @@ fn what_would_take_minutes_or_the_stack_is_refused_with_its_count() {
     assert!(nested(30).is_ok());
     assert!(nested(31).unwrap_err().why.starts_with("31 bodies, one the part of the other: at most 30"));
     assert!(nested(1000).is_err());
-    for depth in [1000, 100_000] {
+    for depth in [1000, 20_000] {
         assert!(body(&format!("part = {}{}", "[".repeat(depth), "]".repeat(depth))).is_err());
         assert!(body(&format!("[{}]", vec!["part"; depth].join("."))).is_err());
         assert!(body(&format!("{}x = 1{}", "part = [{ ".repeat(depth), " }]".repeat(depth))).is_err());
