@@ -123,7 +123,9 @@ impl<T: Rounding> DoubleDouble<T> {
         // NaN too is not within.
         let beyond = T::select(self.hi.abs().lt(splat(LARGE)), T::zero(), T::one());
         if T::any(T::zero().lt(beyond)) {
-            return self.far_whole_and_rest();
+            // Apart and put together again: what is passed on whole is kept in memory, here for the rare case.
+            let (Self { hi: a, lo: b }, c, Self { hi, lo }) = far_whole_and_rest(self.hi, self.lo);
+            return (Self { hi: a, lo: b }, c, Self { hi, lo });
         }
         let [whole, near] = self.hi.whole_and_left();
         // The low part can carry it just past the half.
@@ -133,26 +135,26 @@ impl<T: Rounding> DoubleDouble<T> {
         (Self::from(whole), whole, Self { hi: left, lo: rest.lo })
     }
 
-    #[cold]
-    #[inline(never)]
-    fn far_whole_and_rest(self) -> (Self, T, Self) {
-        let whole = self.hi.round_ties_even();
-        let rest = quick_two_sum(self.hi - whole, self.lo);
-        let more = rest.hi.round_ties_even();
-        let (left, zero) = (rest.hi - more, splat::<T>(0.0));
-        let finite = left.finite();
-        let [whole, more] = [whole, more].map(|x| T::select(finite, x, zero));
-        let below_four = |x: T| x - (x * 0.25).round_ties_even() * 4.0;
-        let rest = Self { hi: T::select(finite, left, zero), lo: T::select(finite, rest.lo, zero) };
-        (Self::sum(whole, more), below_four(whole) + below_four(more), rest)
-    }
-
     /// [`whole_and_rest`](Self::whole_and_rest) with what is left in one number that has all its digits.
     #[inline(always)]
     pub(crate) fn split(self) -> (T, T) {
         let (whole, _, rest) = self.whole_and_rest();
         (whole.hi, rest.hi())
     }
+}
+
+#[cold]
+#[inline(never)]
+fn far_whole_and_rest<T: Rounding>(high: T, low: T) -> (DoubleDouble<T>, T, DoubleDouble<T>) {
+    let whole = high.round_ties_even();
+    let rest = quick_two_sum(high - whole, low);
+    let more = rest.hi.round_ties_even();
+    let (left, zero) = (rest.hi - more, splat::<T>(0.0));
+    let finite = left.finite();
+    let [whole, more] = [whole, more].map(|x| T::select(finite, x, zero));
+    let below_four = |x: T| x - (x * 0.25).round_ties_even() * 4.0;
+    let rest = DoubleDouble { hi: T::select(finite, left, zero), lo: T::select(finite, rest.lo, zero) };
+    (DoubleDouble::sum(whole, more), below_four(whole) + below_four(more), rest)
 }
 
 /// 2^49: twice a number below it is one for [`Rounding::nearest`].
