@@ -102,6 +102,14 @@ impl<T: Rounding> DoubleDouble<T> {
         Self { lo: self.lo.up_to(rest), ..self }
     }
 
+    /// `self * other` as one part of a sum, or for [`whole_and_rest`](Self::whole_and_rest): its low part may
+    /// be more than half a unit in the last place of the high one.
+    #[inline(always)]
+    pub(crate) fn times_loosely(self, other: T) -> Self {
+        let [hi, lo] = self.hi.product_in_two(other);
+        Self { hi, lo: lo + self.lo * other }
+    }
+
     /// Times 1, -1 or a power of two, which rounds nothing.
     #[inline(always)]
     pub(crate) fn times_exact(self, factor: T) -> Self {
@@ -212,8 +220,8 @@ impl<T: Rounding> Mul<T> for DoubleDouble<T> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: T) -> Self {
-        let [hi, lo] = self.hi.product_in_two(other);
-        quick_two_sum(hi, lo + self.lo * other)
+        let Self { hi, lo } = self.times_loosely(other);
+        quick_two_sum(hi, lo)
     }
 }
 

@@ -101,7 +101,7 @@ impl<T: Rounding> Reduction<T> {
     #[inline(always)]
     pub(crate) fn at(&self, time: T) -> Passage<T> {
         // (C35)
-        let (halves, by_four, rest) = (self.rate * time).plus(self.start).whole_and_rest();
+        let (halves, by_four, rest) = self.rate.times_loosely(time).plus(self.start).whole_and_rest();
         self.passage((halves, by_four), self.half * rest)
     }
 
