@@ -116,12 +116,6 @@ impl<T: Rounding> DoubleDouble<T> {
         Self { hi: self.hi * factor, lo: self.lo * factor }
     }
 
-    /// `yes` where the mask holds, `no` elsewhere.
-    #[inline(always)]
-    pub(crate) fn select(mask: T::Mask, yes: Self, no: Self) -> Self {
-        Self { hi: T::select(mask, yes.hi, no.hi), lo: T::select(mask, yes.lo, no.lo) }
-    }
-
     /// The nearest integer, which beyond 2^53 may take both parts; one below 2^50 that differs from it by a
     /// multiple of four; and what is left: at most a half.
     ///
