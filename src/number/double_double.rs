@@ -125,7 +125,7 @@ impl<T: Rounding> DoubleDouble<T> {
         // NaN too is not within.
         let beyond = T::select(self.hi.abs().lt(splat(LARGE)), T::zero(), T::one());
         if T::any(T::zero().lt(beyond)) {
-            // Apart and put together again: what is passed on whole is kept in memory, here for the rare case.
+            // Taken apart: what is passed on whole would be kept in memory in all cases.
             let (Self { hi: a, lo: b }, c, Self { hi, lo }) = far_whole_and_rest(self.hi, self.lo);
             return (Self { hi: a, lo: b }, c, Self { hi, lo });
         }

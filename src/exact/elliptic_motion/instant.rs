@@ -85,9 +85,8 @@ pub(crate) struct ComplementarySpin<T = f64> {
 pub(crate) struct ComplementaryAttitude<T = f64> {
     pub(super) pair: ComplementaryPair<T>,
     pub(super) start: Pair<T>,
-    /// Quarter turns of the common phase, which is half the angle about the momentum, per unit of time, and of
-    /// it what each
-    /// half period of Jacobi's argument adds.
+    /// Quarter turns of the common phase, which is half the angle about the momentum, per unit of time, and
+    /// those that each half period of Jacobi's argument adds.
     pub(super) drift: DoubleDouble<T>,
     pub(super) step: T,
 }

@@ -112,7 +112,7 @@ impl<T: Rounding> Reduction<T> {
     fn passage(&self, (halves, by_four): (DoubleDouble<T>, T), u: DoubleDouble<T>) -> Passage<T> {
         let sign = u.hi().sign();
         let from_flip = u.times_exact(sign);
-        // By a sign and a sum: of two cases the compiler makes a branch, which a processor often guesses wrong.
+        // By a sign and a sum: of two cases the compiler makes a branch, often guessed wrong.
         let onwards = (self.quarter.hi() * 0.5 - from_flip.hi()).sign();
         let quarter = self.quarter.times_exact((T::one() - onwards) * 0.5);
         let distance = quarter.plus(from_flip.times_exact(onwards));
@@ -192,14 +192,12 @@ impl<T: Rounding> ReducedArgument<T> {
     pub(super) fn pair(&self, pair: &ComplementaryPair<T>) -> Pair<T> {
         let [root, rising] = [self.decay.root, self.decay.rising];
         let Passage { near_saddle, sign, turn, .. } = self.passage;
-        if T::WIDTH == 1 {
+        let [here, there] = if T::WIDTH == 1 {
             // From memory, as in `after_quarters`.
-            let one = black_box(usize::from(T::any(near_saddle))) % 2;
-            let [here, there] = [[root, rising], [rising, root]][one];
-            return pair.raw(here, there, sign, turn);
-        }
-        let here = T::select(near_saddle, rising, root);
-        let there = T::select(near_saddle, root, rising);
+            [[root, rising], [rising, root]][black_box(usize::from(T::any(near_saddle))) % 2]
+        } else {
+            [T::select(near_saddle, rising, root), T::select(near_saddle, root, rising)]
+        };
         pair.raw(here, there, sign, turn)
     }
 
