@@ -1,4 +1,5 @@
 // Readers who use the book otherwise than with a mouse and scripts.
+import { readFile } from "node:fs/promises";
 import { asInEnglish } from "./widgets/controls.mjs";
 import { finger } from "./widgets/hands.mjs";
 
@@ -151,6 +152,7 @@ export async function withoutScripts(open, base, page, fault) {
 export async function questions(open, base, pages, fault) {
   let seen = 0;
   for (const name of pages.filter((name) => !["print.html", "index.html"].includes(name))) {
+    if (!(await readFile(new URL(name, base), "utf8")).includes('class="question')) continue;
     const page = await open(base, { hasTouch: true });
     await page.goto(base + name);
     const boxes = page.locator(".question");

@@ -6,9 +6,9 @@ import { readFileSync, statSync } from "node:fs";
 import path from "node:path";
 import { gzipSync } from "node:zlib";
 
-const MOST = { "two-arrows": 5_000, judge: 480_000 };
+const MOST = { "two-arrows": 5_000, judge: 482_000 };
 // Without the judge, which reads files of any kind and size. Each has the words of all errors, and what steps has all kinds of torques.
-const MOST_TOGETHER = 245_000;
+const MOST_TOGETHER = 246_000;
 const [folder, ...names] = process.argv.slice(2);
 
 let together = 0;

@@ -40,7 +40,7 @@ pub fn report(body: &BodyModel, engine: bool) -> Result<String, Box<dyn Error>> 
     if body.moved > 0.0 {
         let _ = writeln!(
             page,
-            "<p>The tensor as given is that of no body; the nearest possible one is taken, {} of the largest moment away.</p>",
+            "<p>A tensor as given is that of no body; the nearest possible one is taken, {} of its largest moment away.</p>",
             units::number(body.moved, 2)
         );
     }

@@ -122,7 +122,7 @@ impl<T: Rounding> Turn<T> {
     /// The turn since the start.
     #[inline(always)]
     pub(crate) fn at(&self, time: T) -> Quaternion<T> {
-        unit(self.by(sin_cos_of_turns(self.half_rate * time)))
+        unit(self.by(sin_cos_of_turns(self.half_rate.times_loosely(time))))
     }
 
     /// The turn by twice the angle with this sine and cosine, of length 1 to a few roundings.
@@ -152,7 +152,7 @@ impl<T: Rounding> Kernel<T> for Vector3<T> {
 
     #[inline(always)]
     fn drift(&self, turn: &Turn<T>, (): &(), time: T) -> Angle<T> {
-        Angle::of_turns(turn.half_rate * time)
+        Angle::of_turns(turn.half_rate.times_loosely(time))
     }
 
     #[inline(always)]
@@ -192,19 +192,19 @@ impl<T: Rounding> Kernel<T> for TopSpin<T> {
 
     #[inline(always)]
     fn omega(&self, &time: &T) -> Vector3<T> {
-        let (sin, cos) = sin_cos_of_turns(self.nutation * time);
+        let (sin, cos) = sin_cos_of_turns(self.nutation.times_loosely(time));
         let [along, first, second] = self.omega;
         self.axes.arranged([along, first * cos - second * sin, second * cos + first * sin]).into()
     }
 
     #[inline(always)]
     fn drift(&self, about_momentum: &Turn<T>, _: &T, time: T) -> Angle<T> {
-        Angle::of_turns(about_momentum.half_rate * time)
+        Angle::of_turns(about_momentum.half_rate.times_loosely(time))
     }
 
     #[inline(always)]
     fn parts(&self, about_momentum: &Turn<T>, &time: &T, sin_cos: (T, T)) -> [T; 4] {
-        let (sin, cos) = sin_cos_of_turns(self.nutation * (time * 0.5));
+        let (sin, cos) = sin_cos_of_turns(self.nutation.times_loosely(time * 0.5));
         let zero = splat::<T>(0.0);
         let [x, y, z] = self.axes.arranged([-sin, zero, zero]);
         product(&unit(about_momentum.by(sin_cos)), &Quaternion::new(cos, x, y, z)).coords.into()

@@ -42,7 +42,12 @@ pub(crate) struct Angle<T> {
 impl<T: Rounding> Angle<T> {
     #[inline(always)]
     pub(crate) fn of_turns(turns: DoubleDouble<T>) -> Self {
-        let (_, quarters, rest) = turns.times_exact(splat(4.0)).whole_and_rest();
+        Self::of_quarters(turns.times_exact(splat(4.0)))
+    }
+
+    #[inline(always)]
+    pub(crate) fn of_quarters(quarters: DoubleDouble<T>) -> Self {
+        let (_, quarters, rest) = quarters.whole_and_rest();
         Self { quarters, rest: rest.hi() }
     }
 

@@ -119,7 +119,7 @@ impl EllipticMotion {
             }
         };
         // (C37), (C33)
-        Some((4.0 * PI * (drift.hi() * half + step)).abs())
+        Some((PI * (drift.hi() * half + step)).abs())
     }
 
     /// The constants that run in lanes: those of the direct series.

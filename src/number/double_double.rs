@@ -102,16 +102,18 @@ impl<T: Rounding> DoubleDouble<T> {
         Self { lo: self.lo.up_to(rest), ..self }
     }
 
+    /// `self * other` as one part of a sum, or for [`whole_and_rest`](Self::whole_and_rest): its low part may
+    /// be more than half a unit in the last place of the high one.
+    #[inline(always)]
+    pub(crate) fn times_loosely(self, other: T) -> Self {
+        let [hi, lo] = self.hi.product_in_two(other);
+        Self { hi, lo: lo + self.lo * other }
+    }
+
     /// Times 1, -1 or a power of two, which rounds nothing.
     #[inline(always)]
     pub(crate) fn times_exact(self, factor: T) -> Self {
         Self { hi: self.hi * factor, lo: self.lo * factor }
-    }
-
-    /// `yes` where the mask holds, `no` elsewhere.
-    #[inline(always)]
-    pub(crate) fn select(mask: T::Mask, yes: Self, no: Self) -> Self {
-        Self { hi: T::select(mask, yes.hi, no.hi), lo: T::select(mask, yes.lo, no.lo) }
     }
 
     /// The nearest integer, which beyond 2^53 may take both parts; one below 2^50 that differs from it by a
@@ -123,7 +125,9 @@ impl<T: Rounding> DoubleDouble<T> {
         // NaN too is not within.
         let beyond = T::select(self.hi.abs().lt(splat(LARGE)), T::zero(), T::one());
         if T::any(T::zero().lt(beyond)) {
-            return self.far_whole_and_rest();
+            // Taken apart: what is passed on whole would be kept in memory in all cases.
+            let (Self { hi: a, lo: b }, c, Self { hi, lo }) = far_whole_and_rest(self.hi, self.lo);
+            return (Self { hi: a, lo: b }, c, Self { hi, lo });
         }
         let [whole, near] = self.hi.whole_and_left();
         // The low part can carry it just past the half.
@@ -133,26 +137,26 @@ impl<T: Rounding> DoubleDouble<T> {
         (Self::from(whole), whole, Self { hi: left, lo: rest.lo })
     }
 
-    #[cold]
-    #[inline(never)]
-    fn far_whole_and_rest(self) -> (Self, T, Self) {
-        let whole = self.hi.round_ties_even();
-        let rest = quick_two_sum(self.hi - whole, self.lo);
-        let more = rest.hi.round_ties_even();
-        let (left, zero) = (rest.hi - more, splat::<T>(0.0));
-        let finite = left.finite();
-        let [whole, more] = [whole, more].map(|x| T::select(finite, x, zero));
-        let below_four = |x: T| x - (x * 0.25).round_ties_even() * 4.0;
-        let rest = Self { hi: T::select(finite, left, zero), lo: T::select(finite, rest.lo, zero) };
-        (Self::sum(whole, more), below_four(whole) + below_four(more), rest)
-    }
-
     /// [`whole_and_rest`](Self::whole_and_rest) with what is left in one number that has all its digits.
     #[inline(always)]
     pub(crate) fn split(self) -> (T, T) {
         let (whole, _, rest) = self.whole_and_rest();
         (whole.hi, rest.hi())
     }
+}
+
+#[cold]
+#[inline(never)]
+fn far_whole_and_rest<T: Rounding>(high: T, low: T) -> (DoubleDouble<T>, T, DoubleDouble<T>) {
+    let whole = high.round_ties_even();
+    let rest = quick_two_sum(high - whole, low);
+    let more = rest.hi.round_ties_even();
+    let (left, zero) = (rest.hi - more, splat::<T>(0.0));
+    let finite = left.finite();
+    let [whole, more] = [whole, more].map(|x| T::select(finite, x, zero));
+    let below_four = |x: T| x - (x * 0.25).round_ties_even() * 4.0;
+    let rest = DoubleDouble { hi: T::select(finite, left, zero), lo: T::select(finite, rest.lo, zero) };
+    (DoubleDouble::sum(whole, more), below_four(whole) + below_four(more), rest)
 }
 
 /// 2^49: twice a number below it is one for [`Rounding::nearest`].
@@ -210,8 +214,8 @@ impl<T: Rounding> Mul<T> for DoubleDouble<T> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: T) -> Self {
-        let [hi, lo] = self.hi.product_in_two(other);
-        quick_two_sum(hi, lo + self.lo * other)
+        let Self { hi, lo } = self.times_loosely(other);
+        quick_two_sum(hi, lo)
     }
 }
 

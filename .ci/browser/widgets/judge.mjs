@@ -134,7 +134,7 @@ export async function judge(page, wants) {
   wants("turns.csv: what attitudes alone leave open is named", /nothing is known of turn against spin/.test(await page.textContent(verdict)));
 
   // Options: limits by law.
-  const good = new URL("../../../crates/judge/data/mujoco-4.0.0-rk4--middle.csv", import.meta.url);
+  const good = new URL("../../../crates/engines/data/mujoco-4.0.0-rk4--middle.csv", import.meta.url);
   await page.setInputFiles("#judge-file", fileURLToPath(good));
   await waitForText(verdict, "Passed: mujoco");
   await set(page, "#judge-threshold", "0.5, momentum=1e-6");
@@ -154,7 +154,7 @@ export async function judge(page, wants) {
 
   // A long record: how far it is read is shown, and said no more than by quarters; another file ends it, and so does a button.
   const several = await Promise.all(["mujoco-4.0.0-rk4--middle", "rapier3d-f64-0.36.1--major"].map(async (name) =>
-    ({ name: `${name}.csv`, mimeType: "text/csv", buffer: await readFile(new URL(`../../../crates/judge/data/${name}.csv`, import.meta.url)) })));
+    ({ name: `${name}.csv`, mimeType: "text/csv", buffer: await readFile(new URL(`../../../crates/engines/data/${name}.csv`, import.meta.url)) })));
   const reading = "#live-judge .live-reading";
   const long = (where) => page.locator(where).evaluate((element) => {
     const lines = Array.from({ length: 800000 }, (_, i) => `${i},0.1,2,0.1\n`);

@@ -20,15 +20,15 @@ use tumbling::{ErrorKind, Inertia, MassProperties};
 const MOST_PARTS: usize = 10_000;
 
 pub(crate) fn read(text: &str, files: &Files<'_>) -> Result<BodyModel, Error> {
-    let table: Table = from_toml(text)?;
-    for (field, span) in table.present() {
-        let in_scene = matches!(&table.spin, Some(spin) if matches!(spin.get_ref(), Spin::Vector(_)));
+    let table = Spanned::new(0..0, from_toml::<Table>(text)?);
+    for (field, span) in table.get_ref().present() {
+        let in_scene = matches!(table.get_ref().spin.as_ref().map(Spanned::get_ref), Some(Spin::Vector(_)));
         if ["momentum", "attitude"].contains(&field) || (field == "spin" && in_scene) {
             let why = "it is of a body in a scene: here, `spin` is one number";
             return Err(Error::at(text, &span, why).of_field(field));
         }
     }
-    let reader = Reader::new(text, &table, 0..0, files)?;
+    let reader = Reader::new(text, &table, files)?;
     reader.body()?.ready().map_err(|error| reader.wrong(reader.by, error.why))
 }
 
@@ -48,13 +48,9 @@ pub(crate) fn number(field: &Option<Spanned<f64>>) -> f64 {
 }
 
 impl<'a> Reader<'a> {
-    /// For a table that begins at this place in a text.
-    pub(crate) fn new(
-        text: &'a str,
-        table: &'a Table,
-        span: Range<usize>,
-        files: &'a Files<'a>,
-    ) -> Result<Self, Error> {
+    /// For a table of a text.
+    pub(crate) fn new(text: &'a str, table: &'a Spanned<Table>, files: &'a Files<'a>) -> Result<Self, Error> {
+        let (span, table) = (table.span(), table.get_ref());
         let (count, depth) = table.parts();
         let first = table.part.as_ref().map_or(0..0, Spanned::span);
         let deep = "bodies, one the part of the other";
@@ -73,7 +69,7 @@ impl<'a> Reader<'a> {
         };
         let reader = Self { text, files, table, span, present, by };
         let sizes = match &table.shape {
-            Some(shape) => reader.sizes_of(shape.get_ref())?,
+            Some(shape) => reader.kind(shape.get_ref())?.1,
             None => &["sides"][..usize::from(by == "sides")],
         };
         let always = ["name", "at", "turn", "spin", "momentum", "attitude"];
@@ -113,10 +109,9 @@ impl<'a> Reader<'a> {
         self.wrong(self.blamed(at), error)
     }
 
-    fn sizes_of(&self, shape: &str) -> Result<&'static [&'static str], Error> {
-        let kind = KINDS.iter().find(|(name, _)| *name == shape);
-        kind.map(|(_, sizes)| *sizes).ok_or_else(|| {
-            let names = KINDS.map(|(name, _)| name).join(", ");
+    fn kind(&self, shape: &str) -> Result<(&str, &'static [&'static str], &str), Error> {
+        KINDS.into_iter().find(|kind| kind.0 == shape).ok_or_else(|| {
+            let names = KINDS.map(|kind| kind.0).join(", ");
             let why =
                 format!("no shape is called `{shape}`; there are {names}; a tube is a cylinder with `inner`");
             self.wrong("shape", why)
@@ -159,12 +154,17 @@ impl<'a> Reader<'a> {
         fields.max_by(|a, b| off(a).total_cmp(&off(b))).map_or(self.by, |(field, _)| *field)
     }
 
-    fn weight(&self) -> Result<Weight, Error> {
-        let none = "`mass` (kg) or `density` (kg/m³) is missing, which goes with it";
+    /// Its density, if it has one, is in `per`.
+    fn weight(&self, per: &str) -> Result<Weight, Error> {
+        let none = format!("`mass` (kg) or `density` ({per}) is missing, which goes with it");
         let both = "either `mass` or `density` is expected, not both";
         match (&self.table.mass, &self.table.density) {
             (Some(mass), None) => Ok(Weight::Mass(*mass.get_ref())),
-            (None, Some(density)) => Ok(Weight::Density(*density.get_ref())),
+            (None, Some(density)) => {
+                let fits = per == "kg/m³" || question::bare(&self.text[density.span()]);
+                self.unless(fits, "density", format!("a number in {per} is expected here, without a unit"))?;
+                Ok(Weight::Density(*density.get_ref()))
+            }
             (None, None) => Err(self.wrong(self.by, none)),
             (Some(_), Some(_)) => Err(self.wrong("density", both)),
         }
@@ -172,14 +172,14 @@ impl<'a> Reader<'a> {
 
     fn shape(&self) -> Result<BodyModel, Error> {
         let name = self.table.shape.as_ref().map_or("box", |shape| shape.get_ref());
-        let needed = self.sizes_of(name)?;
+        let (_, needed, per) = self.kind(name)?;
         let absent = |field: &&&str| **field != "inner" && self.present.iter().all(|p| p.0 != **field);
         if let Some(missing) = needed.iter().find(absent) {
             return Err(self.wrong(self.by, format!("`{missing}` is missing, which a {name} has")));
         }
         let sides = self.sides(if name == "plate" { 2 } else { 3 })?;
         let (properties, surface) =
-            shaped(name, self.table, &sides, self.weight()?).map_err(|error| self.refused(&error))?;
+            shaped(name, self.table, self.weight(per)?).map_err(|error| self.refused(&error))?;
         let question = question::of(self.text, &self.present, name, needed);
         Ok(BodyModel { sides: sides.try_into().ok(), question, ..BodyModel::of(properties, vec![surface]) })
     }
@@ -216,7 +216,7 @@ impl<'a> Reader<'a> {
         let finite = vertices.iter().flatten().all(|x| x.is_finite());
         self.unless(finite, self.by, "a number of a vertex is not finite")?;
         vertices.iter_mut().for_each(|vertex| *vertex *= unit);
-        let weight = self.weight()?;
+        let weight = self.weight("kg/m³")?;
         // A surface that is closed as listed stays as listed, even where vertices of it touch.
         if Mesh::new(&vertices, &faces).is_err() {
             mesh::weld(&vertices, &mut faces);
@@ -234,11 +234,11 @@ impl<'a> Reader<'a> {
 
     fn parts(&self) -> Result<BodyModel, Error> {
         let (mut whole, mut question, mut links) = (Compound::new(), None, BTreeMap::new());
-        let (mut surfaces, mut places) = (Vec::new(), Vec::new());
+        let (mut surfaces, mut places, mut moved) = (Vec::new(), Vec::new(), 0.0_f64);
         let parts = self.table.part.as_ref().map_or(&[][..], |parts| parts.get_ref());
         for part in parts {
             let span = part.span();
-            let reader = Reader::new(self.text, part.get_ref(), span.clone(), self.files)?;
+            let reader = Reader::new(self.text, part, self.files)?;
             let found = reader.body()?;
             let of_whole = ["spin", "momentum", "attitude"];
             if let Some((field, _)) = reader.present.iter().find(|(field, _)| of_whole.contains(field)) {
@@ -253,6 +253,7 @@ impl<'a> Reader<'a> {
             places.push((of_part, far.fold(0.0, f64::max)));
             surfaces.extend(found.surfaces);
             question = question.or(found.question);
+            moved = moved.max(found.moved);
             for (link, (count, held)) in found.links {
                 let (all, _) = links.entry(link).or_insert((0_usize, held));
                 *all = all.saturating_add(count);
@@ -264,7 +265,7 @@ impl<'a> Reader<'a> {
         }
         let properties = whole.properties().map_err(|error| self.wrong(self.by, error))?;
         let question = question.or_else(|| question::placed(&places));
-        Ok(BodyModel { question, links, ..BodyModel::of(properties, surfaces) })
+        Ok(BodyModel { moved, question, links, ..BodyModel::of(properties, surfaces) })
     }
 
     fn moments(&self) -> Result<BodyModel, Error> {
@@ -311,9 +312,9 @@ impl<'a> Reader<'a> {
     /// A body of the book, or of another file.
     fn named(&self) -> Result<BodyModel, Error> {
         let name = self.table.body.as_ref().map_or("", |name| name.get_ref());
-        // For nested files, the error states the outermost and the innermost place.
+        // For nested files, the error states the outermost and the innermost line.
         BodyModel::load_from(name, self.files).map_err(|error| match error.file {
-            Some(_) if self.files.depth > 0 => error,
+            Some(_) if self.files.depth > 0 && error.line.is_some() => error,
             _ => self.wrong(self.by, error),
         })
     }
@@ -327,7 +328,7 @@ impl<'a> Reader<'a> {
             let axis = nalgebra::Unit::try_new(axis / axis.amax(), 0.0);
             let axis = axis.ok_or_else(|| self.wrong("turn", why))?;
             found.question = found.question.or_else(|| question::turned(degrees));
-            let attitude = UnitQuaternion::from_axis_angle(&axis, degrees.to_radians());
+            let attitude = UnitQuaternion::from_axis_angle(&axis, (degrees % 360.0).to_radians());
             found.inertia = found.inertia.turned(attitude).map_err(|error| self.wrong("turn", error))?;
             found.centre = attitude * found.centre;
             found.surfaces.iter_mut().for_each(|surface| *surface = surface.mapped(|p| attitude * p));

@@ -27,29 +27,23 @@ pub(crate) struct Files<'a> {
     pub(crate) folder: &'a Path,
     /// How many files name one another on the way here.
     pub(crate) depth: usize,
-    left: &'a Left,
+    read: &'a Read,
 }
 
-#[derive(Debug)]
-pub(crate) struct Left {
-    /// How many bytes may still be read.
+/// How many bytes were read of texts and of meshes.
+#[derive(Debug, Default)]
+pub(crate) struct Read {
     text: Cell<u64>,
     mesh: Cell<u64>,
     /// The bodies read from files, by the file and the link in it.
     known: RefCell<HashMap<(PathBuf, String), BodyModel>>,
 }
 
-impl Default for Left {
-    fn default() -> Self {
-        Self { text: Cell::new(TEXT), mesh: Cell::new(MESH), known: RefCell::default() }
-    }
-}
-
 type Found = Result<BodyModel, Error>;
 
 impl<'a> Files<'a> {
-    pub(crate) fn new(folder: &'a Path, left: &'a Left) -> Self {
-        Self { folder, depth: 0, left }
+    pub(crate) fn new(folder: &'a Path, read: &'a Read) -> Self {
+        Self { folder, depth: 0, read }
     }
 
     /// The files next to one of them.
@@ -60,25 +54,25 @@ impl<'a> Files<'a> {
         if self.depth == DEEPEST {
             return Err(Error::new(format!("a file in a file: at most {DEEPEST} are read")).in_file(path));
         }
-        Ok(Files { folder: path.parent().unwrap_or(Path::new("")), depth: self.depth + 1, left: self.left })
+        Ok(Files { folder: path.parent().unwrap_or(Path::new("")), depth: self.depth + 1, read: self.read })
     }
 
     /// The body in a file, or a link in it. It is read once, however often it is named, unless it has more
     /// faces than a solid: then it is read each time, and its bytes are counted each time.
     pub(crate) fn body(&self, path: &Path, meant: String, read: impl FnOnce() -> Found) -> Found {
         let key = (path.canonicalize().unwrap_or_else(|_| path.to_owned()), meant);
-        if let Some(known) = self.left.known.borrow().get(&key) {
+        if let Some(known) = self.read.known.borrow().get(&key) {
             return Ok(known.clone());
         }
         let found = read()?;
         if found.surfaces.iter().all(|surface| surface.faces.len() <= PLAIN) {
-            self.left.known.borrow_mut().insert(key, found.clone());
+            self.read.known.borrow_mut().insert(key, found.clone());
         }
         Ok(found)
     }
 
     pub(crate) fn text(&self, path: &Path) -> Result<String, Error> {
-        String::from_utf8(read(path, TEXT, &self.left.text)?).map_err(|error| {
+        String::from_utf8(read(path, TEXT, &self.read.text)?).map_err(|error| {
             let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
             let line = Some(before.iter().filter(|&&byte| byte == b'\n').count() + 1);
             Error { line, ..Error::new("it is not UTF-8 text from here on: save it as UTF-8") }.in_file(path)
@@ -86,7 +80,7 @@ impl<'a> Files<'a> {
     }
 
     pub(crate) fn mesh(&self, path: &Path) -> Result<Vec<u8>, Error> {
-        read(path, MESH, &self.left.mesh)
+        read(path, MESH, &self.read.mesh)
     }
 }
 
@@ -101,11 +95,11 @@ impl<'a> Files<'a> {
 /// assert_eq!(why, "/dev/zero: it is not a regular file");
 /// ```
 pub fn read_text(path: &Path) -> Result<String, Error> {
-    Files::new(Path::new(""), &Left::default()).text(path)
+    Files::new(Path::new(""), &Read::default()).text(path)
 }
 
 /// The bytes of a regular file, if they fit the remaining limit.
-fn read(path: &Path, most: u64, left: &Cell<u64>) -> Result<Vec<u8>, Error> {
+fn read(path: &Path, most: u64, before: &Cell<u64>) -> Result<Vec<u8>, Error> {
     let unreadable = |error: std::io::Error| Error::new(format!("it cannot be read ({error})"));
     let read = || {
         // This is checked before the file is opened, since opening a pipe waits for a writer.
@@ -118,12 +112,13 @@ fn read(path: &Path, most: u64, left: &Cell<u64>) -> Result<Vec<u8>, Error> {
         if size == 0 {
             return Err(Error::new("it is empty"));
         }
-        let Some(rest) = left.get().checked_sub(size) else {
-            let (all, left) = (format!("at most {most} are read"), left.get());
+        let left = most - before.get();
+        if size > left {
+            let all = format!("at most {most} are read");
             let all = if left == most { all } else { format!("{all} of all files together, {left} more") };
             return Err(Error::new(format!("it has {size} bytes: {all}")));
-        };
-        left.set(rest);
+        }
+        before.set(before.get() + size);
         let mut bytes = Vec::new();
         let found = File::open(path).and_then(|file| file.take(size + 1).read_to_end(&mut bytes));
         let found = found.map_err(unreadable)?;
@@ -181,9 +176,9 @@ mod tests {
         }
         // On a command line the ending says what it is.
         std::os::unix::fs::symlink("/dev/zero", folder.join("zero.toml")).unwrap();
-        for name in ["zero.toml", "zero.toml#arm"] {
-            let error = BodyModel::load(folder.join(name).to_str().unwrap()).unwrap_err();
-            assert!(error.to_string().ends_with("zero.toml: it is not a regular file"), "{error}");
+        for (name, why) in [("zero.toml", "not a regular file"), ("zero.toml#arm", "that ends in .urdf")] {
+            let error = BodyModel::load(folder.join(name).to_str().unwrap()).unwrap_err().to_string();
+            assert!(error.contains("zero.toml: ") && error.ends_with(why), "{error}");
         }
         std::fs::remove_dir_all(&folder).unwrap();
     }
@@ -230,6 +225,8 @@ mod tests {
         assert!(chain(numbers, DEEPEST, 1).is_ok());
         let error = chain(numbers, DEEPEST + 1, 1).unwrap_err().to_string();
         assert!(error.ends_with("a file in a file: at most 30 are read"), "{error}");
+        let error = chain("\nbody = 'none.toml'", 2, 1).unwrap_err().to_string();
+        assert!(error.contains("2.toml, line 2, `body`: /") && error.contains("/none.toml: it"), "{error}");
         let error = chain("body = '1.toml'", 2, 1).unwrap_err().to_string();
         assert!(error.ends_with("a file in a file: at most 30 are read"), "{error}");
         std::fs::remove_dir_all(&folder).unwrap();

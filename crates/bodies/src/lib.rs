@@ -9,7 +9,7 @@
 //! let model = |text: &str| BodyModel::from_toml(text, "examples".as_ref());
 //! let phone = model("sides = [0.077, 0.0078, 0.16] # m, along x, y and z\nmass = 0.2 # kg")?;
 //! assert_eq!(phone.mass, Some(0.2));
-//! // Another solid; `density` (kg/m³) may stand for `mass`.
+//! // Another solid; `density` (kg/m³; kg/m² of a plate or disk, kg/m of a rod) may stand for `mass`.
 //! let coin = model("shape = 'cylinder'\nradius = 0.012\nheight = 0.002\ndensity = 8900")?;
 //! assert_eq!(coin.moments()?[0], coin.moments()?[1]);
 //! // Parts: each a body, at a place (m) and turned about an axis (x, y, z, degrees).

@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::files::Files;
 use nalgebra::Vector3;
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::path::Path;
 
 /// Vertices in the file's own unit, and faces by their numbers.
@@ -44,13 +44,15 @@ fn stl(bytes: &[u8]) -> Result<Triangles, Error> {
     }
     // Some programs write all words in capitals.
     let text = String::from_utf8_lossy(bytes).to_lowercase();
-    if !text.trim_start().starts_with("solid") {
-        let why =
-            format!("neither text that begins with `solid` nor {EACH} bytes for each of {count} triangles");
-        return Err(Error::new(why));
-    }
     let corner = |(at, line): (usize, &str)| Some(vertex(line.trim_start().strip_prefix("vertex")?, at));
     let corners: Vec<_> = text.lines().enumerate().filter_map(corner).collect::<Result<_, _>>()?;
+    // The header of a binary file may begin so too.
+    if corners.is_empty() || !text.trim_start().starts_with("solid") {
+        let why = format!(
+            "neither `solid` and its vertices in text nor {EACH} bytes for each of {count} triangles"
+        );
+        return Err(Error::new(why));
+    }
     if corners.len() % 3 != 0 {
         return Err(Error::new(format!("{} vertices are not three for each triangle", corners.len())));
     }
@@ -94,7 +96,11 @@ fn obj(text: &str) -> Result<Triangles, Error> {
             faces.extend(around[1..].windows(2).map(|pair| [around[0], pair[0], pair[1]]));
         }
     }
-    Ok((vertices, faces))
+    // Vertices that no face names are not of the surface.
+    let named: BTreeSet<_> = faces.iter().flatten().copied().filter(|i| *i < vertices.len()).collect();
+    let named: Vec<_> = named.into_iter().collect();
+    faces.iter_mut().flatten().for_each(|i| *i = named.binary_search(i).unwrap_or(*i));
+    Ok((named.into_iter().map(|i| vertices[i]).collect(), faces))
 }
 
 #[cfg(test)]
@@ -107,7 +113,7 @@ mod tests {
 
     #[test]
     fn a_corner_of_a_cube_has_its_volume_in_every_kind_of_file() {
-        let mut binary = vec![b's'; 80];
+        let mut binary = b"solid".repeat(16);
         binary.extend(4_u32.to_le_bytes());
         let mut text = String::from("solid corner\n");
         for face in FACES {
@@ -126,8 +132,11 @@ mod tests {
             assert_eq!(Mesh::new(&vertices, &faces).unwrap().measure().unwrap(), 16.0);
         }
         assert_eq!(obj("v 1 2 3\nf 1 2 # 3\n").unwrap_err().line, Some(2));
-        assert_eq!(obj("v 1 2 3\nf 1 1 1 # front\n").unwrap().1, [[0; 3]]);
+        // A vertex that no face names is left out.
+        let named = (vec![Vector3::new(1.0, 2.0, 3.0)], vec![[0; 3]]);
+        assert_eq!(obj("v nan 0 0\nv 1 2 3\nf 2 2 2 # front\n").unwrap(), named);
         assert!(stl(b"PK").is_err());
+        assert!(stl(&binary[..200]).unwrap_err().why.ends_with("50 bytes for each of 4 triangles"));
         assert_eq!(stl(text.to_uppercase().as_bytes()).unwrap(), stl(text.as_bytes()).unwrap());
         // A triangle of two corners is not left out, and a tab is as good as a space.
         let short = text.replacen("vertex 0 0 0\n", "", 1);

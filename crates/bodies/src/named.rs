@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::file::Reader;
-use crate::files::{Files, Left};
+use crate::files::{Files, Read};
 use crate::model::{BodyModel, word};
 use crate::surface::Surface;
 use crate::table::Table;
@@ -32,7 +32,7 @@ impl BodyModel {
     /// # Ok::<(), tumbling_bodies::Error>(())
     /// ```
     pub fn load(argument: &str) -> Result<Self, Error> {
-        Self::load_from(argument, &Files::new(Path::new(""), &Left::default())).map(urdf::asked)
+        Self::load_from(argument, &Files::new(Path::new(""), &Read::default())).map(urdf::asked)
     }
 
     /// Like [`load`](Self::load), with paths relative to a folder.
@@ -51,6 +51,7 @@ impl BodyModel {
 
         let here = |error: Error| error.in_file(&path);
         let mut model = files.body(&path, format!("{link:?}"), || match ending.as_deref() {
+            Some("toml") if link.is_some() => Err(here(Error::new("`#` names a link of a robot, in a file that ends in .urdf"))),
             Some("toml") => {
                 let (text, files) = (files.text(&path)?, files.next_to(&path)?);
                 file::read(&text, &files).map_err(here)
@@ -99,7 +100,7 @@ impl BodyModel {
     /// # Errors
     /// The line, the field and the rule that it breaks.
     pub fn from_toml(text: &str, folder: &Path) -> Result<Self, Error> {
-        file::read(text, &Files::new(folder, &Left::default())).map(urdf::asked)
+        file::read(text, &Files::new(folder, &Read::default())).map(urdf::asked)
     }
 
     /// Refuses an ideal rod, since its momentum does not determine its spin about its own axis.
@@ -114,14 +115,14 @@ impl BodyModel {
 pub struct SceneBodies<'a> {
     text: &'a str,
     folder: &'a Path,
-    left: Left,
+    read: Read,
 }
 
 impl<'a> SceneBodies<'a> {
     /// For tables of this text; the files that they name are in `folder`.
     #[must_use]
     pub fn new(text: &'a str, folder: &'a Path) -> Self {
-        Self { text, folder, left: Left::default() }
+        Self { text, folder, read: Read::default() }
     }
 
     /// The tensor about the centre of mass: moments (xx, yy, zz) and products (xy, xz, yz), kg m². A table of
@@ -135,8 +136,8 @@ impl<'a> SceneBodies<'a> {
         if let Some(tensor) = table.get_ref().tensor().filter(|_| alone) {
             return Ok(tensor);
         }
-        let files = Files::new(self.folder, &self.left);
-        let reader = Reader::new(self.text, table.get_ref(), table.span(), &files)?;
+        let files = Files::new(self.folder, &self.read);
+        let reader = Reader::new(self.text, table, &files)?;
         let matrix = reader.body()?.inertia.matrix();
         let products = [(0, 1), (0, 2), (1, 2)].map(|place| matrix[place]);
         Ok((matrix.diagonal().into(), products))

@@ -5,23 +5,32 @@ use crate::document::from_toml;
 use crate::file::number;
 use crate::model::BodyModel;
 use crate::shape::{Weight, shaped};
-use crate::table::Table;
+use crate::table::{Given, Table};
+use std::collections::BTreeMap;
 use std::f64::consts::PI;
 use std::ops::Range;
 use tumbling::MassProperties;
 
 /// Whether a number stands without its unit.
-fn bare(number: &str) -> bool {
+pub(crate) fn bare(number: &str) -> bool {
     !number.contains(['"', '\''])
 }
 
-/// Numbers as written, with this unit behind each that has none.
-fn with_unit(numbers: &str, unit: &str) -> String {
-    let one = |number: &str| {
-        let plain = number.trim_matches(|c: char| c.is_whitespace() || "[]".contains(c));
-        if bare(number) { number.replace(plain, &format!("'{plain} {unit}'")) } else { number.into() }
+/// The numbers of a field, those with a unit in quotes.
+fn numbers(written: &str) -> Vec<String> {
+    let list = if written.starts_with('[') { written.into() } else { format!("[{written}]") };
+    let all: BTreeMap<String, Vec<Given>> = from_toml(&format!("all = {list}")).unwrap_or_default();
+    let one = |given| match given {
+        Given::Number(number) => short(number),
+        Given::Text(text) => format!("'{}'", text.trim()),
     };
-    numbers.split(',').map(one).collect::<Vec<_>>().join(",")
+    all.into_values().flatten().map(one).collect()
+}
+
+/// Each with a unit: this one, where it has none.
+fn with_unit(numbers: &[String], unit: &str) -> Vec<String> {
+    let one = |number: &String| if bare(number) { format!("'{number} {unit}'") } else { number.clone() };
+    numbers.iter().map(one).collect()
 }
 
 /// With two digits.
@@ -39,35 +48,31 @@ const NONE_IS: &str = "no solid is so light or so heavy. Are the numbers right?"
 
 /// Asks whether other units were intended, for numbers that make a body lighter than foam or heavier than any
 /// metal, or that have no unit next to others with a unit. It lists all likely units, the most likely first.
-pub(crate) fn of(
-    text: &str,
-    present: &[(&'static str, Range<usize>)],
-    name: &str,
-    needed: &[&str],
-) -> Option<String> {
+pub(crate) fn of(text: &str, fields: &[(&str, Range<usize>)], name: &str, needed: &[&str]) -> Option<String> {
     // Thin bodies have no density in kg/m³, and vertices have no units.
     let thin = ["plate", "disk", "rod", "tetrahedron"].contains(&name);
-    if let Some((_, span)) = present.iter().find(|(field, _)| *field == "density") {
+    if let Some((_, span)) = fields.iter().find(|(field, _)| *field == "density") {
         return dense(&text[span.clone()]).filter(|_| !thin);
     }
-    let given = present.iter().filter(|(field, _)| needed.contains(field) || *field == "mass");
-    let given: Vec<_> = given.map(|(field, span)| (*field, &text[span.clone()])).collect();
-    let (&(_, mass), sizes) = given.split_last().filter(|_| !thin)?;
-    let sizes = sizes.iter().map(|size| size.1).collect::<Vec<_>>().join(", ");
-    let [in_kg, in_m] = [mass, &sizes].map(|all| all.split(',').any(bare));
+    let given = fields.iter().filter(|(field, _)| needed.contains(field) || *field == "mass");
+    let given: Vec<_> = given.map(|(field, span)| (*field, numbers(&text[span.clone()]))).collect();
+    let ((_, mass), sizes) = given.split_last().filter(|_| !thin)?;
+    let sizes: Vec<_> = sizes.iter().flat_map(|size| size.1.clone()).collect();
+    let [in_kg, in_m] = [mass, &sizes].map(|all| all.iter().any(|number| bare(number)));
     // Where a solid can be so dense, how far it is from a thing in the hand, by density and mass.
     let far = |m: &str, kg: &str| {
-        let line = |(field, text): &(&str, &str)| {
-            let unit = if *field == "mass" { kg } else { m };
-            format!("{field} = {}", with_unit(text, unit))
+        let line = |(field, all): &(&str, Vec<String>)| {
+            let all = with_unit(all, if *field == "mass" { kg } else { m });
+            let list = format!("[{}]", all.join(","));
+            format!("{field} = {}", if all.len() == 1 { &all[0] } else { &list })
         };
         let table: Table = from_toml(&given.iter().map(line).collect::<Vec<_>>().join("\n")).ok()?;
-        let sides = table.sides.as_ref().map_or(&[][..], |sides| sides.get_ref());
-        let density = number(&table.mass) / shaped(name, &table, sides, Weight::Density(1.0)).ok()?.0.mass();
+        let density = number(&table.mass) / shaped(name, &table, Weight::Density(1.0)).ok()?.0.mass();
         let off = |x: f64, usual: f64| (x / usual).log10().abs();
         SOLIDS.contains(&density).then(|| off(density, 1e3) + off(number(&table.mass), 0.3))
     };
-    if [mass, &sizes].iter().all(|all| all.split(',').all(bare)) && far("m", "kg").is_some() {
+    let fits = far("m", "kg").is_some();
+    if fits && mass.iter().chain(&sizes).all(|number| bare(number)) {
         return None;
     }
     let pairs = [("m", "g"), ("cm", "kg"), ("cm", "g"), ("mm", "kg"), ("mm", "g")];
@@ -77,13 +82,9 @@ pub(crate) fn of(
         asked.filter_map(|(m, kg)| Some((far(m, kg)?, words(m, kg).join(" and ")))).collect();
     likely.sort_by(|a, b| a.0.total_cmp(&b.0));
     let words = likely.into_iter().map(|pair| pair.1).collect::<Vec<_>>().join(", or in ");
-    let shown = |all: &str, unit: &str| {
-        let number = if all.split(',').all(bare) { format!("{all} {unit}") } else { with_unit(all, unit) };
-        number.replace(['[', ']', '"', '\''], "")
-    };
-    let plain =
-        format!("{} in {}", shown(mass, "kg"), shown(&sizes, "m").replace(", ", ",").replace(',', " × "));
-    let none = (in_m == in_kg && far("m", "kg").is_none()).then(|| format!("{plain}: {NONE_IS}"));
+    let shown = |all: &[String], unit: &str| with_unit(all, unit).join(" × ").replace('\'', "");
+    let plain = format!("{} in {}", shown(mass, "kg"), shown(&sizes, "m"));
+    let none = (!fits).then(|| format!("{plain}: {NONE_IS}"));
     if words.is_empty() { none } else { Some(format!("{plain}: is this in {words}?")) }
 }
 

@@ -27,27 +27,23 @@ impl Weight {
     }
 }
 
-/// Each shape's name, and the fields of its sizes; all but `inner` are needed.
-pub(crate) const KINDS: [(&str, &[&str]); 10] = [
-    ("box", &["sides"]),
-    ("ball", &["radius", "inner"]),
-    ("capsule", &["radius", "length"]),
-    ("cone", &["radius", "height"]),
-    ("cylinder", &["radius", "height", "inner"]),
-    ("disk", &["radius"]),
-    ("ellipsoid", &["semiaxes"]),
-    ("plate", &["sides"]),
-    ("rod", &["length"]),
-    ("tetrahedron", &["vertices"]),
+/// Each shape's name, the fields of its sizes (all but `inner` are needed), and what its density is in.
+pub(crate) const KINDS: [(&str, &[&str], &str); 10] = [
+    ("box", &["sides"], "kg/m³"),
+    ("ball", &["radius", "inner"], "kg/m³"),
+    ("capsule", &["radius", "length"], "kg/m³"),
+    ("cone", &["radius", "height"], "kg/m³"),
+    ("cylinder", &["radius", "height", "inner"], "kg/m³"),
+    ("disk", &["radius"], "kg/m²"),
+    ("ellipsoid", &["semiaxes"], "kg/m³"),
+    ("plate", &["sides"], "kg/m²"),
+    ("rod", &["length"], "kg/m"),
+    ("tetrahedron", &["vertices"], "kg/m³"),
 ];
 
 /// Mass properties and surface of the shape with this name, one of [`KINDS`], from the sizes in a table.
-pub(crate) fn shaped(
-    name: &str,
-    table: &Table,
-    sides: &[f64],
-    weight: Weight,
-) -> Result<(MassProperties, Surface), Error> {
+pub(crate) fn shaped(name: &str, table: &Table, weight: Weight) -> Result<(MassProperties, Surface), Error> {
+    let sides = table.sides.as_ref().map_or(&[][..], |sides| sides.get_ref());
     let side = |i: usize| sides.get(i).copied().unwrap_or_default();
     let [radius, inner, height, length] =
         [&table.radius, &table.inner, &table.height, &table.length].map(number);

@@ -28,22 +28,19 @@ const ROUND: usize = 48;
 
 impl Surface {
     /// A line of this length along z.
-    #[must_use]
-    pub fn line(length: f64) -> Self {
+    pub(crate) fn line(length: f64) -> Self {
         let vertices = vec![Vector3::new(0.0, 0.0, -0.5 * length), Vector3::new(0.0, 0.0, 0.5 * length)];
         Self { vertices, faces: vec![vec![0, 1]], convex: true }
     }
 
     /// Single points.
-    #[must_use]
-    pub fn points(vertices: Vec<Vector3<f64>>) -> Self {
+    pub(crate) fn points(vertices: Vec<Vector3<f64>>) -> Self {
         let faces = (0..vertices.len()).map(|i| vec![i]).collect();
         Self { vertices, faces, convex: true }
     }
 
     /// A box with these edges.
-    #[must_use]
-    pub fn cuboid(edges: &Vector3<f64>) -> Self {
+    pub(crate) fn cuboid(edges: &Vector3<f64>) -> Self {
         let corner =
             |bits: usize| Vector3::from_fn(|i, _| if bits >> i & 1 == 1 { 0.5 } else { -0.5 } * edges[i]);
         let faces = [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
@@ -51,8 +48,7 @@ impl Surface {
     }
 
     /// A tetrahedron, its vertices in any order.
-    #[must_use]
-    pub fn tetrahedron(vertices: [Vector3<f64>; 4]) -> Self {
+    pub(crate) fn tetrahedron(vertices: [Vector3<f64>; 4]) -> Self {
         let [a, b, c, d] = vertices;
         let flipped = (b - a).cross(&(c - a)).dot(&(d - a)) < 0.0;
         let outwards = |[a, b, c]: [usize; 3]| if flipped { vec![a, c, b] } else { vec![a, b, c] };
@@ -68,15 +64,13 @@ impl Surface {
     }
 
     /// A thin plate with these edges along x and y.
-    #[must_use]
-    pub fn plate(a: f64, b: f64) -> Self {
+    pub(crate) fn plate(a: f64, b: f64) -> Self {
         let corners = [(-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5)];
         Self::sheet(corners.map(|(x, y)| Vector3::new(x * a, y * b, 0.0)).into())
     }
 
     /// A thin disk in the xy plane.
-    #[must_use]
-    pub fn disk(radius: f64) -> Self {
+    pub(crate) fn disk(radius: f64) -> Self {
         Self::sheet(circle(radius, 0.0))
     }
 
@@ -112,22 +106,19 @@ impl Surface {
     }
 
     /// A cylinder along z about the origin, full where `inner` is zero.
-    #[must_use]
-    pub fn cylinder(inner: f64, outer: f64, height: f64) -> Self {
+    pub(crate) fn cylinder(inner: f64, outer: f64, height: f64) -> Self {
         let h = 0.5 * height;
         let profile = [[inner, -h], [outer, -h], [outer, h], [inner, h]];
         if inner == 0.0 { Self::revolved(&profile[1..3], false) } else { Self::revolved(&profile, true) }
     }
 
     /// A cone with its base in the xy plane and its tip above.
-    #[must_use]
-    pub fn cone(radius: f64, height: f64) -> Self {
+    pub(crate) fn cone(radius: f64, height: f64) -> Self {
         Self::revolved(&[[radius, 0.0], [0.0, height]], false)
     }
 
     /// A cylinder of this length along z between two half balls.
-    #[must_use]
-    pub fn capsule(radius: f64, length: f64) -> Self {
+    pub(crate) fn capsule(radius: f64, length: f64) -> Self {
         let steps = ROUND / 2;
         let place = |k: usize| {
             let (k, shift) = if k <= steps / 2 { (k, -0.5) } else { (k - 1, 0.5) };
@@ -138,8 +129,7 @@ impl Surface {
     }
 
     /// An ellipsoid with these semi-axes.
-    #[must_use]
-    pub fn ellipsoid(semiaxes: &Vector3<f64>) -> Self {
+    pub(crate) fn ellipsoid(semiaxes: &Vector3<f64>) -> Self {
         Self::capsule(1.0, 0.0).mapped(|p| p.component_mul(semiaxes))
     }
 

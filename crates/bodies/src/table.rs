@@ -106,9 +106,10 @@ const DENSITY: usize = 2;
 /// A length, a mass or a density: a number of m, kg or kg/m³, or a text with its unit.
 struct Size<const OF: usize>(f64);
 
+/// A size as written.
 #[derive(Deserialize)]
 #[serde(untagged, expecting = "a number is expected here, or a text with its unit such as \"77 mm\"")]
-enum Given {
+pub(crate) enum Given {
     Number(f64),
     Text(String),
 }

@@ -54,14 +54,9 @@ pub enum Error {
     /// The library does not accept the body or its motion.
     #[error("{0}")]
     Body(#[from] tumbling::Error),
-    /// The engine resets the body to its start instead of taking the step.
-    #[error("the engine resets the body: the spin or its rate is {value:e}, and must be at most {most:e}")]
-    StartsAnew {
-        /// A component of the spin or of its rate, rad/s or rad/s².
-        value: f64,
-        /// The largest value that the engine accepts.
-        most: f64,
-    },
+    /// An engine of the list takes no step.
+    #[error("{0}")]
+    Engine(#[from] tumbling_engines::Error),
     /// Neither a header nor the caller gives the moments.
     #[error(
         "the principal moments are not known: write them into the record as a comment line `# inertia: A B C`, or give them with it. They are about the body's x, y and z, which must be its principal axes"

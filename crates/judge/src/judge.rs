@@ -4,12 +4,13 @@ use crate::error::Error;
 use crate::laws::Trial;
 use crate::options::Options;
 use crate::read::{Known, Note, Raw, Rows, Said, Source};
-use crate::rule::{PHYSICS_ENGINES, Subject};
+use crate::rule::Subject;
 use crate::thresholds::PROBE_ROWS;
 use crate::verdict::{Verdict, too_far, verdict};
 use nalgebra::Vector3;
 use std::io::BufRead;
 use tumbling::PrincipalMoments;
+use tumbling_engines::PHYSICS_ENGINES;
 
 /// Judges a record.
 ///

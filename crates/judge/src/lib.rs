@@ -20,7 +20,6 @@ mod laws;
 mod memory;
 mod options;
 mod read;
-pub mod records;
 mod rule;
 mod thresholds;
 mod verdict;
@@ -35,8 +34,6 @@ pub use laws::{FlipCount, Gaps, Growth, Law, Point, Reset};
 pub use memory::{Description, Precision, Row, judge_described, judge_in_memory};
 pub use options::Options;
 pub use read::{FileMistake, Kind, Note};
-pub use rule::{
-    Advice, Alteration, Base, Confidence, Diagnosis, Explanation, Jump, Limits, PHYSICS_ENGINES,
-    PhysicsEngine, Rule, Steps, Turn, When,
-};
+pub use rule::{Advice, Alteration, Base, Confidence, Diagnosis, Explanation, Jump, Rule, Steps, Turn, When};
+pub use tumbling_engines::{Limits, PHYSICS_ENGINES, PhysicsEngine};
 pub use verdict::{Complaint, Outcome, Recording, Section, Seen, Verdict};

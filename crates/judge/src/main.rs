@@ -31,10 +31,10 @@ struct Arguments {
 type Limit = (Option<LawName>, f64);
 
 /// The moments of `--inertia A,B,C`.
-fn moments(text: &str) -> Result<Vector3<f64>, String> {
+fn moments(text: &str) -> Result<Vector3<f64>, Box<dyn std::error::Error + Send + Sync>> {
     let numbers: Result<Vec<f64>, _> = text.split(',').map(|x| x.trim().parse()).collect();
     match numbers.as_deref() {
-        Ok(&[a, b, c]) => Ok(Vector3::new(a, b, c)),
+        Ok(&[a, b, c]) => Ok(tumbling::PrincipalMoments::new(a, b, c)?.vector()),
         _ => Err("give three numbers, as in 1,2,2.5".into()),
     }
 }

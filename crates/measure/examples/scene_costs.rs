@@ -66,9 +66,9 @@ fn watched(name: &str, plans: u64, rounds: u64) -> Result<(), AnyError> {
 fn counts() -> Result<Vec<Cost>, AnyError> {
     let cost = |(name, _)| {
         eprintln!("instructions of {name}");
-        let state = (counted(name, 1, 3)? - counted(name, 1, 1)?) / (2.0 * f64::from(STATES));
-        let plan = (counted(name, 3, 0)? - counted(name, 1, 0)?) / 2.0;
-        Ok(Cost { scene: name.to_owned(), plan: plan.round(), state: state.round() })
+        let (planned, states) = (counted(name, 1, 0)?, 3.0 * f64::from(STATES));
+        let state = ((counted(name, 1, 3)? - planned) / states).round();
+        Ok(Cost { scene: name.to_owned(), plan: ((counted(name, 3, 0)? - planned) / 2.0).round(), state })
     };
     scenes()?.into_iter().map(cost).collect()
 }

@@ -28,7 +28,7 @@ const RESULTS: usize = BODIES * INSTANTS;
 
 /// Multiplications a result, which are more than its sums: counted in the compiled loops of the series in the
 /// nome, each once.
-const PRODUCTS: [usize; 2] = [50, 132];
+const PRODUCTS: [usize; 2] = [48, 128];
 
 fn main() -> Result<(), AnyError> {
     let moments = PrincipalMoments::new(0.8333, 1.0833, 0.4167)?;

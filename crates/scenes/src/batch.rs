@@ -166,7 +166,7 @@ type Answers = Box<dyn Fn(&[f64], &mut Put<'_>) -> Result<(), tumbling::Error> +
 /// Free motions in the best number of lanes for this processor, with attitudes or only spins. The bits do not
 /// depend on it: the compiler does not fuse a product and a sum by itself.
 #[cfg_attr(target_arch = "x86_64", multiversion(targets("x86_64+avx2+fma")))]
-pub(crate) fn side_by_side(motions: &[FreeMotion], attitudes: bool) -> Answers {
+pub fn side_by_side(motions: &[FreeMotion], attitudes: bool) -> Answers {
     // A macro, since a closure is compiled for the vectors of the function that it stands in.
     macro_rules! in_lanes {
         ($T:ty) => {

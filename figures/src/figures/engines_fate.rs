@@ -5,7 +5,7 @@ use crate::draw::{Canvas, Ink, Label, Pen, Plot};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::exact::FreeMotion;
 use tumbling::step::{State, System};
-use tumbling_judge::{PHYSICS_ENGINES, PhysicsEngine};
+use tumbling_engines::{PHYSICS_ENGINES, PhysicsEngine};
 
 const MOMENTS: [f64; 3] = [1.0, 2.0, 3.0];
 const SPIN: [f64; 3] = [0.5, 0.5, 10.0];

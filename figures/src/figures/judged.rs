@@ -2,7 +2,7 @@
 
 use super::{Drawing, NARROW};
 use crate::draw::{Canvas, Fill, Ink, Label, Pen, Plot, Scale};
-use tumbling_judge::records::{RECORDED, table};
+use tumbling_engines::{RECORDED, table};
 
 /// Rules as the figure calls them, by how the judge's names of them begin.
 const RULES: [(&str, &str); 5] = [

@@ -135,7 +135,7 @@ impl<'a> Subject<'a> {
         let sides = self.model.sides.map(|sides| sides.map(|x| units::LENGTH.say(x)).join(" × "));
         let reach =
             || format!("{} from its centre to its farthest point", units::LENGTH.say(self.model.reach()));
-        let size = sides.or_else(|| self.model.has_size().then(reach));
+        let size = sides.or_else(|| (!self.model.surfaces.is_empty()).then(reach));
         let mass = self.model.mass.map(|x| units::MASS.say(x));
         let known: Vec<String> = size.into_iter().chain(mass).collect();
         if known.is_empty() { "mass and size not given".into() } else { known.join(", ") }

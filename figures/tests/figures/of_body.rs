@@ -134,6 +134,7 @@ fn a_coin_and_a_ball_never_flip_and_a_body_of_numbers_alone_has_its_page() {
         assert!(page(text).contains("It never flips"));
     }
     assert!(page("moments = [1, 2, 2.5]").contains("mass and size not given"));
+    assert!(page("moments = [1, 2, 2.5]\nmass = 3").contains("<p>3 kg. Times"));
     // Of a plate (c - a) (c - b) is ab.
     assert!(page("moments = [1, 2, 3]").contains("circles the axis once a turn (1 s)"));
 }

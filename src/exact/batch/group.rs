@@ -109,22 +109,19 @@ impl<T: Rounding, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
         let (zero, mut at) = (T::zero(), [1.0; SPAN]);
         let (mut phases, mut sines) = ([phase; SPAN], [(zero, zero); SPAN]);
         let (mut omegas, mut turns) = ([[zero; 3]; SPAN], [[zero; 4]; SPAN]);
+        let nearest = times.iter().fold(f64::INFINITY, |least, t| least.min(t.abs()));
         let blocks = self.bodies.chunks_exact(T::WIDTH.max(1));
         for (n, ((bodies, &clock), spin)) in blocks.zip(&self.clocks).zip(&self.spins).enumerate() {
-            let world = self.of_last(n, &self.worlds);
-            let frame = self.of_last(n, &self.frames).unwrap_or(Frame::BODY);
+            let attitude = self.attitudes.get(n).filter(|_| W::ATTITUDE);
             for (span, times) in times.chunks(SPAN).enumerate() {
                 at.iter_mut().zip(times).for_each(|(at, &t)| *at = t);
                 for (here, before) in steps(times.len()) {
                     phases[before] = spin.phase(&replace(&mut reduced, spin.reduced(clock * at[here])));
                 }
                 for (here, _) in steps(times.len() - 1) {
-                    omegas[here] = frame.in_body(spin.omega(&phases[here])).into();
-                    if starts_at(clock * at[here]) {
-                        start(clock * at[here], &mut omegas[here], bodies, starts, |of| of.omega.into());
-                    }
+                    omegas[here] = spin.omega(&phases[here]).into();
                 }
-                if let Some(attitude) = self.attitudes.get(n).filter(|_| W::ATTITUDE) {
+                if let Some(attitude) = attitude {
                     let mut angle = Angle::of_turns(DoubleDouble::new(zero, zero));
                     for (here, before) in steps(times.len()) {
                         let next = spin.drift(attitude, &phases[here], clock * at[here]);
@@ -133,26 +130,42 @@ impl<T: Rounding, K: Kernel<T, Attitude = A>, A> Group<T, K, A> {
                     let mut parts = [zero; 4];
                     for (here, before) in steps(times.len()) {
                         let next = spin.parts(attitude, &phases[here], sines[here]);
-                        let mut turn = spin.turn_of(replace(&mut parts, next));
-                        if let Some(world) = &world {
-                            turn = frame.attitude_of_body(product(world, &turn));
-                        }
-                        turns[before] = turn.coords.into();
-                        if starts_at(clock * at[before]) {
-                            let of = |start: &Instant| start.attitude.coords.into();
-                            start(clock * at[before], &mut turns[before], bodies, starts, of);
-                        }
+                        turns[before] = spin.turn_of(replace(&mut parts, next)).coords.into();
                     }
                 }
-                for (k, (omega, turn)) in omegas.iter().zip(&turns).take(times.len()).enumerate() {
+                self.mounted(n, &mut omegas[..times.len()], &mut turns[..times.len()]);
+                if T::any((clock * nearest).abs().lt(splat(f64::from_bits(1)))) {
+                    for (k, &t) in times.iter().enumerate() {
+                        start(clock * t, &mut omegas[k], bodies, starts, |of| of.omega.into());
+                        start(clock * t, &mut turns[k], bodies, starts, |of| of.attitude.coords.into());
+                    }
+                }
+                for k in 0..times.len() {
                     for (lane, &body) in bodies.iter().enumerate().filter(|(_, body)| **body != NOBODY) {
-                        let ([x, y, z], [i, j, l, w]) = (omega, turn);
+                        let ([x, y, z], [i, j, l, w]) = (&omegas[k % SPAN], &turns[k % SPAN]);
                         let omega = Vector3::new(x.lane(lane), y.lane(lane), z.lane(lane));
                         let turn = Quaternion::new(w.lane(lane), i.lane(lane), j.lane(lane), l.lane(lane));
                         let attitude = UnitQuaternion::new_unchecked(turn);
                         put(span * SPAN + k, body, W::of(Instant { omega, attitude }));
                     }
                 }
+            }
+        }
+    }
+
+    /// Takes spins and turns along the principal axes of block `n` to the body's axes and the world's.
+    #[inline(always)]
+    fn mounted(&self, n: usize, omegas: &mut [[T; 3]], turns: &mut [[T; 4]]) {
+        let frame = self.of_last(n, &self.frames);
+        if let Some(frame) = &frame {
+            for omega in omegas {
+                *omega = frame.in_body((*omega).into()).into();
+            }
+        }
+        if let Some(world) = self.of_last(n, &self.worlds) {
+            for turn in turns {
+                let turned = product(&world, &Quaternion::from_vector((*turn).into()));
+                *turn = frame.unwrap_or(Frame::BODY).attitude_of_body(turned).coords.into();
             }
         }
     }
@@ -172,12 +185,7 @@ fn at_zero<T: Rounding, K: Kernel<T>>(spin: &K) -> (K::Reduced, K::Phase) {
     (reduced, spin.phase(&reduced))
 }
 
-/// Whether the time is zero in any lane: then the start itself is the answer.
-#[inline(always)]
-fn starts_at<T: Rounding>(time: T) -> bool {
-    T::any(time.abs().lt(splat(f64::from_bits(1))))
-}
-
+/// The start itself, in the lanes where the time is zero.
 #[cold]
 #[inline(never)]
 fn start<T: Rounding, const N: usize>(

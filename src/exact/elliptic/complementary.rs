@@ -2,7 +2,8 @@
 //! imaginary transformation.
 
 use crate::number::functions::powi;
-use crate::number::{Gather, Rounding, Series, gather_fields};
+use crate::number::{Gather, Rounding, Series, gather_fields, splat};
+use core::hint::black_box;
 
 /// A decaying exponential of the argument: `E = exp(-2x)` with `1 - E` and the square root of `E`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -174,10 +175,17 @@ impl<T: Rounding> ComplementarySeries<T> {
     /// `x` is the distance of the argument from the quarter period, times the same.
     #[inline(always)]
     pub(crate) fn values(&self, x: &Decay<T>, saddle: T::Mask) -> [T; 3] {
-        let [flip, at_saddle] = self.parts(x.root, self.sums_of(x));
+        let sums = self.sums_of(x);
         if T::WIDTH == 1 {
-            return if T::any(saddle) { at_saddle } else { flip }.quotients();
+            // From memory, as in `after_quarters`: the same parts, two sums changed for the two others.
+            let one = black_box(usize::from(T::any(saddle))) % 2;
+            let sum = |k: usize| sums[(k + 2 * one) % 4];
+            let (factors, rise) = ([self.near_flip, self.near_saddle][one], [T::one(), x.root][one]);
+            let fall = [x.root * 2.0, splat(0.5)][one];
+            let above = [sum(0), sum(2), sum(3)];
+            return Parts { factors, above, under: sum(1) * rise, rise, fall }.quotients();
         }
+        let [flip, at_saddle] = self.parts(x.root, sums);
         let one = |yes: T, no: T| T::select(saddle, yes, no);
         let three = |[a, b, c]: [T; 3], [x, y, z]: [T; 3]| [one(a, x), one(b, y), one(c, z)];
         Parts {

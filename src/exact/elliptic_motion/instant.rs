@@ -13,9 +13,9 @@ use nalgebra::{Quaternion, Vector3};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct DirectSpin<T = f64> {
     pub(super) series: DirectSeries<T>,
-    /// Sine and cosine of the phase `pi u/(2K)` at the start, and turns of it per unit of time.
+    /// Sine and cosine of the phase `pi u/(2K)` at the start, and quarter turns of it per unit of time.
     pub(super) start: [T; 2],
-    pub(super) turns: DoubleDouble<T>,
+    pub(super) quarters: DoubleDouble<T>,
     pub(super) amplitudes: [T; 3],
     pub(super) axes: Axes<T>,
 }
@@ -25,11 +25,11 @@ pub(crate) struct DirectSpin<T = f64> {
 pub(crate) struct DirectAttitude<T = f64> {
     pub(super) pair: DirectPair<T>,
     pub(super) start: Pair<T>,
-    /// Turns of the common phase, which is half the angle about the momentum, per unit of time.
+    /// Quarter turns of the common phase, which is half the angle about the momentum, per unit of time.
     pub(super) drift: DoubleDouble<T>,
 }
 
-gather_fields!(DirectSpin { series, start, turns, amplitudes, axes });
+gather_fields!(DirectSpin { series, start, quarters, amplitudes, axes });
 gather_fields!(DirectAttitude { pair, start, drift });
 
 impl<T: Rounding> Kernel<T> for DirectSpin<T> {
@@ -40,7 +40,7 @@ impl<T: Rounding> Kernel<T> for DirectSpin<T> {
 
     #[inline(always)]
     fn reduced(&self, time: T) -> Angle<T> {
-        Angle::of_turns(self.turns * time)
+        Angle::of_quarters(self.quarters.times_loosely(time))
     }
 
     #[inline(always)]
@@ -57,7 +57,7 @@ impl<T: Rounding> Kernel<T> for DirectSpin<T> {
 
     #[inline(always)]
     fn drift(&self, attitude: &DirectAttitude<T>, _: &[T; 2], time: T) -> Angle<T> {
-        Angle::of_turns(attitude.drift * time)
+        Angle::of_quarters(attitude.drift.times_loosely(time))
     }
 
     #[inline(always)]
@@ -85,8 +85,8 @@ pub(crate) struct ComplementarySpin<T = f64> {
 pub(crate) struct ComplementaryAttitude<T = f64> {
     pub(super) pair: ComplementaryPair<T>,
     pub(super) start: Pair<T>,
-    /// Turns of the common phase, which is half the angle about the momentum, per unit of time, and what each
-    /// half period of Jacobi's argument adds.
+    /// Quarter turns of the common phase, which is half the angle about the momentum, per unit of time, and
+    /// those that each half period of Jacobi's argument adds.
     pub(super) drift: DoubleDouble<T>,
     pub(super) step: T,
 }
@@ -117,7 +117,7 @@ impl<T: Rounding> Kernel<T> for ComplementarySpin<T> {
     #[inline(always)]
     fn drift(&self, of: &ComplementaryAttitude<T>, at: &ReducedArgument<T>, time: T) -> Angle<T> {
         let steps = at.passage.halves * of.step;
-        Angle::of_turns((of.drift * time).plus(steps))
+        Angle::of_quarters(of.drift.times_loosely(time).plus(steps))
     }
 
     #[inline(always)]

@@ -234,7 +234,7 @@ impl<'a, T: Real> Preparation<'a, T> {
         let series = DirectSeries::new(nome);
         let pair = DirectPair::of_shape(nome, &self.shape(shares, quarter));
         // (C13)
-        let turns = self.rate / self.quarter.times_exact(splat(4.0));
+        let quarters = self.rate / self.quarter;
         let turns_per_argument = splat::<T>(0.25) / quarter;
         let [sin, cos] = phase_at_start(self.values(), self.complement, quarter);
         let (amplitudes, shift) = self.meeting_the_start(series.values(sin, cos));
@@ -246,11 +246,10 @@ impl<'a, T: Real> Preparation<'a, T> {
         // (C20)
         let about = (self.twice_energy + self.momentum * circled) / (self.momentum + circled * i_c);
         // (C25)
-        let circle = DoubleDouble::pi().times_exact(splat(4.0));
-        let drift = about.times_exact(self.sign) / circle - turns * pair.turning_at_zero();
+        let drift = about.times_exact(self.sign) / DoubleDouble::pi() - quarters * pair.turning_at_zero();
         let amplitudes_in_series = self.in_series(amplitudes);
         let axes = Axes::new(self.axes());
-        let spin = DirectSpin { series, start, turns, amplitudes: amplitudes_in_series, axes };
+        let spin = DirectSpin { series, start, quarters, amplitudes: amplitudes_in_series, axes };
         let attitude = DirectAttitude { pair, start: of_length_one(pair.raw(sin, cos)), drift };
         // From the nearest flip, where it has all its digits.
         let angle = sin.abs().atan2(cos.abs()).with_sign(sin * cos);
@@ -275,10 +274,10 @@ impl<'a, T: Real> Preparation<'a, T> {
         let (argument, reduction) = (start - DoubleDouble::from(shift), reduction.back(shift));
         let start = of_length_one(reduction.argument(zero).pair(&pair));
         let (turned, half) = (rate * (stretch * pair.turning_at_saddle()), splat(0.5));
-        let circle = DoubleDouble::pi().times_exact(splat(2.0));
-        let drift = (self.rate_about_momentum().times_exact(half) - turned) / circle;
+        let quarter_turn = DoubleDouble::pi().times_exact(half);
+        let drift = (self.rate_about_momentum().times_exact(half) - turned) / quarter_turn;
         // (C33)
-        let step = pair.angle_at_saddle() * 2.0 / (pi::<T>() * 2.0);
+        let step = pair.angle_at_saddle() * 2.0 / (pi::<T>() * 0.5);
         let axes = Axes::new(self.axes());
         let spin = ComplementarySpin { series, reduction, amplitudes: self.in_series(amplitudes), axes };
         let attitude = ComplementaryAttitude { pair, start, drift, step };

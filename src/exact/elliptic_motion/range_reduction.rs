@@ -7,6 +7,7 @@
 use crate::exact::cayley_klein::{ComplementaryPair, Pair};
 use crate::exact::elliptic::{ComplementarySeries, Decay};
 use crate::number::{DoubleDouble, Gather, Lane, Real, Rounding, gather_fields, splat};
+use core::hint::black_box;
 
 /// How Jacobi's argument runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,7 +16,7 @@ pub(crate) struct Reduction<T = f64> {
     pub(crate) start: DoubleDouble<T>,
     /// Half periods per unit of time, or the argument, likewise.
     pub(crate) rate: DoubleDouble<T>,
-    /// From flip to saddle, and from flip to flip: infinite on the separatrix.
+    /// From flip to saddle, and from flip to flip: on the separatrix the largest `f64`, and infinite.
     pub(crate) quarter: DoubleDouble<T>,
     pub(crate) half: DoubleDouble<T>,
     /// `pi/(2K')`.
@@ -61,7 +62,9 @@ impl<T: Real> Reduction<T> {
         let pi = DoubleDouble::<T>::pi().hi();
         let stretch = pi / (other * 2.0);
         if !quarter.hi().finite() {
-            return Self { start, rate, quarter, half: quarter, stretch, nome_root: T::zero(), turn };
+            // More than any argument, but not infinite, as a factor of zero is taken of it.
+            let far = DoubleDouble::from(splat::<T>(f64::MAX));
+            return Self { start, rate, quarter: far, half: quarter, stretch, nome_root: T::zero(), turn };
         }
         let half = quarter.times_exact(splat(2.0));
         // (C9)
@@ -101,7 +104,7 @@ impl<T: Rounding> Reduction<T> {
     #[inline(always)]
     pub(crate) fn at(&self, time: T) -> Passage<T> {
         // (C35)
-        let (halves, by_four, rest) = (self.rate * time).plus(self.start).whole_and_rest();
+        let (halves, by_four, rest) = self.rate.times_loosely(time).plus(self.start).whole_and_rest();
         self.passage((halves, by_four), self.half * rest)
     }
 
@@ -109,15 +112,16 @@ impl<T: Rounding> Reduction<T> {
     fn passage(&self, (halves, by_four): (DoubleDouble<T>, T), u: DoubleDouble<T>) -> Passage<T> {
         let sign = u.hi().sign();
         let from_flip = u.times_exact(sign);
-        let near_saddle = (self.quarter.hi() * 0.5).lt(from_flip.hi());
-        let from_saddle = self.quarter.plus(from_flip.times_exact(splat::<T>(-1.0)));
-        let distance = DoubleDouble::select(near_saddle, from_saddle, from_flip);
+        // By a sign and a sum: of two cases the compiler makes a branch, often guessed wrong.
+        let onwards = (self.quarter.hi() * 0.5 - from_flip.hi()).sign();
+        let quarter = self.quarter.times_exact((T::one() - onwards) * 0.5);
+        let distance = quarter.plus(from_flip.times_exact(onwards));
         // Rounding may leave it slightly beyond the saddle.
         let main = distance.hi();
         let x = main.not_below_zero() * self.stretch;
         Passage {
             x: [x, distance.lo() * self.stretch],
-            near_saddle,
+            near_saddle: onwards.lt(T::zero()),
             sign,
             // Two quarters each.
             turn: (by_four * 2.0).after_quarters(self.turn, self.turn).0,
@@ -188,8 +192,12 @@ impl<T: Rounding> ReducedArgument<T> {
     pub(super) fn pair(&self, pair: &ComplementaryPair<T>) -> Pair<T> {
         let [root, rising] = [self.decay.root, self.decay.rising];
         let Passage { near_saddle, sign, turn, .. } = self.passage;
-        let here = T::select(near_saddle, rising, root);
-        let there = T::select(near_saddle, root, rising);
+        let [here, there] = if T::WIDTH == 1 {
+            // From memory, as in `after_quarters`.
+            [[root, rising], [rising, root]][black_box(usize::from(T::any(near_saddle))) % 2]
+        } else {
+            [T::select(near_saddle, rising, root), T::select(near_saddle, root, rising)]
+        };
         pair.raw(here, there, sign, turn)
     }
 

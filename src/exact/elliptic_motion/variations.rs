@@ -15,7 +15,7 @@ use crate::exact::elliptic::rd;
 use crate::exact::sensitivity::{ByTensor, SpinDerivatives};
 use crate::number::functions::atan2;
 use crate::number::{DoubleDouble, Lane, times_power_of_two};
-use core::f64::consts::TAU;
+use core::f64::consts::PI;
 use nalgebra::Matrix3;
 
 /// Beyond this argument on the separatrix, `f64` cannot represent the distance of the motion from its end.
@@ -207,7 +207,7 @@ impl EllipticMotion {
                 let [sin, cos] = spin.phase(&spin.reduced(time));
                 let values = spin.series.values(sin, cos);
                 let angle = atan2(spin.start[0], spin.start[1]);
-                let (whole, left) = ((spin.turns * time + DoubleDouble::from(angle / TAU)) * 2.0).split();
+                let (whole, left) = (spin.quarters * time * 0.5 + DoubleDouble::from(angle / PI)).split();
                 // Between two half turns the sign of the cosine decides.
                 let even = whole - 2.0 * Lane::round_ties_even(0.5 * whole) == 0.0;
                 let halves =

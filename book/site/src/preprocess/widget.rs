@@ -19,7 +19,7 @@ const OPENING: &str = "{{#widget";
 /// Files that a widget takes along besides its module: the widget, the file's name for it, and where it
 /// stands.
 const CARRIED: [(&str, &str, &str); 1] =
-    [("judge", "example", "crates/judge/data/rapier3d-f64-0.36.1--major.csv")];
+    [("judge", "example", "crates/engines/data/rapier3d-f64-0.36.1--major.csv")];
 
 /// The modules that a widget asks: the one of its own name, if nothing else is said here.
 fn modules<'a>(widget: &'a &str) -> &'a [&'a str] {

@@ -10,9 +10,8 @@ fn body(text: &str) -> Result<BodyModel, Error> {
 /// Two points on x: a quarter turn about z takes their centre from x to y.
 #[test]
 fn a_part_that_is_turned_takes_its_centre_along() {
-    // Of an axis the direction alone counts, however long it is.
-    let part =
-        "[[part]]\npoints = [[1, 0.5, 0, 0], [1, 1.5, 0, 0]]\nturn = [0, 0, 1e200, 90]\nat = [0, 0, 3]";
+    // Of an axis the direction alone counts, however long it is, and whole turns do not count.
+    let part = "[[part]]\npoints = [[1, 0.5, 0, 0], [1, 1.5, 0, 0]]\nturn = [0, 0, 1e200, 360000000000090]\nat = [0, 0, 3]";
     let other = "[[part]]\nsides = [1, 2, 3]\nmass = 2\nturn = [0, 1e-200, 0, 90]";
     let found = body(&format!("{part}\n{other}")).unwrap();
     assert!((found.centre - Vector3::new(0.0, 0.5, 1.5)).norm() < 1e-15, "{}", found.centre);
@@ -29,13 +28,12 @@ fn what_is_wrong_is_named_with_its_line_and_its_field() {
         ("mass = 1\nshape = 'tube'\nradius = 1", "; a tube is a cylinder with `inner`"),
         ("mass = '12.5'\nsides = [1, 2, 3]", "not `12.5`: the unit is missing"),
         ("body = 'book'\nturn = { x = 1 }", "`turn`: a list is expected here, not map; write turn = [x, y"),
-        (
-            "mass = 1\nshape = 'ball'\nheight = 1",
-            "line 3, `height`: it does not go with `ball`, which takes `radius`, `inner`, `mass`, `density`",
-        ),
+        ("mass = 1\nshape = 'ball'\nheight = 1", "line 3, `height`: it does not go with `ball`, which"),
+        ("mass = 1\nshape = 'rod'\ninner = 1", "with `rod`, which takes `length`, `mass`, `density`\n"),
         ("mass = 1\nshape = 'cone'\nheight = 1", "line 2, `shape`: `radius` is missing"),
         ("moments = [1, 2, 3.1]", "line 1, `moments`: no body has principal moments"),
         ("moments = [1, 2, 3.0001]", "; if its digits were rounded, `tolerance` says by how much"),
+        ("density='7 kg/m3'\nshape='disk'\nradius=1", "`density`: a number in kg/m² is expected here"),
         ("density = '7 kg'\nsides = [1, 2, 3]", "such as \"0.7 g/cm3\" (g/cm3, kg/m3), not `7 kg`"),
         ("sides = ['1 m', '2 g', 3]\nmass = 1", "line 1, `sides`: a number is expected here, or one"),
         ("shape = 'ball'\nradius = 0,07\nmass = 1", "; write 0.07"),
@@ -86,7 +84,7 @@ fn a_size_or_a_mass_may_have_its_unit_and_a_number_that_lacks_it_is_questioned()
         ("0.077, 0.0078, 0.16", "200", "m and g"),
     ] {
         let question = |head| body(&format!("{head}sides = [{sides}]\nmass = {mass}")).unwrap().question;
-        let asked = format!("{mass} kg in {} m: is this in {units}?", sides.replace(',', " ×"));
+        let asked = format!("{mass} kg in {} m: is this in {units}?", sides.replace(',', " m ×"));
         assert_eq!([question(""), question("[[part]]\n")], [Some(asked.clone()), Some(asked)]);
     }
     for (text, asked) in [
@@ -94,6 +92,7 @@ fn a_size_or_a_mass_may_have_its_unit_and_a_number_that_lacks_it_is_questioned()
         ("radius = '33 mm'\nmass = 58", "58 kg in 33 mm: is this in g?"),
         ("radius = 33\nmass = '58 g'", "58 g in 33 m: is this in mm?"),
         ("radius = '3 cm'\nmass = '300 kg'", "300 kg in 3 cm: NONE"),
+        ("radius = '1 mm'\nmass = 0.2", "0.2 kg in 1 mm: NONE"),
         ("radius = 1\ndensity = 90000", "90000 kg/m³: NONE"),
         ("radius = 1\ndensity = 0.7", "0.7 kg/m³: is this in g/cm3?"),
         ("radius = 1\nmass = 1e30", "1e30 kg in 1 m: NONE"),
@@ -118,6 +117,7 @@ fn a_size_or_a_mass_may_have_its_unit_and_a_number_that_lacks_it_is_questioned()
     // A satellite is light, and of a thin plate nothing is known.
     for text in [
         "sides = [2, 2, 4]\nmass = 160",
+        "sides = [0.077, # m, wide\n0.0078, 0.16,]\nmass = 0.2",
         "points = [[1, 0, 0, 0], [2, 5, 0, 0], [1, 0, 4, 0]]",
         "body = 'book'\nturn = [0, 0, 1, 1.5]",
         "body = 'book'\nturn = [0, 0, 1, 3]",
@@ -157,7 +157,7 @@ fn the_field_that_is_made_bad_is_the_field_that_is_named() {
         ("shape = 'cone'\nradius = 2\nheight = 1\nmass = 1", &[("radius", "0"), ("height", "nan")]),
         (
             "shape = 'cylinder'\nradius = 2\nheight = 1\ninner = 1\nmass = 1",
-            &[("radius", "inf"), ("height", "-1"), ("inner", "-1")],
+            &[("radius", "inf"), ("height", "-1"), ("inner", "-1"), ("radius", "1e120"), ("height", "1e120")],
         ),
         ("shape = 'disk'\nradius = 2\ndensity = 1", &[("radius", "-2"), ("density", "inf")]),
         ("shape = 'ellipsoid'\nsemiaxes = [1, 2, 3]\nmass = 1", &[("semiaxes", "[1, 0, 3]")]),
@@ -169,14 +169,7 @@ fn the_field_that_is_made_bad_is_the_field_that_is_named() {
         ("points = [[1, 0, 0, 0], [1, 1, 0, 0], [1, 0, 1, 0]]", &[("points", "[[0, 1, 2, 3]]")]),
         (
             "moments = [2, 3, 4]\nproducts = [0, 0.1, 0]\ntolerance = 0.1\nmass = 1\nsides = [1, 1, 1]",
-            &[
-                ("moments", "[2, -3, 4]"),
-                ("moments", "[2, nan, 4]"),
-                ("products", "[0, inf, 0]"),
-                ("tolerance", "-1"),
-                ("mass", "0"),
-                ("sides", "[1, 1, 0]"),
-            ],
+            &[("moments", "[2,-3,4]"), ("products", "[0,inf,0]"), ("tolerance", "-1"), ("sides", "[1,1,0]")],
         ),
         (
             "mass = 1\nmesh = 'corner.obj'\nunit = 1",
@@ -187,12 +180,9 @@ fn the_field_that_is_made_bad_is_the_field_that_is_named() {
             "urdf = 'arm.urdf'\nlink = 'arm'\ntolerance = 0.1",
             &[("urdf", "'none'"), ("link", "'leg'"), ("tolerance", "-1"), ("tolerance", "nan")],
         ),
-        (
-            "sides = [1, 2, 3]\ndensity = 1",
-            &[("sides", "[1e101, 1, 1]"), ("sides", "[1e-105, 1e-105, 1e-105]")],
-        ),
-        ("shape = 'cylinder'\nradius = 2\nheight = 1\nmass = 1", &[("radius", "1e120"), ("height", "1e120")]),
+        ("sides = [1, 2, 3]\ndensity = 1", &[("sides", "[1e101,1,1]"), ("sides", "[1e-105,1e-105,1e-105]")]),
         ("moments = [2, 3, 4]\nmass = 1", &[("moments", "[1e308, 1e308, 1e308]"), ("mass", "1e-250")]),
+        ("moments = [2, 3, 4]\nmass = 1", &[("moments", "[2, nan, 4]"), ("mass", "0")]),
         ("moments = [2, 3, 4]", &[("moments", "[1e308, 1e308, 1e308]")]),
         (
             "body = 'book'\nspin = 1\nat = [1, 0, 0]\nturn = [1, 0, 0, 30]",
@@ -234,8 +224,8 @@ fn a_marked_mesh_has_all_its_vertices() {
 #[test]
 fn what_would_take_minutes_or_the_stack_is_refused_with_its_count() {
     let part = "[[part]]\nsides = [1, 2, 3]\nmass = 1\n";
-    let error = body(&part.repeat(100_000)).unwrap_err();
-    assert!(error.why.starts_with("100000 parts: at most 10000"), "{error}");
+    let error = body(&part.repeat(20_000)).unwrap_err();
+    assert!(error.why.starts_with("20000 parts: at most 10000"), "{error}");
     let nested = |depth: usize| {
         let heads = (1..depth).map(|k| format!("[[{}]]\n", vec!["part"; k].join("."))).collect::<String>();
         body(&format!("{heads}sides = [1, 2, 3]\nmass = 1\n"))
@@ -243,7 +233,7 @@ fn what_would_take_minutes_or_the_stack_is_refused_with_its_count() {
     assert!(nested(30).is_ok());
     assert!(nested(31).unwrap_err().why.starts_with("31 bodies, one the part of the other: at most 30"));
     assert!(nested(1000).is_err());
-    for depth in [1000, 100_000] {
+    for depth in [1000, 20_000] {
         assert!(body(&format!("part = {}{}", "[".repeat(depth), "]".repeat(depth))).is_err());
         assert!(body(&format!("[{}]", vec!["part"; depth].join("."))).is_err());
         assert!(body(&format!("{}x = 1{}", "part = [{ ".repeat(depth), " }]".repeat(depth))).is_err());
@@ -267,7 +257,7 @@ fn parts_add_up_as_a_compound_does_wherever_they_are_written() {
 
 #[test]
 fn printed_moments_are_taken_within_the_tolerance_that_the_file_has() {
-    let moved = body("moments = [0.003333, 0.01333, 0.01667]\ntolerance = 1e-3").unwrap().moved;
+    let moved = body("[[part]]\nmass = 1\nmoments = [3.333, 13.33, 16.67]\ntolerance = 1e-3").unwrap().moved;
     assert!(moved > 1e-4 && moved < 1e-3);
 }
 

@@ -1,12 +1,13 @@
 //! The body of a record, and how each rule that may have made it takes a row one step further.
 
 use crate::read::{Pair, Row, angle_between, ordered};
-use crate::rule::{Alteration, Base, Limits, Rule, Steps, Turn, When, parted, turned_straight};
+use crate::rule::{Alteration, Base, Rule, Steps, Turn, When};
 use crate::thresholds::*;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use tumbling::exact::FreeMotion;
 use tumbling::step::{Engine, PositionStage, State, System, Torque};
 use tumbling::{Body, Error, Inertia, attitude, dynamics::euler};
+use tumbling_engines::{Limits, parted, turned_straight};
 
 /// An attitude, body to world, and a spin in body axes, rad/s.
 type End = (Quaternion<f64>, Vector3<f64>);

@@ -5,8 +5,9 @@ use crate::rule::diagnosis::{Ranked, Whole};
 use crate::rule::jumps::{Jump, far_off, without};
 use crate::rule::tried::explained;
 use crate::rule::unnamed::are_interpolated;
-use crate::rule::{Alteration, Base, Explanation, PHYSICS_ENGINES, Rule, Subject, Turn};
+use crate::rule::{Alteration, Base, Explanation, Rule, Subject, Turn};
 use crate::thresholds::*;
+use tumbling_engines::PHYSICS_ENGINES;
 
 /// The key of each for programs, and the words before the rule's name for readers.
 macro_rules! confidences {

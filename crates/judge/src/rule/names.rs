@@ -1,9 +1,10 @@
 //! The names of rules, and the engines that use them.
 
 use crate::read::{by_how_much, to_four_places};
-use crate::rule::{Alteration, Base, Limits, PHYSICS_ENGINES, PhysicsEngine, Rule, Turn, When};
+use crate::rule::{Alteration, Base, Rule, Turn, When};
 use crate::thresholds::*;
 use tumbling::step::Method;
+use tumbling_engines::{Limits, PHYSICS_ENGINES, PhysicsEngine};
 
 /// A number with five significant digits, as people write it.
 pub(crate) fn significant(x: f64) -> String {
@@ -197,15 +198,6 @@ pub(crate) fn settings(own: &[Steps], rules: &[Rule]) -> Vec<String> {
     let named = |engine: &&PhysicsEngine| if own.is_empty() { goes(engine) } else { is_own(engine) };
     let of = |engine: &PhysicsEngine| engine.remedy.map(|remedy| format!("{}: {remedy}", engine.name));
     PHYSICS_ENGINES.iter().filter(named).filter_map(of).collect()
-}
-
-impl PhysicsEngine {
-    /// Whether a word is the first of its name, or of one of its names.
-    pub(crate) fn is_called(&self, word: &str) -> bool {
-        let first = |name: &'static str| name.split(|c: char| !c.is_alphanumeric()).next();
-        let mut names = self.name.split(", ").filter_map(first);
-        names.any(|name| name.eq_ignore_ascii_case(word))
-    }
 }
 
 /// An engine with its version and setting, and its steps per row where they are several.

@@ -2,11 +2,11 @@
 
 use crate::law::LawName;
 use crate::read::Pair;
-use crate::rule::{Limits, PHYSICS_ENGINES, PhysicsEngine};
 use crate::thresholds::*;
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use tumbling::attitude::rotation_matrix;
 use tumbling::step::Method;
+use tumbling_engines::{Limits, PHYSICS_ENGINES, PhysicsEngine};
 
 /// A rule, as a diagnosis names it.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,7 +4,7 @@ use crate::common::judged;
 use crate::common::record::{engine, reset};
 use std::sync::LazyLock;
 use tumbling::step::Method;
-use tumbling_judge::records::{RECORDED, Recorded};
+use tumbling_engines::{RECORDED, Recorded};
 use tumbling_judge::{Confidence, LawName, Outcome, Verdict};
 
 /// Every record's name and verdict, judged once for all tests.
@@ -40,11 +40,12 @@ fn of_two_engines_with_the_same_steps_both_are_named_first() {
 
 #[test]
 fn every_record_in_the_folder_is_listed() {
-    let mut names: Vec<String> = std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/data"))
-        .unwrap()
-        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
-        .filter_map(|name| name.strip_suffix(".csv").map(str::to_string))
-        .collect();
+    let mut names: Vec<String> =
+        std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/../../../engines/data"))
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .filter_map(|name| name.strip_suffix(".csv").map(str::to_string))
+            .collect();
     names.sort();
     let listed = RECORDED.iter().map(|run| format!("{}--{}", run.engine, run.story));
     assert_eq!(names, listed.collect::<Vec<_>>());

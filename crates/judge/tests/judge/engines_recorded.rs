@@ -3,8 +3,7 @@
 use crate::common::record::{H, Record, engine, reset};
 use nalgebra::{Quaternion, Vector3};
 use tumbling::step::{State, System};
-use tumbling_judge::records::RECORDED;
-use tumbling_judge::{Limits, PHYSICS_ENGINES, PhysicsEngine};
+use tumbling_engines::{Limits, PHYSICS_ENGINES, PhysicsEngine, RECORDED};
 
 /// Free motions of 20 s.
 const STORIES: [&str; 4] = ["box-middle", "major", "middle", "minor"];

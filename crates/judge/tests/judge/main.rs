@@ -1,9 +1,8 @@
 //! Tests of the judge by theme, as one program, since each one more is linked on its own:
-//! `cargo test -p tumbling-judge --test judge kit` runs a part.
+//! `cargo test -p tumbling-judge-tests kit` runs a part.
 
 mod accurate;
 mod attitudes;
-mod command;
 mod common;
 mod compared;
 mod engines_judged;

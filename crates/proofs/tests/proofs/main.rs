@@ -1,5 +1,5 @@
 //! Tests of proofs and their numbers by theme, as one program, since each one more is linked on its own:
-//! `cargo test -p tumbling-proofs --test proofs sympy` runs a part.
+//! `cargo test -p tumbling-proofs-tests sympy` runs a part.
 
 mod all;
 mod intervals;

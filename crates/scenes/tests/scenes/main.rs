@@ -5,6 +5,7 @@ mod batch;
 mod common;
 mod driven;
 mod free;
+mod lanes;
 mod same_bits;
 mod scene;
 mod torques;

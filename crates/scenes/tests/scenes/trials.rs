@@ -4,7 +4,8 @@
 use crate::common::{BOTH, one, states};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use tumbling::step::{State, Stepper, System, Torque};
-use tumbling_scenes::{Error, InitialState, Times};
+use tumbling_scenes::tested::{Run, Trial};
+use tumbling_scenes::{Error, InitialState, Outputs, Times};
 
 struct Case {
     moments: [f64; 3],
@@ -105,4 +106,26 @@ fn where_a_motion_multiplies_errors_the_answer_is_as_right_as_requested() {
             assert!(off < accuracy / 3.0, "{off:e} of {accuracy:e} at {} s: {}", state.time, plan.explain());
         }
     }
+}
+
+/// A needle turns fast about its light axis, and its energy is in the heavy ones: a percent of the spin
+/// is two thirds of it.
+#[test]
+fn runs_that_agree_in_spin_and_not_in_energy_are_apart_where_energy_is_requested() {
+    let moments = Vector3::new(1e-4, 1.0, 1.0);
+    let start = InitialState::spinning(moments, Vector3::x());
+    let [a, b] = [0.1, 0.2].map(|heavy| {
+        let omega = Vector3::new(10.0, heavy, 0.0);
+        let momentum = moments.component_mul(&omega);
+        Run { states: vec![(omega, State { attitude: Quaternion::identity(), momentum })], ..Run::default() }
+    });
+    let apart = |energy| {
+        let outputs = Outputs { spin: true, energy, ..Outputs::NOTHING };
+        let (body, times, torques) = (start.body().unwrap(), &[1.0], &[]);
+        let trial = Trial { body: &body, torques, times, outputs, accuracy: 0.1 };
+        trial.apart(&a, &b)
+    };
+    assert!((apart(false) - 0.01).abs() < 1e-5);
+    // 0.005 + 0.005 J and 0.005 + 0.02 J.
+    assert!((apart(true) - 0.6).abs() < 1e-12);
 }

@@ -1,10 +1,9 @@
-//! What engines did to a body, as recorded in `crates/judge/data`.
+//! What engines did to a body, as recorded in `crates/engines/data`.
 
 use nalgebra::Vector3;
 use tumbling::step::{State, System, Torque};
-pub use tumbling_judge::records::RecordedRow as Row;
-use tumbling_judge::records::{RECORDED, Trajectory};
-use tumbling_judge::{PHYSICS_ENGINES, PhysicsEngine};
+pub use tumbling_engines::RecordedRow as Row;
+use tumbling_engines::{PHYSICS_ENGINES, PhysicsEngine, RECORDED, Trajectory};
 
 /// The step of all records, s.
 pub const H: f64 = 1.0 / 60.0;

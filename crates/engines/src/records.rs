@@ -1,7 +1,6 @@
 //! What engines did, as recorded: the runs committed in `data`, and the table made of them.
 
-use crate::error::Error;
-use crate::read::{Raw, Rows, Source};
+use crate::Error;
 use nalgebra::{Quaternion, Vector3};
 use tumbling::attitude;
 
@@ -12,7 +11,7 @@ pub struct Recorded {
     pub engine: &'static str,
     /// The story: which body, and how it was spun.
     pub story: &'static str,
-    /// The record itself, as [`judge`](crate::judge) takes it.
+    /// The record itself, as the judge takes it.
     pub text: &'static str,
 }
 
@@ -66,13 +65,13 @@ macro_rules! recorded {
 /// Every recorded run.
 ///
 /// ```
-/// use tumbling_judge::records::RECORDED;
+/// use tumbling_engines::RECORDED;
 /// let run = RECORDED.iter().find(|run| (run.engine, run.story) == ("rapier3d-f64-0.36.1", "fast")).unwrap();
 /// // 60 rad/s at the start, and a step later no more than an eighth of a turn a step.
 /// let rows = run.read()?.rows;
 /// assert_eq!((rows[0].omega.z, rows[1].step), (60.0, 1));
 /// assert!(rows[1].omega.norm() < 47.2);
-/// # Ok::<(), tumbling_judge::Error>(())
+/// # Ok::<(), tumbling_engines::Error>(())
 /// ```
 pub const RECORDED: &[Recorded] = recorded! {
     "bullet-3.2.7-multibody": "box-middle" "fast" "major" "middle" "minor" "pushed" "wound";
@@ -89,29 +88,36 @@ impl Recorded {
     /// Its numbers.
     ///
     /// # Errors
-    /// A record that does not do, or has no moments or attitudes.
+    /// A line that is not as those of the committed records.
     pub fn read(&self) -> Result<Trajectory, Error> {
-        let mut rows = Rows::open(self.text.as_bytes())?;
-        let moments = rows.header.moments(&mut Vec::new())?.ok_or(Error::NoMoments)?;
-        let torque = rows.header.torque.unwrap_or_default();
-        let step = rows.header.step.unwrap_or(1.0);
-        let mut read = Vec::new();
-        while let Some(Raw { line, t, attitude, vector, .. }) = rows.next()? {
-            let none = || Error::Line { line, problem: "the row has no attitude".into() };
-            let attitude = attitude.ok_or_else(none)?;
-            let step = (t / step).round() as usize;
-            let world = rows.columns.kind.in_world();
-            let omega = if world { attitude::rotation_matrix(&attitude).tr_mul(&vector) } else { vector };
-            read.push(RecordedRow { step, attitude, omega });
-        }
-        Ok(Trajectory { moments, torque, rows: read })
+        let mut lines = self.text.lines();
+        let [about, names] = [lines.next(), lines.next()].map(Option::unwrap_or_default);
+        let about = |what| about.split_once(what).and_then(|(_, numbers)| first(numbers.split_whitespace()));
+        let ([a, b, c], [x, y, z]) = about("moments ").zip(about("torque ")).ok_or(Error::Line(1))?;
+        let in_world = names.ends_with("wxw,wyw,wzw");
+        let row = |(at, line): (usize, &str)| {
+            let step = line.split(',').next().and_then(|step| step.parse().ok());
+            let numbers = first(line.split(',').skip(1));
+            let (step, [qw, qx, qy, qz, wx, wy, wz]) = step.zip(numbers).ok_or(Error::Line(at + 3))?;
+            let (attitude, spin) = (Quaternion::new(qw, qx, qy, qz), Vector3::new(wx, wy, wz));
+            let omega = if in_world { attitude::rotation_matrix(&attitude).tr_mul(&spin) } else { spin };
+            Ok::<_, Error>(RecordedRow { step, attitude, omega })
+        };
+        let rows = lines.enumerate().map(row).collect::<Result<_, Error>>()?;
+        Ok(Trajectory { moments: Vector3::new(a, b, c), torque: Vector3::new(x, y, z), rows })
     }
+}
+
+/// As many numbers as are wanted, from the first words.
+fn first<'a, const N: usize>(words: impl Iterator<Item = &'a str>) -> Option<[f64; N]> {
+    let numbers: Option<Vec<f64>> = words.take(N).map(|word| word.parse().ok()).collect();
+    numbers?.try_into().ok()
 }
 
 /// The table of engines, by rule; a test holds it to the records.
 ///
 /// ```
-/// use tumbling_judge::records::table;
+/// use tumbling_engines::table;
 /// let whole: Vec<&str> = table().filter(|line| line.steps == [None; 2]).map(|line| line.name).collect();
 /// assert_eq!(whole, ["MuJoCo 4, RK4", "MuJoCo 3, RK4", "MJX 3, RK4", "Drake, error-controlled"]);
 /// ```

@@ -1,9 +1,9 @@
 //! What an engine is, in one setting, and how it steps: its rule, and the limits that it adds to it; and the
 //! catalogue, each row in full, with where it is known from.
 
+use crate::Error;
 use nalgebra::{Quaternion, Vector3};
 use std::f64::consts::FRAC_PI_4;
-use tumbling::Error;
 use tumbling::attitude;
 use tumbling::step::{Method, State, System};
 
@@ -22,7 +22,7 @@ pub struct PhysicsEngine {
     pub parts: u32,
     /// What it adds to the rule.
     pub limits: Limits,
-    /// The name of its recorded motions in [`records`](crate::records).
+    /// The name of its recorded motions in [`RECORDED`](crate::RECORDED).
     pub record: Option<&'static str>,
     /// What its own settings have against what the rule does to a free body, if anything.
     pub remedy: Option<&'static str>,
@@ -94,45 +94,55 @@ impl Limits {
             turned_beyond(&start.attitude, &omega, part, most)
         };
         let momentum = if cut { system.momentum(&omega) } else { end.momentum };
-        State { attitude, momentum }.checked()
+        Ok(State { attitude, momentum }.checked()?)
     }
 }
 
 impl PhysicsEngine {
+    /// Whether a word is the first of its name, or of one of its names.
+    pub fn is_called(&self, word: &str) -> bool {
+        let first = |name: &'static str| name.split(|c: char| !c.is_alphanumeric()).next();
+        let mut names = self.name.split(", ").filter_map(first);
+        names.any(|name| name.eq_ignore_ascii_case(word))
+    }
+
     /// One step of `h` seconds as this engine takes it: its rule, its parts of a step and its limits.
     ///
     /// ```
     /// use nalgebra::{Quaternion, Vector3};
     /// use tumbling::PrincipalMoments;
     /// use tumbling::step::{State, System};
-    /// use tumbling_judge::PHYSICS_ENGINES;
+    /// use tumbling_engines::PHYSICS_ENGINES;
     /// let system = System::free(PrincipalMoments::new(1.0, 2.0, 2.5)?)?;
     /// let start = State { attitude: Quaternion::identity(), momentum: Vector3::new(0.0, 0.0, 250.0) };
     /// let rapier = PHYSICS_ENGINES.iter().find(|engine| engine.name == "Rapier").unwrap();
     /// // 100 rad/s about an axis, at 60 Hz: Rapier makes that an eighth of a turn a step, 47 rad/s.
     /// let end = rapier.step(&system, &start, 1.0 / 60.0)?;
     /// assert!((system.omega(&end.momentum).z - 15.0 * std::f64::consts::PI).abs() < 1e-12);
-    /// # Ok::<(), tumbling_judge::Error>(())
+    /// # Ok::<(), tumbling_engines::Error>(())
     /// ```
     ///
     /// # Errors
     /// A step that is not finite, a motion that leaves what `f64` holds, or one that MuJoCo would take back
     /// to the beginning.
-    pub fn step(&self, system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64>, crate::Error> {
+    pub fn step(&self, system: &System<f64>, start: &State<f64>, h: f64) -> Result<State<f64>, Error> {
         if let Some(most) = self.limits.rate {
             let omega = system.omega(&start.momentum);
             let rate = system.omega(&system.rate(start).momentum);
             let beyond = |x: &f64| x.is_nan() || x.abs() > most;
             if let Some(value) = omega.iter().chain(&rate).copied().find(beyond) {
-                return Err(crate::Error::StartsAnew { value, most });
+                return Err(Error::StartsAnew { value, most });
             }
         }
-        Ok(parted(self.method, self.parts, &self.limits, system, start, h)?)
+        parted(self.method, self.parts, &self.limits, system, start, h)
     }
 }
 
 /// One step of `h` seconds by a rule, cut into this number of parts, within these limits on turn and spin.
-pub(crate) fn parted(
+///
+/// # Errors
+/// A step that is not finite, or a motion that leaves what `f64` holds.
+pub fn parted(
     method: Method,
     parts: u32,
     limits: &Limits,
@@ -169,7 +179,7 @@ fn turned(start: &Quaternion<f64>, turn: &Quaternion<f64>) -> Quaternion<f64> {
 
 /// `start` moved along its rate at the spin `omega` (body axes, rad/s) for `h` seconds, at length 1: a turn
 /// by `2 atan(|w| h / 2)` instead of `|w| h`.
-pub(crate) fn turned_straight(start: &Quaternion<f64>, omega: &Vector3<f64>, h: f64) -> Quaternion<f64> {
+pub fn turned_straight(start: &Quaternion<f64>, omega: &Vector3<f64>, h: f64) -> Quaternion<f64> {
     turned(start, &Quaternion::from_parts(1.0, omega * (h / 2.0)))
 }
 
@@ -209,13 +219,13 @@ macro_rules! engines {
     };
 }
 
-/// Engines and what they do to a free body. The recorded ones are followed step by step in
+/// Engines and what they do to a free body. The recorded ones are followed step by step in the judge's
 /// `tests/judge/engines_recorded.rs`; of the others the rule is known, and neither the last digits nor their
 /// limits.
 ///
 /// ```
 /// use tumbling::step::Method;
-/// use tumbling_judge::PHYSICS_ENGINES;
+/// use tumbling_engines::PHYSICS_ENGINES;
 /// let rapier = PHYSICS_ENGINES.iter().find(|engine| engine.name == "Rapier").unwrap();
 /// assert_eq!((rapier.method, rapier.parts), (Method::RescaledLinearAttitude, 4));
 /// let never_flips = PHYSICS_ENGINES.iter().filter(|engine| engine.method == Method::ConstantSpin);

@@ -1,6 +1,5 @@
 //! The program from outside: exit codes, what it prints, what it takes.
 
-use crate::common::spins;
 use nalgebra::Vector3;
 use std::io::Write as _;
 use std::process::{Command, Output, Stdio};
@@ -24,9 +23,10 @@ fn top(growth: f64) -> String {
     let rate = (along - transverse) / transverse * 3.0;
     let row = |i: i32| {
         let t = h * f64::from(i);
-        (t, Vector3::new(0.5 * (rate * t).cos(), 0.5 * (rate * t).sin(), 3.0) * growth.powi(i))
+        let w = Vector3::new(0.5 * (rate * t).cos(), 0.5 * (rate * t).sin(), 3.0) * growth.powi(i);
+        format!("{t:e},{:e},{:e},{:e}\n", w.x, w.y, w.z)
     };
-    spins("# inertia: 1 1 2", (0..400).map(row))
+    format!("# inertia: 1 1 2\nt,wx,wy,wz\n{}", (0..400).map(row).collect::<String>())
 }
 
 fn words(output: &Output) -> String {
