@@ -14,7 +14,7 @@ tumblingLive.widget("engines", async (stage, from) => {
     const flat = exact.answer(6, 9, ...MOMENTS);
     flat[6] = 0.2;
     const solid = model(flat, 9, [0, 0, 0]);
-    // Which rule, and how many steps a second: judge/src/rule/engines.rs has them, and the text their fates.
+    // Which rule, and how many steps a second: crates/engines/src/catalogue.rs has them, and the text their fates.
     const RULES = [
         { name: "exact" },
         { name: "pybullet", rule: "explicit gyroscopic step", rate: 240, limit: 100 }, // rad/s in each component
