@@ -13,7 +13,7 @@ use tumbling::dynamics::observe;
 use tumbling::step::{State, Stepper, Torque};
 use tumbling::{Body, Inertia, attitude};
 
-/// The largest number of steps of all trial runs together.
+/// The largest number of steps of all trial runs for an accuracy together.
 const MOST_STEPS: usize = 3_000_000;
 /// The number of requested times at which runs are compared, besides the last,
 const COMPARED: u64 = 32;
@@ -63,11 +63,11 @@ fn stepper(body: &Body, torques: &[Torque<f64>], tolerance: f64, budget: usize) 
     Ok(Stepper::adaptive(body, tolerance, budget)?.with_torques(torques.iter().cloned())?)
 }
 
-/// The body, four roundings longer or shorter along each axis, and as much faster or slower about it, as the
-/// rounding of its start and of its steps may leave it.
+/// The body up to four roundings longer or shorter along each axis, and as much faster or slower about it: as
+/// far off as the rounding of its start and of its steps may leave it.
 ///
-/// The tensor is that of the sums of mass times coordinates, stretched: it stays possible. What is zero stays
-/// zero.
+/// What is stretched are its sums of mass times two coordinates, so that the tensor stays possible. What is
+/// zero stays zero.
 fn changed(body: &Body, faster: f64) -> Result<Body, Error> {
     let [stretch, spin] = [[1.0, -1.0, 0.5], [-0.5 * faster, faster, faster]]
         .map(|signs| Vector3::from(signs).map(|sign| 1.0 + 4.0 * f64::EPSILON * sign));
@@ -118,7 +118,7 @@ struct Budget {
 pub struct Run {
     /// At the times compared, with the spin in body axes.
     pub states: Vec<(Vector3<f64>, State<f64>)>,
-    /// Their times, s.
+    /// The times of its flips, s.
     pub flips: Vec<f64>,
     /// The number of steps.
     pub steps: usize,
@@ -144,10 +144,11 @@ impl Trial<'_> {
     /// (and then uses the coarser), with at most the steps of the budget in total. Returns the tolerance, the
     /// difference from the other run and the number of steps.
     ///
-    /// Each tolerance is a hundredth of the one before, which costs a quarter more. Errors decrease with the
-    /// tolerance only on average: where the motion amplifies errors, two runs with tolerances ten times apart
-    /// were observed to have the same error. With the least tolerance two runs differ by rounding alone, and
-    /// may agree by chance; so the finer one is compared with two runs of a [`changed`] body too.
+    /// Each tolerance but the last is a hundredth of the one before, which costs a quarter more. Errors
+    /// decrease with the tolerance only on average: where the motion amplifies errors, two runs with
+    /// tolerances ten times apart were observed to have the same error. With the least tolerance two runs
+    /// differ by rounding alone, and may agree by chance; so the finer one is compared with two runs of a
+    /// [`changed`] body too.
     fn refined(&self, budget: &mut Budget) -> Result<(f64, f64, usize), Error> {
         let (all, requested) = (budget.left, self.accuracy);
         let from = TOLERANCES.partition_point(|t| *t > 0.03 * requested).min(TOLERANCES.len() - 2);

@@ -137,7 +137,7 @@ impl fmt::Display for Error {
             Self::OutOfSteps { steps } => {
                 write!(
                     f,
-                    "the trial runs took {steps} steps, and no more are allowed to reach the last time twice"
+                    "the trial runs took {steps} steps, and too few are left to reach the last time twice"
                 )
             }
             Self::Undefined { what, why } => write!(f, "{what} is requested, but {why}"),

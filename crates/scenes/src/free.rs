@@ -48,7 +48,7 @@ fn allowed(requested: f64, attainable: f64) -> Result<(), Error> {
     if requested >= attainable { Ok(()) } else { Err(Error::unattainable(requested, attainable)) }
 }
 
-/// Refuses an accuracy finer than the conversion to principal axes permits, times the angle turned.
+/// Refuses an accuracy finer than what the rounding of the start leaves after an angle `turned`, rad.
 pub(crate) fn determined(body: &Checked, accuracy: f64, turned: f64) -> Result<(), Error> {
     allowed(accuracy, ROUNDINGS * f64::EPSILON * turned * coarsening(body))
 }

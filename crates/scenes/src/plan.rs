@@ -29,7 +29,9 @@ impl Scene {
     ///
     /// # Errors
     /// [`Error::Body`] with a field that no body has, [an output that it does not have](Error::Undefined), an
-    /// accuracy that [cannot be reached](Error::Unattainable), or a motion beyond the range of `f64`.
+    /// accuracy that [cannot be reached](Error::Unattainable), trial runs that take [too many
+    /// steps](Error::OutOfSteps) or [do not agree](Error::Disagreement), or a motion beyond the range of
+    /// `f64`.
     pub fn plan(&self, index: usize) -> Result<Plan<'_>, Error> {
         let of_body = |source| Error::Body { index, source: Box::new(source) };
         let body = self.bodies().get(index).ok_or_else(|| {
