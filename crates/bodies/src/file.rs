@@ -154,7 +154,7 @@ impl<'a> Reader<'a> {
         fields.max_by(|a, b| off(a).total_cmp(&off(b))).map_or(self.by, |(field, _)| *field)
     }
 
-    /// Its density, if it has one, is in `per`.
+    /// Its mass, or its density in the unit `per`.
     fn weight(&self, per: &str) -> Result<Weight, Error> {
         let none = format!("`mass` (kg) or `density` ({per}) is missing, which goes with it");
         let both = "either `mass` or `density` is expected, not both";

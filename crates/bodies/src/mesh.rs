@@ -49,7 +49,7 @@ fn stl(bytes: &[u8]) -> Result<Triangles, Error> {
     // The header of a binary file may begin so too.
     if corners.is_empty() || !text.trim_start().starts_with("solid") {
         let why = format!(
-            "neither `solid` and its vertices in text nor {EACH} bytes for each of {count} triangles"
+            "it has neither `solid` and vertices in text nor {EACH} bytes for each of {count} triangles"
         );
         return Err(Error::new(why));
     }

@@ -20,8 +20,8 @@ pub struct BodyModel {
     pub centre: Vector3<f64>,
     /// About the centre of mass, in the body's axes. All three principal moments are above zero.
     pub inertia: Inertia,
-    /// How far the tensor, or that of a part, was moved to become possible, relative to its largest moment;
-    /// the largest of all parts, zero unless the file has a `tolerance`.
+    /// How far the tensor was moved to become possible, relative to its largest moment; of several parts, the
+    /// farthest. Zero unless the file has a `tolerance`.
     pub moved: f64,
     /// The surfaces to draw, in the body's axes, m. Empty if only numbers are known.
     pub surfaces: Vec<Surface>,

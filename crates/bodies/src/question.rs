@@ -16,7 +16,7 @@ pub(crate) fn bare(number: &str) -> bool {
     !number.contains(['"', '\''])
 }
 
-/// The numbers of a field, those with a unit in quotes.
+/// The numbers of a field as written; one with a unit is in quotes.
 fn numbers(written: &str) -> Vec<String> {
     let list = if written.starts_with('[') { written.into() } else { format!("[{written}]") };
     let all: BTreeMap<String, Vec<Given>> = from_toml(&format!("all = {list}")).unwrap_or_default();

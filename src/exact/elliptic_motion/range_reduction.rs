@@ -16,7 +16,7 @@ pub(crate) struct Reduction<T = f64> {
     pub(crate) start: DoubleDouble<T>,
     /// Half periods per unit of time, or the argument, likewise.
     pub(crate) rate: DoubleDouble<T>,
-    /// From flip to saddle, and from flip to flip: on the separatrix the largest `f64`, and infinite.
+    /// From flip to saddle (on the separatrix the largest `f64`), and from flip to flip (there infinite).
     pub(crate) quarter: DoubleDouble<T>,
     pub(crate) half: DoubleDouble<T>,
     /// `pi/(2K')`.
@@ -62,7 +62,7 @@ impl<T: Real> Reduction<T> {
         let pi = DoubleDouble::<T>::pi().hi();
         let stretch = pi / (other * 2.0);
         if !quarter.hi().finite() {
-            // More than any argument, but not infinite, as a factor of zero is taken of it.
+            // More than any argument, but not infinite, since it may be multiplied by zero.
             let far = DoubleDouble::from(splat::<T>(f64::MAX));
             return Self { start, rate, quarter: far, half: quarter, stretch, nome_root: T::zero(), turn };
         }
