@@ -198,8 +198,8 @@ pub struct Driven {
 }
 
 impl Driven {
-    /// The largest difference between the trial run used and those that it was compared with: one with another
-    /// tolerance and, where one of the two has the least, two of a slightly changed body.
+    /// The largest difference between the trial run used and those that it was compared with: one with
+    /// another tolerance and, where one of the two has the least, two of a slightly changed body.
     #[must_use]
     pub fn observed_difference(&self) -> f64 {
         self.difference
