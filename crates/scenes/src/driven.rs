@@ -22,8 +22,8 @@ const INNER: u32 = 16;
 
 /// The tolerances that are tried. They are the same for every accuracy, so that what is accepted is accepted
 /// for a coarser accuracy too.
-const TOLERANCES: [f64; 8] =
-    [0.03, 0.03 * 1e-2, 0.03 * 1e-4, 0.03 * 1e-6, 0.03 * 1e-8, 0.03 * 1e-10, 0.03 * 1e-12, LEAST_TOLERANCE];
+const TOLERANCES: [f64; 7] =
+    [0.03 * 1e-2, 0.03 * 1e-4, 0.03 * 1e-6, 0.03 * 1e-8, 0.03 * 1e-10, 0.03 * 1e-12, LEAST_TOLERANCE];
 
 /// The run that the trials showed to be accurate enough.
 ///
@@ -35,7 +35,12 @@ pub(crate) fn chosen(start: &Checked, body: &Body, scene: &Scene) -> Result<Driv
         match chosen_to(accuracy, start, body, scene) {
             Ok(driven) if accuracy == requested => return Ok(driven),
             Ok(_) => return Err(Error::unattainable(requested, accuracy)),
-            Err(Error::Unattainable { attainable, .. }) if attainable > accuracy => accuracy = attainable,
+            Err(Error::Unattainable { attainable, .. }) if accuracy < attainable && attainable < 1.0 => {
+                accuracy = attainable;
+            }
+            Err(Error::Unattainable { attainable, .. }) => {
+                return Err(Error::unattainable(requested, attainable));
+            }
             Err(error) => return Err(error),
         }
     }
@@ -68,13 +73,14 @@ fn stepper(body: &Body, torques: &[Torque<f64>], tolerance: f64, budget: usize) 
 ///
 /// What is stretched are its sums of mass times two coordinates, so that the tensor stays possible. What is
 /// zero stays zero.
-fn changed(body: &Body, faster: f64) -> Result<Body, Error> {
+pub fn changed(body: &Body, faster: f64) -> Result<Body, Error> {
     let [stretch, spin] = [[1.0, -1.0, 0.5], [-0.5 * faster, faster, faster]]
         .map(|signs| Vector3::from(signs).map(|sign| 1.0 + 4.0 * f64::EPSILON * sign));
-    let of_masses = |tensor: Matrix3<f64>| Matrix3::from_diagonal_element(0.5 * tensor.trace()) - tensor;
     let tensor = body.inertia().matrix();
-    let stretched = of_masses(tensor).component_mul(&(stretch * stretch.transpose()));
-    let tensor = Matrix3::from_diagonal_element(stretched.trace()) - stretched;
+    let sums = Matrix3::from_diagonal_element(0.5 * tensor.trace()) - tensor;
+    // Of the change alone, so that a needle's small moment keeps its digits.
+    let change = sums.component_mul(&(stretch * stretch.transpose()).add_scalar(-1.0));
+    let tensor = tensor + Matrix3::from_diagonal_element(change.trace()) - change;
     let omega = body.omega_body().component_mul(&spin);
     Ok(Body::spinning(Inertia::within(&tensor, 1e-12)?.0, body.attitude(), &omega)?)
 }
@@ -164,6 +170,9 @@ impl Trial<'_> {
             if finer == LEAST_TOLERANCE && difference < 0.5 {
                 for faster in [1.0, -1.0] {
                     let other = self.run(&changed(self.body, faster)?, finer, budget);
+                    if let Err(Error::OutOfSteps { .. }) = other {
+                        return Err(Error::OutOfSteps { steps: all - budget.left });
+                    }
                     difference = difference.max(self.between(&fine, &other));
                 }
             }

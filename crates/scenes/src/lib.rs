@@ -53,7 +53,7 @@ mod torques;
 #[doc(hidden)]
 pub mod tested {
     pub use crate::batch::side_by_side;
-    pub use crate::driven::{Run, Trial};
+    pub use crate::driven::{Run, Trial, changed};
     pub use crate::lanes::Lanes;
 }
 

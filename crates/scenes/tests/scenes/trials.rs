@@ -4,7 +4,7 @@
 use crate::common::{BOTH, one, states};
 use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use tumbling::step::{State, Stepper, System, Torque};
-use tumbling_scenes::tested::{Run, Trial};
+use tumbling_scenes::tested::{Run, Trial, changed};
 use tumbling_scenes::{Error, InitialState, Outputs, Times};
 
 struct Case {
@@ -105,6 +105,13 @@ fn where_a_motion_multiplies_errors_the_answer_is_as_right_as_requested() {
             assert!(off < accuracy / 3.0, "{off:e} of {accuracy:e} at {} s: {}", state.time, plan.explain());
         }
     }
+}
+
+#[test]
+fn a_needle_changed_by_roundings_is_that_needle_to_some_roundings() {
+    let needle = InitialState::spinning(Vector3::new(1e-8, 1.0, 1.0), Vector3::x()).body().unwrap();
+    let light = changed(&needle, 1.0).unwrap().inertia().matrix()[(0, 0)];
+    assert!(light != 1e-8 && (light / 1e-8 - 1.0).abs() < 1e-14, "{light:e}");
 }
 
 /// A needle turns fast about its light axis, and its energy is in the heavy ones: a percent of the spin
