@@ -102,9 +102,9 @@ impl Plan<'_> {
     fn accuracy_line(&self) -> String {
         let requested = self.scene.accuracy();
         let how = match &self.driven {
-            Some(Driven { difference, steps, .. }) => format!(
-                "two runs of different steps were {difference:.0e} apart, and one of {steps} steps is taken"
-            ),
+            Some(Driven { difference, steps, .. }) => {
+                format!("trial runs were at most {difference:.0e} apart, and one of {steps} steps is taken")
+            }
             None if !self.scene.torques().is_empty() => "nothing is computed".to_owned(),
             None => "the closed form is as accurate as the rounding of the start permits".to_owned(),
         };
